@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gabor::cli {
+
+// Each adds one subcommand, which does its work in its callback.
+void add_render_command(CLI::App& app);
+void add_stats_command(CLI::App& app);
+void add_devices_command(CLI::App& app);
+
+} // namespace gabor::cli

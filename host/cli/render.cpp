@@ -1,0 +1,247 @@
+#include "cli/commands.hpp"
+#include "cli/numbers.hpp"
+#include "cli/terminal.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "render/bands.hpp"
+#include "render/picture.hpp"
+#include "vulkan/device.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gabor::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The options as given; what is absent comes from --like, or else from Picture's defaults.
+struct RenderOptions {
+    std::optional<std::string> size;
+    std::optional<std::string> scale;
+    std::optional<std::string> frequency;
+    std::optional<std::string> orientation;
+    std::optional<std::string> seed;
+    std::optional<std::string> recipe;
+    std::optional<std::string> region;
+    std::optional<std::string> like;
+    std::optional<std::string> png;
+    std::string output;
+    std::string compression =
+        "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
+    std::string device;
+    bool verbose = false;
+};
+
+struct Request {
+    render::Picture picture;
+    image::Window region;
+};
+
+Request make_request(const RenderOptions& options) {
+    Request request;
+    render::Picture& picture = request.picture;
+    std::optional<image::Window> region;
+    if (options.like) {
+        const image::ExrReader file(*options.like);
+        if (file.parameters().empty())
+            throw RequestError(fmt::format(
+                "--like '{}' has no 'gabor' attribute: it takes an EXR that gabor rendered", *options.like));
+        try {
+            picture = render::from_json(file.parameters());
+        } catch (const RequestError& error) {
+            throw RequestError(fmt::format("--like '{}': {}", *options.like, error.what()));
+        }
+        if (!options.size)
+            region = file.window();
+    }
+    if (options.size) {
+        const auto [width, height] =
+            parse_integers<2>("--size", *options.size, 'x',
+                              fmt::format("WIDTHxHEIGHT, each from 1 to {}", render::largest_side));
+        picture.width = width;
+        picture.height = height;
+    }
+    if (options.scale)
+        picture.scale = parse_number<double>("--scale", *options.scale, "a number, pixels per kernel radius");
+    if (options.frequency)
+        picture.frequency =
+            parse_number<double>("--frequency", *options.frequency, "a number, cycles per kernel radius");
+    if (options.orientation)
+        picture.orientation =
+            parse_number<double>("--orientation", *options.orientation, "a number, degrees");
+    if (options.seed)
+        picture.seed =
+            parse_number<std::uint32_t>("--seed", *options.seed, "a whole number from 0 to 4294967295");
+    if (options.recipe)
+        picture.recipe = *options.recipe;
+    render::check(picture);
+
+    if (options.region) {
+        const auto [x, y, width, height] =
+            parse_integers<4>("--region", *options.region, ',',
+                              "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
+        region = image::Window{x, y, width, height};
+    }
+    request.region = region.value_or(image::Window{0, 0, picture.width, picture.height});
+    const image::Window& r = request.region;
+    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > picture.width - r.x ||
+        r.height > picture.height - r.y)
+        throw RequestError(
+            fmt::format("{} {},{},{},{} is not within the picture of {} x {} pixels",
+                        options.region ? "--region" : fmt::format("--like '{}': its region", *options.like),
+                        r.x, r.y, r.width, r.height, picture.width, picture.height));
+    return request;
+}
+
+void warn_above_nyquist(const render::Picture& picture) {
+    const double radians = picture.orientation * std::numbers::pi / 180;
+    const double highest = picture.frequency *
+                           std::max(std::abs(std::cos(radians)), std::abs(std::sin(radians))) / picture.scale;
+    if (highest > 0.5)
+        fmt::print(stderr,
+                   "gabor: warning: the frequency is {:.3g} cycles per pixel, above the picture's limit of "
+                   "0.5: it shows as a lower one\n",
+                   highest);
+}
+
+// Also for files that are still to be made, and however they are written.
+bool same_file(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path here = fs::current_path();
+    return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
+}
+
+void render_picture(const RenderOptions& options, Clock::time_point start) {
+    const Request request = make_request(options);
+    const render::Picture& picture = request.picture;
+    const image::Window& region = request.region;
+    if (options.png && same_file(*options.png, options.output))
+        throw RequestError(
+            fmt::format("--png and -o both name '{}': they take two different files", options.output));
+    warn_above_nyquist(picture);
+
+    note_interrupts();
+    image::ExrWriter exr(options.output, {.picture = {0, 0, picture.width, picture.height},
+                                          .window = region,
+                                          .channels = {"Y"},
+                                          .compression = options.compression,
+                                          .parameters = render::to_json(picture)});
+    std::optional<image::PngWriter> png;
+    if (options.png)
+        png.emplace(*options.png, region.width, region.height, 1);
+
+    const vulkan::Device device(options.device);
+    const double device_ready = seconds_since(start);
+
+    double writing = 0;
+    render::Times times;
+    {
+        Progress progress("rendering", static_cast<std::uint64_t>(region.width) *
+                                           static_cast<std::uint64_t>(region.height));
+        std::vector<float> shown;
+        times = render::render_bands(device, picture, region, [&](std::span<const float> rows) {
+            check_interrupt();
+            const Clock::time_point before = Clock::now();
+            exr.write_rows(rows);
+            if (png) {
+                shown.resize(rows.size());
+                std::ranges::transform(rows, shown.begin(), [](float noise) { return 0.5f + 0.25f * noise; });
+                png->write_rows(shown);
+            }
+            writing += seconds_since(before);
+            progress.advance(rows.size());
+        });
+    }
+    check_interrupt();
+    const Clock::time_point before = Clock::now();
+    exr.commit();
+    if (png)
+        png->commit();
+    const double closing = seconds_since(before);
+
+    fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", options.output, region.width, region.height,
+               picture.recipe, device.info().name);
+    if (options.verbose) {
+        const double wall = seconds_since(start);
+        const double pixels = static_cast<double>(region.width) * region.height;
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        fmt::print("  driver                  {}\n", device.info().driver);
+        fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
+        fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", times.gpu,
+                   times.gpu / pixels * 1e9);
+        fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", writing,
+                   closing);
+        fmt::print("  everything              {:8.3f} s\n", wall);
+        fmt::print("  host overhead           {:8.3f} s\n", wall - times.gpu - writing - closing);
+        fmt::print("  resident memory         {:8} MiB at most\n", usage.ru_maxrss / 1024);
+    }
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app) {
+    const Clock::time_point start = Clock::now();
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Render the noise to an OpenEXR file");
+    const render::Picture defaults;
+
+    std::vector<std::string> recipes;
+    for (const noise::Recipe& recipe : noise::recipes())
+        recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.is));
+
+    command
+        ->add_option("-o,--output", options->output,
+                     "The EXR to write: one 32-bit float channel Y, variance 1")
+        ->required();
+    command->add_option("--size", options->size,
+                        fmt::format("WIDTHxHEIGHT in pixels, up to {0} x {0} [{1}x{2}]", render::largest_side,
+                                    defaults.width, defaults.height));
+    command->add_option("--scale", options->scale,
+                        fmt::format("Pixels per kernel radius, {} to {} [{}]", render::smallest_scale,
+                                    render::largest_scale, defaults.scale));
+    command->add_option("--frequency", options->frequency,
+                        fmt::format("Cycles per kernel radius, {} to {} [{}]", render::smallest_frequency,
+                                    render::largest_frequency, defaults.frequency));
+    command->add_option(
+        "--orientation", options->orientation,
+        fmt::format("Direction of the waves in degrees, from right towards down [{}]", defaults.orientation));
+    command->add_option("--seed", options->seed,
+                        fmt::format("Which instance of the noise, 0 to 4294967295 [{}]", defaults.seed));
+    command->add_option(
+        "--recipe", options->recipe,
+        fmt::format("How quality is bought: {} [{}]", fmt::join(recipes, "; "), defaults.recipe));
+    command->add_option("--region", options->region,
+                        "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there");
+    command->add_option("--like", options->like,
+                        "Take what is not given from the header of an EXR rendered before");
+    command->add_option("--png", options->png,
+                        "Also write a PNG to look at: mean 0.5, two standard deviations to the ends");
+    command->add_option("--compression", options->compression,
+                        fmt::format("Compression of the EXR: {} [{}]",
+                                    fmt::join(image::compression_names(), ", "), options->compression));
+    command->add_option("--device", options->device,
+                        "Vulkan device: its index, or a part of its name [the fastest kind]");
+    command->add_flag("--verbose", options->verbose, "Also print where time and memory went");
+    command->callback([options, start] { render_picture(*options, start); });
+}
+
+} // namespace gabor::cli

@@ -1,0 +1,223 @@
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "error.hpp"
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+#include "statistics/picture.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gabor::cli {
+
+namespace {
+
+using nlohmann::json;
+using statistics::BlockEstimates;
+using statistics::Estimate;
+using statistics::PictureReport;
+using statistics::SpectrumSummary;
+
+struct StatsOptions {
+    std::string file;
+    std::optional<std::string> channel;
+    std::optional<std::string> json;
+};
+
+// What the file says of itself, and what was measured.
+struct Measured {
+    int width = 0;
+    int height = 0;
+    std::string channel;
+    json parameters;             // null without a `gabor` attribute
+    std::optional<double> scale; // pixels per kernel radius
+    statistics::Reference reference;
+    PictureReport report;
+};
+
+template <typename Use>
+void read_bands(image::ExrReader& reader, Progress& progress, Use use) {
+    const int rows = std::max(1, (1 << 20) / reader.window().width);
+    for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows)) {
+        check_interrupt();
+        use(band);
+        progress.advance(band.size());
+    }
+}
+
+// gabor writes noise of mean 0 and variance 1; what others write is first read for its own mean and variance.
+Measured measure(const StatsOptions& options) {
+    image::ExrReader reader(options.file, options.channel);
+    Measured measured;
+    measured.width = reader.window().width;
+    measured.height = reader.window().height;
+    measured.channel = reader.channel();
+    const std::string& attribute = reader.parameters();
+    if (json parsed = json::parse(attribute, nullptr, false); !parsed.is_discarded())
+        measured.parameters = std::move(parsed);
+    if (measured.parameters.is_object())
+        if (const json scale = measured.parameters.value("scale", json()); scale.is_number() && scale > 0)
+            measured.scale = scale.get<double>();
+
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(measured.width) * static_cast<std::uint64_t>(measured.height);
+    Progress progress("measuring", attribute.empty() ? 2 * pixels : pixels);
+    if (attribute.empty()) {
+        statistics::Moments moments;
+        image::ExrReader first_pass(options.file, options.channel);
+        read_bands(first_pass, progress, [&](auto band) { statistics::add_finite(moments, band); });
+        measured.reference = statistics::measured_reference(moments);
+    }
+    statistics::PictureStatistics statistics(measured.width, measured.height, measured.reference);
+    read_bands(reader, progress, [&](auto band) { statistics.add_rows(band); });
+    measured.report = statistics.report();
+    return measured;
+}
+
+const char* reference_name(const Measured& measured) {
+    return measured.reference.measured ? "measured" : "analytic";
+}
+
+json interval(const Estimate& estimate) {
+    return {{"low", estimate.low}, {"high", estimate.high}};
+}
+
+json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale) {
+    json radial = json::array();
+    for (std::size_t k = 0; k < spectrum.radial.size(); ++k)
+        radial.push_back({static_cast<double>(k) * spectrum.radial_step, spectrum.radial[k]});
+    return {{"power", spectrum.power},
+            {"peak_frequency", spectrum.peak_frequency},
+            {"peak_orientation", spectrum.peak_orientation},
+            {"bandwidth", spectrum.bandwidth},
+            {"resolution", spectrum.resolution},
+            {"peak_frequency_per_radius", scale ? json(spectrum.peak_frequency * *scale) : json()},
+            {"bandwidth_per_radius", scale ? json(spectrum.bandwidth * *scale) : json()},
+            {"correlation_length", spectrum.correlation},
+            {"radial", std::move(radial)}};
+}
+
+// Numbers that do not exist (NaN, infinity) become null.
+std::string to_json(const Measured& measured) {
+    const PictureReport& report = measured.report;
+    const statistics::Moments& moments = report.moments;
+    const auto& blocks = report.blocks;
+    const json result = {
+        {"width", measured.width},
+        {"height", measured.height},
+        {"channel", measured.channel},
+        {"parameters", measured.parameters},
+        {"pixels", moments.count()},
+        {"not_finite", report.not_finite},
+        {"mean", moments.count() > 0 ? json(moments.mean()) : json()},
+        {"mean_interval", blocks ? interval(blocks->mean) : json()},
+        {"variance", moments.variance()},
+        {"variance_interval", blocks ? interval(blocks->variance) : json()},
+        {"skewness", moments.skewness()},
+        {"excess_kurtosis", moments.excess_kurtosis()},
+        {"minimum", moments.minimum()},
+        {"maximum", moments.maximum()},
+        {"cvm", blocks
+                    ? json{{"value", blocks->cvm.value}, {"low", blocks->cvm.low}, {"high", blocks->cvm.high}}
+                    : json()},
+        {"cvm_reference", reference_name(measured)},
+        {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
+        {"spectrum", report.spectrum ? to_json(*report.spectrum, measured.scale) : json()},
+    };
+    return result.dump() + "\n";
+}
+
+void print_line(const char* name, double value, const std::string& note = {}) {
+    fmt::print("{}\n", fmt::format("  {:<18}{:>13.6g}  {}", name, value, note));
+}
+
+void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>& scale) {
+    const auto per_radius = [&](double frequency) {
+        return scale ? fmt::format(", {:.4g} per kernel radius", frequency * *scale) : "";
+    };
+    print_line("peak frequency", spectrum.peak_frequency,
+               "cycles per pixel" + per_radius(spectrum.peak_frequency));
+    print_line("peak orientation", spectrum.peak_orientation, "degrees from right towards down");
+    print_line("bandwidth", spectrum.bandwidth, "cycles per pixel" + per_radius(spectrum.bandwidth));
+    print_line("resolution", spectrum.resolution, "cycles per pixel, the least bandwidth that can be seen");
+    print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
+}
+
+void print_report(const StatsOptions& options, const Measured& measured) {
+    const PictureReport& report = measured.report;
+    const statistics::Moments& moments = report.moments;
+    const auto between = [&](const Estimate BlockEstimates::*member) {
+        if (!report.blocks)
+            return std::string();
+        const Estimate& estimate = (*report.blocks).*member;
+        return fmt::format("95 %: {:.6g} to {:.6g}", estimate.low, estimate.high);
+    };
+    fmt::print("{}: channel {}, {} x {} pixels, {} not finite\n", options.file, measured.channel,
+               measured.width, measured.height, report.not_finite);
+    if (moments.count() == 0)
+        return;
+    print_line("mean", moments.mean(), between(&BlockEstimates::mean));
+    print_line("variance", moments.variance(), between(&BlockEstimates::variance));
+    print_line("skewness", moments.skewness());
+    print_line("excess kurtosis", moments.excess_kurtosis());
+    print_line("minimum", moments.minimum());
+    print_line("maximum", moments.maximum());
+    if (report.blocks)
+        print_line("cvm", report.blocks->cvm.value,
+                   fmt::format("{}, against the {} mean and variance", between(&BlockEstimates::cvm),
+                               reference_name(measured)));
+    if (report.spectrum)
+        print_spectrum(*report.spectrum, measured.scale);
+    if (report.blocks)
+        fmt::print("  Pixels correlate over about {0:.0f} pixels: intervals and cvm come from {1} x {1} "
+                   "blocks, the cvm "
+                   "from pairs that do not touch.\n",
+                   report.spectrum->correlation, report.blocks->blocks_per_side);
+    else
+        fmt::print("  No intervals and no cvm: the picture is flat, or less than 8 times as long as its "
+                   "pixels correlate.\n");
+}
+
+void report_statistics(const StatsOptions& options) {
+    namespace fs = std::filesystem;
+    std::optional<image::OutputFile> output;
+    std::error_code ignored;
+    if (options.json && fs::equivalent(*options.json, options.file, ignored))
+        throw RequestError(
+            fmt::format("--json '{}' is the picture itself: it takes another file", *options.json));
+    if (options.json && *options.json != "-")
+        output.emplace(*options.json);
+
+    note_interrupts();
+    const Measured measured = measure(options);
+    if (options.json == "-")
+        fmt::print("{}", to_json(measured));
+    else
+        print_report(options, measured);
+    if (output) {
+        const std::string text = to_json(measured);
+        output->write(std::as_bytes(std::span(text)));
+        output->commit();
+    }
+}
+
+} // namespace
+
+void add_stats_command(CLI::App& app) {
+    auto options = std::make_shared<StatsOptions>();
+    CLI::App* command =
+        app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
+    command->add_option("FILE", options->file, "The EXR to measure")->required();
+    command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]");
+    command->add_option("--json", options->json,
+                        "Also write the numbers here as JSON; '-': to stdout, instead of text");
+    command->callback([options] { report_statistics(*options); });
+}
+
+} // namespace gabor::cli

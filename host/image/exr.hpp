@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gabor::image {
+
+/// A rectangle of pixels. x grows to the right, y downwards, as in the file.
+struct Window {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// The names that `ExrWriter::Description::compression` may have, in the order in which help texts list them.
+std::span<const std::string_view> compression_names();
+
+/// Writes 32-bit float scanlines from top to bottom. The file appears under its name at `commit`; a writer
+/// destroyed before that leaves nothing behind and an older file of that name untouched.
+class ExrWriter {
+  public:
+    struct Description {
+        Window picture;                    ///< EXR's display window: the whole picture
+        Window window;                     ///< EXR's data window: the part of it in this file
+        std::vector<std::string> channels; ///< one float channel each
+        std::string_view compression = "none";
+        std::string parameters; ///< stored as the string attribute `gabor`
+    };
+
+    /// Throws RequestError for an unknown compression or a path that cannot be created.
+    ExrWriter(const std::filesystem::path& path, const Description& description);
+    ~ExrWriter();
+    ExrWriter(ExrWriter&&) noexcept;
+
+    /// Appends whole rows; `pixels` interleaves the channels and holds rows * width * channels values.
+    /// Throws std::runtime_error when the disk fails.
+    void write_rows(std::span<const float> pixels);
+
+    /// Publishes the file under its name. Every row must have been written. Throws std::runtime_error when
+    /// the disk fails.
+    void commit();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Reads one channel of a flat EXR, scanline or tiled, band by band, half or float, as float.
+class ExrReader {
+  public:
+    /// Without a channel name: `Y`, else `R`, else the first float or half channel.
+    /// Throws RequestError when the file is missing, truncated, not an EXR, has no such channel, or is larger
+    /// than 65536 x 65536 pixels.
+    explicit ExrReader(const std::filesystem::path& path, std::optional<std::string> channel = {});
+    ~ExrReader();
+    ExrReader(ExrReader&&) noexcept;
+
+    const Window& picture() const;
+    const Window& window() const;
+    const std::string& channel() const;
+    /// The `gabor` attribute, empty where the file has none.
+    const std::string& parameters() const;
+
+    /// The next rows, at most `rows` and `window().height` in all, top to bottom; empty after the last.
+    /// The span stays valid until the next call. Throws RequestError when the data is damaged.
+    std::span<const float> read_rows(int rows);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace gabor::image

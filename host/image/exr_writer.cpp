@@ -1,0 +1,147 @@
+#include "image/exr.hpp"
+
+#include "error.hpp"
+#include "image/exr_threads.hpp"
+#include "image/output_file.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace gabor::image {
+
+namespace {
+
+// Only the methods that keep every bit of a 32-bit float.
+constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
+constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
+
+Imf::Compression find_method(std::string_view name) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        throw RequestError(
+            fmt::format("unknown compression '{}'; accepted are {}", name, fmt::join(names, ", ")));
+    return methods[static_cast<std::size_t>(found - names.begin())];
+}
+
+Imath::Box2i box(const Window& window) {
+    return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
+}
+
+Imf::Header make_header(const ExrWriter::Description& description) {
+    Imf::Header header(box(description.picture), box(description.window));
+    header.compression() = find_method(description.compression);
+    header.zipCompressionLevel() = 1; // on noise twice as fast as the default, and no larger
+    for (const std::string& channel : description.channels)
+        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    header.insert("gabor", Imf::StringAttribute(description.parameters));
+    return header;
+}
+
+/// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
+/// completes the table of offsets, swallows it.
+class Stream final : public Imf::OStream {
+  public:
+    explicit Stream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
+
+    void write(const char* bytes, int count) override {
+        attempt([&] { file_.write(std::as_bytes(std::span(bytes, static_cast<std::size_t>(count)))); });
+    }
+    std::uint64_t tellp() override { return file_.position(); }
+    void seekp(std::uint64_t position) override {
+        attempt([&] { file_.seek(position); });
+    }
+
+    void rethrow_failure() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+  private:
+    template <class Action>
+    void attempt(Action action) {
+        try {
+            action();
+        } catch (...) {
+            failure_ = std::current_exception();
+            throw;
+        }
+    }
+
+    OutputFile& file_;
+    std::exception_ptr failure_;
+};
+
+} // namespace
+
+std::span<const std::string_view> compression_names() {
+    return names;
+}
+
+struct ExrWriter::State {
+    State(const std::filesystem::path& path, const Description& description, const Imf::Header& header)
+        : window(description.window), channels(description.channels), file(path), stream(file),
+          image(std::in_place, stream, header) {}
+
+    const Window window;
+    const std::vector<std::string> channels;
+    int rows_written = 0;
+    OutputFile file;
+    Stream stream;
+    std::optional<Imf::OutputFile> image;
+};
+
+ExrWriter::ExrWriter(const std::filesystem::path& path, const Description& description) {
+    start_exr_threads();
+    state_ = std::make_unique<State>(path, description, make_header(description));
+}
+
+ExrWriter::~ExrWriter() = default;
+ExrWriter::ExrWriter(ExrWriter&&) noexcept = default;
+
+void ExrWriter::write_rows(std::span<const float> pixels) {
+    const Window& window = state_->window;
+    const std::size_t x_stride = state_->channels.size();
+    const std::size_t y_stride = x_stride * static_cast<std::size_t>(window.width);
+    const std::size_t rows = pixels.size() / y_stride;
+    if (pixels.size() % y_stride != 0 ||
+        rows > static_cast<std::size_t>(window.height - state_->rows_written))
+        throw std::logic_error("ExrWriter::write_rows takes whole rows and no more than the window has");
+    if (rows == 0)
+        return;
+
+    // OpenEXR compresses straight from `pixels`, whose first row it is told to find in row `y` of the
+    // picture.
+    const int y = window.y + state_->rows_written;
+    Imf::FrameBuffer band;
+    for (std::size_t c = 0; c < x_stride; ++c)
+        band.insert(state_->channels[c],
+                    Imf::Slice::Make(Imf::FLOAT, pixels.data() + c, {window.x, y}, window.width,
+                                     static_cast<std::int64_t>(rows), x_stride * sizeof(float),
+                                     y_stride * sizeof(float)));
+    state_->image->setFrameBuffer(band);
+    state_->image->writePixels(static_cast<int>(rows));
+    state_->rows_written += static_cast<int>(rows);
+}
+
+void ExrWriter::commit() {
+    if (state_->rows_written != state_->window.height)
+        throw std::logic_error("ExrWriter::commit before the last row");
+    state_->image.reset();
+    state_->stream.rethrow_failure();
+    state_->file.commit();
+}
+
+} // namespace gabor::image

@@ -1,0 +1,177 @@
+#include "image/output_file.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <random>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace gabor::image {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr mode_t everyone = 0666; // less the umask, as for any new file
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void refuse(const fs::path& path, std::string_view what) {
+    throw RequestError(fmt::format("cannot write {}: {}", path.string(), what));
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// The file that a chain of symbolic links ends at, whether it exists or not.
+fs::path resolve(fs::path path) {
+    while (fs::is_symlink(fs::symlink_status(path)))
+        path = path.parent_path() / fs::read_symlink(path);
+    return path;
+}
+
+/// Offers hidden names beside `target` to `claim` until one is not taken yet. Returns that name and what
+/// `claim` made of it: negative, with errno set, when it failed for another reason.
+template <class Claim>
+std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
+    const std::string stem = target.filename().string().substr(0, 200); // a name holds no more than 255 bytes
+    std::random_device random;
+    for (;;) {
+        fs::path name = folder_of(target) / fmt::format(".{}.{:08x}", stem, random());
+        const int result = claim(name.c_str());
+        if (result >= 0 || errno != EEXIST)
+            return {std::move(name), result};
+    }
+}
+
+/// A file without a name in `folder`, or negative where there is no such thing or no way to name it later.
+int open_nameless(const fs::path& folder) {
+    if (::access("/proc/self/fd", X_OK) != 0)
+        return -1;
+    return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
+}
+
+/// Makes a rename last through a power cut. Without it the older file may come back, but whole: no error.
+void sync_folder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+} // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
+    if (!path_.has_filename())
+        refuse(path_, path_.empty() ? "the name is empty; accepted is the path of a file"
+                                    : "it is a folder; accepted is the path of a file");
+    std::error_code error;
+    const fs::file_status status = fs::status(path_, error);
+    if (status.type() == fs::file_type::none)
+        refuse(path_, error.message() + "; accepted is a file in an existing folder");
+    if (fs::is_directory(status))
+        refuse(path_, "it is a folder; accepted is the path of a file");
+
+    if (!fs::exists(status) || fs::is_regular_file(status))
+        target_ = resolve(path_);
+    open();
+}
+
+void OutputFile::open() {
+    if (target_.empty()) {
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0)
+            refuse(path_, reason(errno));
+        sequential_ = ::lseek(descriptor_, 0, SEEK_CUR) < 0;
+        return;
+    }
+    const fs::path folder = folder_of(target_);
+    descriptor_ = open_nameless(folder);
+    if (descriptor_ >= 0)
+        return;
+    auto [name, descriptor] = claim_name(target_, [](const char* candidate) {
+        return ::open(candidate, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
+    });
+    if (descriptor < 0)
+        refuse(path_,
+               fmt::format("folder {}: {}; accepted is a file in an existing folder that can be written",
+                           folder.string(), reason(errno)));
+    temporary_ = std::move(name);
+    descriptor_ = descriptor;
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)), target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})), descriptor_(std::exchange(other.descriptor_, -1)),
+      sequential_(other.sequential_), position_(other.position_) {}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+    if (!temporary_.empty())
+        ::unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written =
+            sequential_ ? ::write(descriptor_, bytes.data(), bytes.size())
+                        : ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(position_));
+        if (written < 0) {
+            if (errno == EINTR)
+                continue;
+            fail();
+        }
+        position_ += static_cast<std::uint64_t>(written);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+void OutputFile::seek(std::uint64_t position) {
+    if (sequential_ && position != position_) {
+        errno = ESPIPE;
+        fail();
+    }
+    position_ = position;
+}
+
+void OutputFile::commit() {
+    if (!target_.empty())
+        publish();
+    ::close(std::exchange(descriptor_, -1));
+}
+
+void OutputFile::publish() {
+    if (::fsync(descriptor_) != 0)
+        fail();
+    if (temporary_.empty()) {
+        const std::string data = fmt::format("/proc/self/fd/{}", descriptor_);
+        auto [name, result] = claim_name(target_, [&](const char* candidate) {
+            return ::linkat(AT_FDCWD, data.c_str(), AT_FDCWD, candidate, AT_SYMLINK_FOLLOW);
+        });
+        if (result < 0)
+            fail();
+        temporary_ = std::move(name);
+    }
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0)
+        fail();
+    temporary_.clear();
+    sync_folder(folder_of(target_));
+}
+
+void OutputFile::fail() const {
+    throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), reason(errno)));
+}
+
+} // namespace gabor::image

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace gabor::noise {
+
+/// A named set of the drop-in's compile-time trade-offs: the GABOR_ macros of shaders/gabor_noise.glsl.
+struct Recipe {
+    std::string_view name;
+    int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)
+    float radius;                ///< R, cells per kernel radius (GABOR_RADIUS)
+    float weight_floor;          ///< A, magnitudes are A or 1, equally likely (GABOR_WEIGHT_FLOOR)
+    int phases;                  ///< 2 is a sine with random sign (GABOR_PHASES)
+    std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
+    std::string_view is;         ///< what it is, for help texts
+};
+
+/// The known recipes; the first is the default.
+std::span<const Recipe> recipes();
+
+/// Throws RequestError, listing the known names, when there is no such recipe.
+const Recipe& find_recipe(std::string_view name);
+
+/// Impulses visited for each evaluation of the noise: (ceil(2 R) + 1)^2 N.
+int visited_impulses(const Recipe& recipe);
+
+} // namespace gabor::noise

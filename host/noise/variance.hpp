@@ -1,0 +1,15 @@
+#pragma once
+
+#include "noise/recipe.hpp"
+
+namespace gabor::noise {
+
+/// J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx for the recipe's window q.
+double window_energy(const Recipe& recipe, double a);
+
+/// Variance of sum_i w_i q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)) by Campbell's theorem: the number of
+/// impulses per unit area times E[w^2] times the mean energy of the kernels. `frequency` in cycles per kernel
+/// radius, `orientation` in radians.
+double variance(const Recipe& recipe, double frequency, double orientation);
+
+} // namespace gabor::noise

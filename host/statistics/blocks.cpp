@@ -1,0 +1,207 @@
+#include "statistics/blocks.hpp"
+
+#include "statistics/gaussianity.hpp"
+#include "statistics/normal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+
+namespace gabor::statistics {
+
+namespace {
+
+constexpr int finest = 16;             ///< blocks per side
+constexpr int coarsest = 8;            ///< 64 blocks, 16 groups
+constexpr std::size_t bin_count = 256; ///< the deviation from a normal law is smooth: see test_blocks.cpp
+
+/// The jackknife leaves out groups of blocks, a sixteenth of the picture each, so that correlation across a
+/// border between two of them matters little.
+constexpr int groups_per_side = 4;
+constexpr int groups = groups_per_side * groups_per_side;
+
+struct Grid {
+    int side;
+
+    int blocks() const { return side * side; }
+    int group(int block) const {
+        return block / side * groups_per_side / side * groups_per_side +
+               block % side * groups_per_side / side;
+    }
+    bool touch(int a, int b) const {
+        return std::abs(a / side - b / side) <= 1 && std::abs(a % side - b % side) <= 1;
+    }
+};
+
+/// The first pixel of block `index` along a side of `length` pixels.
+int block_begin(int index, int length) {
+    return static_cast<int>((std::int64_t(index) * length + finest - 1) / finest);
+}
+
+int block_of(int place, int length) {
+    return static_cast<int>(std::int64_t(place) * finest / length);
+}
+
+/// Joins 2 x 2 blocks by `merge(into, from)`.
+template <typename Block, typename Merge>
+std::vector<Block> coarsen(const std::vector<Block>& blocks, int side, Merge merge) {
+    const auto n = static_cast<std::size_t>(side);
+    std::vector<Block> joined(blocks.size() / 4);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        merge(joined[i / n / 2 * (n / 2) + i % n / 2], blocks[i]);
+    return joined;
+}
+
+/// The 97.5 % point of Student's t with 15 degrees of freedom.
+constexpr double quantile = 2.131;
+static_assert(groups == 16);
+
+/// The mean over all pixels of something of which `excess` holds each block's sum less its expected share.
+/// Across borders the noise anticorrelates as often as not, so that the interval for the mean is on the safe
+/// side.
+Estimate mean_interval(double value, double pixels, std::span<const double> excess, const Grid& grid) {
+    std::vector<double> sums(groups);
+    for (int i = 0; i < grid.blocks(); ++i)
+        sums[static_cast<std::size_t>(grid.group(i))] += excess[static_cast<std::size_t>(i)];
+    double squares = 0;
+    for (const double sum : sums)
+        squares += sum * sum;
+    return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, quantile);
+}
+
+/// The index from pairs of blocks that do not touch. G_i = n_i (F_i - Phi) are independent for such a pair,
+/// with n_i times the true deviation for expectation, so that
+///     sum_ij G_i . G_j / sum_ij n_i n_j
+/// estimates the integral of (F - Phi)^2 dPhi without bias.
+///
+/// It is a U-statistic. With h_IJ the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J,
+/// leaving out one group after the other gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n
+/// n)^2. For a normal law U is degenerate, and its variance 2 sum_IJ h_IJ^2 / (sum n n)^2, half of that
+/// (Hoeffding, 1948). As in Gaussianity::index, the first is taken to be proportional to the index, with
+/// noise in both.
+Estimate pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
+                    const Grid& grid) {
+    std::vector<double> sum(bin_count);
+    double pixels = 0;
+    std::vector<double> products(groups * groups);
+    std::vector<double> weights(groups * groups);
+    for (int i = 0; i < grid.blocks(); ++i) {
+        for (int j = 0; j < grid.blocks(); ++j) {
+            if (grid.touch(i, j))
+                continue;
+            const auto a = static_cast<std::size_t>(i);
+            const auto b = static_cast<std::size_t>(j);
+            const auto place = static_cast<std::size_t>(grid.group(i) * groups + grid.group(j));
+            products[place] += integrate_product(deviation[a], deviation[b]);
+            weights[place] +=
+                static_cast<double>(moments[a].count()) * static_cast<double>(moments[b].count());
+        }
+        const auto a = static_cast<std::size_t>(i);
+        std::transform(sum.begin(), sum.end(), deviation[a].begin(), sum.begin(), std::plus<>());
+        pixels += static_cast<double>(moments[a].count());
+    }
+
+    const double biased =
+        integrate_product(sum, sum) / (pixels * pixels); // all pairs: positive, noise included
+    const double weight = std::reduce(weights.begin(), weights.end());
+    const double index = std::reduce(products.begin(), products.end()) / weight;
+    double jackknife = 0;
+    double degenerate = 0;
+    for (int a = 0; a < groups; ++a) {
+        double row = 0;
+        for (int b = 0; b < groups; ++b) {
+            const auto place = static_cast<std::size_t>(a * groups + b);
+            const double h = products[place] - index * weights[place];
+            row += h;
+            degenerate += 2 * h * h;
+        }
+        jackknife += 4 * row * row;
+    }
+    const double variance_scale = cvm_scale * cvm_scale / (weight * weight);
+    const double slope = variance_scale * jackknife / (cvm_scale * biased);
+    return score_interval(cvm_scale * index, variance_scale * degenerate, slope, quantile);
+}
+
+} // namespace
+
+Reference measured_reference(const Moments& moments) {
+    const double variance = moments.variance();
+    return {moments.count() > 0 ? moments.mean() : 0, variance > 0 ? std::sqrt(variance) : 1, true};
+}
+
+Blocks::Blocks(int width, int height, const Reference& reference)
+    : width_(width), height_(height), reference_(reference), moments_(finest * finest),
+      counts_(finest * finest, Counts(bin_count)) {}
+
+void Blocks::add(int x, int y, std::span<const float> pixels) {
+    const int row = block_of(y, height_);
+    while (!pixels.empty()) {
+        const int column = block_of(x, width_);
+        const auto length = static_cast<std::size_t>(block_begin(column + 1, width_) - x);
+        const auto part = pixels.first(std::min(length, pixels.size()));
+        const auto block = static_cast<std::size_t>(row * finest + column);
+        moments_[block].add(part);
+        count_uniform(part, reference_.mean, reference_.deviation, counts_[block]);
+        x += static_cast<int>(part.size());
+        pixels = pixels.subspan(part.size());
+    }
+}
+
+Moments Blocks::moments() const {
+    Moments all;
+    for (const Moments& block : moments_)
+        all.merge(block);
+    return all;
+}
+
+std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
+    Grid grid{finest};
+    std::vector<Moments> moments = moments_;
+    std::vector<Counts> counts = counts_;
+    const int shortest = std::min(width_, height_);
+    while (grid.side > coarsest && shortest / grid.side < correlation) {
+        moments = coarsen(moments, grid.side, [](Moments& into, const Moments& from) { into.merge(from); });
+        counts = coarsen(counts, grid.side, [](Counts& into, const Counts& from) {
+            into.resize(bin_count);
+            std::transform(into.begin(), into.end(), from.begin(), into.begin(), std::plus<>());
+        });
+        grid.side /= 2;
+    }
+    if (!(correlation <= shortest / grid.side))
+        return {};
+
+    const Moments all = this->moments();
+    if (!(all.variance() > 0))
+        return {};
+    const double pixels = static_cast<double>(all.count());
+    const double spread = std::sqrt(all.variance());
+
+    std::vector<double> mean_excess;
+    std::vector<double> variance_excess;
+    std::vector<std::vector<double>> deviation;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const double n = static_cast<double>(moments[i].count());
+        const double d = moments[i].mean() - all.mean();
+        mean_excess.push_back(n * d);
+        variance_excess.push_back(moments[i].state().m2 + n * d * d - n * all.variance());
+        deviation.push_back(deviations(counts[i]));
+        if (!reference_.measured)
+            continue;
+        // A reference fitted to all blocks ties them together. To first order, this is what block i would
+        // have shown against its own mean and variance, which depend on no other block.
+        for (std::size_t k = 0; k + 1 < bin_count; ++k) {
+            const double z = normal_quantile(static_cast<double>(k + 1) / bin_count);
+            deviation[i][k] +=
+                normal_density(z) * (mean_excess[i] / spread + z * variance_excess[i] / (2 * all.variance()));
+        }
+    }
+
+    return BlockEstimates{grid.side, mean_interval(all.mean(), pixels, mean_excess, grid),
+                          mean_interval(all.variance(), pixels, variance_excess, grid),
+                          pair_index(deviation, moments, grid)};
+}
+
+} // namespace gabor::statistics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "statistics/edf.hpp"
+#include "statistics/estimate.hpp"
+#include "statistics/moments.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gabor::statistics {
+
+/// The normal law with which a picture is compared.
+struct Reference {
+    double mean = 0;
+    double deviation = 1;
+    bool measured = false; ///< taken from the same picture, not from theory
+};
+
+/// Of a picture of which nothing is known beforehand. A picture without variance gets the deviation 1.
+Reference measured_reference(const Moments& moments);
+
+/// What can be said of the noise behind one picture, whose pixels are correlated.
+struct BlockEstimates {
+    int blocks_per_side = 0;
+    Estimate mean;
+    Estimate variance;
+    Estimate cvm; ///< index as in Gaussianity
+
+    bool operator==(const BlockEstimates&) const = default;
+};
+
+/// A picture cut into 16 x 16 blocks. Blocks that do not touch are independent where the correlation is
+/// shorter than a block; estimates rest on such pairs only. Blocks are joined, 2 x 2 at a time, until they
+/// are longer than the correlation.
+class Blocks {
+  public:
+    Blocks(int width, int height, const Reference& reference);
+
+    /// Adds pixels of row `y`, from column `x` on. Throws std::domain_error at a NaN.
+    void add(int x, int y, std::span<const float> pixels);
+
+    /// Of all pixels so far.
+    Moments moments() const;
+
+    /// `correlation`: the distance in pixels beyond which pixels are independent.
+    /// Nothing when that leaves fewer than 8 x 8 blocks.
+    std::optional<BlockEstimates> estimate(double correlation) const;
+
+  private:
+    int width_;
+    int height_;
+    Reference reference_;
+    std::vector<Moments> moments_; ///< row by row of blocks, as are the counts
+    std::vector<Counts> counts_;
+};
+
+} // namespace gabor::statistics

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace gabor::statistics {
+
+/// A measured number and the ends of its 95 % confidence interval, in the same unit.
+struct Estimate {
+    double value = 0;
+    double low = 0;
+    double high = 0;
+
+    bool operator==(const Estimate&) const = default;
+};
+
+/// A value whose variance would be null_variance + slope * max(truth, 0): the interval holds every truth from
+/// which the value is at most `quantile` standard deviations away (Wilson's score interval, 1927).
+Estimate score_interval(double value, double null_variance, double slope, double quantile);
+
+} // namespace gabor::statistics

@@ -1,0 +1,72 @@
+#include "statistics/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gabor::statistics {
+
+namespace {
+
+bool is_finite(float value) {
+    return std::isfinite(value);
+}
+
+/// Calls visit(first, run) for each run of finite pixels; returns how many pixels are not finite.
+template <typename Visit>
+std::uint64_t for_finite_runs(std::span<const float> pixels, Visit visit) {
+    std::uint64_t finite = 0;
+    auto end = pixels.begin();
+    while (end != pixels.end()) {
+        const auto begin = std::find_if(end, pixels.end(), is_finite);
+        end = std::find_if_not(begin, pixels.end(), is_finite);
+        if (begin == end)
+            break;
+        visit(begin - pixels.begin(), std::span(begin, end));
+        finite += static_cast<std::uint64_t>(end - begin);
+    }
+    return pixels.size() - finite;
+}
+
+} // namespace
+
+PictureStatistics::PictureStatistics(int width, int height, const Reference& reference)
+    : width_(width), reference_(reference), blocks_(width, height, reference),
+      centred_(static_cast<std::size_t>(width)) {
+    if (segment_side(width, height))
+        spectrum_.emplace(width, height);
+}
+
+void PictureStatistics::add_rows(std::span<const float> pixels) {
+    const auto width = static_cast<std::size_t>(width_);
+    for (; !pixels.empty(); pixels = pixels.subspan(width))
+        add_row(pixels.first(width));
+}
+
+void PictureStatistics::add_row(std::span<const float> row) {
+    std::fill(centred_.begin(), centred_.end(), 0.0f);
+    not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
+        blocks_.add(static_cast<int>(first), row_, run);
+        std::transform(run.begin(), run.end(), centred_.begin() + first,
+                       [&](float value) { return static_cast<float>(value - reference_.mean); });
+    });
+    if (spectrum_)
+        spectrum_->add_row(centred_);
+    ++row_;
+}
+
+PictureReport PictureStatistics::report() const {
+    PictureReport report;
+    report.not_finite = not_finite_;
+    report.moments = blocks_.moments();
+    if (spectrum_) {
+        report.spectrum = summarize(spectrum_->periodogram(), spectrum_->side());
+        report.blocks = blocks_.estimate(report.spectrum->correlation);
+    }
+    return report;
+}
+
+std::uint64_t add_finite(Moments& moments, std::span<const float> pixels) {
+    return for_finite_runs(pixels, [&](std::ptrdiff_t, std::span<const float> run) { moments.add(run); });
+}
+
+} // namespace gabor::statistics

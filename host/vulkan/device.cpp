@@ -1,0 +1,276 @@
+#include "vulkan/state.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gabor::vulkan {
+
+namespace {
+
+std::atomic<int> messages = 0;
+
+VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                      const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    ++messages;
+    fmt::print(stderr, "validation: {}\n", data->pMessage);
+    return VK_FALSE;
+}
+
+bool validating() {
+    const char* value = std::getenv("GABOR_VALIDATION");
+    return value && *value && std::string_view(value) != "0";
+}
+
+vk::raii::Context load() {
+    try {
+        return {};
+    } catch (const std::runtime_error&) {
+        throw RequestError("no Vulkan loader found: install libvulkan1 and a driver (mesa-vulkan-drivers has "
+                           "one that needs no GPU)");
+    }
+}
+
+vk::raii::Instance make_instance(const vk::raii::Context& context) {
+    const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
+    vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
+    chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
+    const std::array layers{"VK_LAYER_KHRONOS_validation"};
+    const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    const std::array features{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    if (validating()) {
+        chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers).setPEnabledExtensionNames(
+            extensions);
+        chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
+    } else {
+        chain.unlink<vk::ValidationFeaturesEXT>();
+    }
+    try {
+        return {context, chain.get<vk::InstanceCreateInfo>()};
+    } catch (const vk::IncompatibleDriverError&) {
+        throw RequestError(
+            "no Vulkan driver found: install one (mesa-vulkan-drivers has one that needs no GPU)");
+    }
+}
+
+vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance) {
+    if (!validating())
+        return nullptr;
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(
+                          {}, Severity::eError | Severity::eWarning,
+                          Type::eGeneral | Type::eValidation | Type::ePerformance, report)};
+}
+
+std::string_view kind_name(vk::PhysicalDeviceType type) {
+    switch (type) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+        return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+        return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+        return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+        return "CPU";
+    default:
+        return "other";
+    }
+}
+
+// Lower is better.
+int rank(std::string_view kind) {
+    constexpr std::array<std::string_view, 5> order{"discrete GPU", "integrated GPU", "virtual GPU", "CPU",
+                                                    "other"};
+    return static_cast<int>(std::ranges::find(order, kind) - order.begin());
+}
+
+struct Candidate {
+    vk::raii::PhysicalDevice physical;
+    DeviceInfo info;
+    std::uint32_t family;
+};
+
+std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
+    std::vector<Candidate> found;
+    vk::raii::PhysicalDevices physicals(nullptr);
+    try {
+        physicals = vk::raii::PhysicalDevices(instance);
+    } catch (const vk::InitializationFailedError&) {
+        return found; // what the loader answers when no driver has a device
+    }
+    for (vk::raii::PhysicalDevice& physical : physicals) {
+        const auto families = physical.getQueueFamilyProperties();
+        const auto family = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& properties) {
+            return static_cast<bool>(properties.queueFlags & vk::QueueFlagBits::eCompute);
+        });
+        if (family == families.end() || physical.getProperties().apiVersion < VK_API_VERSION_1_1)
+            continue;
+        const auto chain =
+            physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties,
+                                    vk::PhysicalDeviceDriverProperties>();
+        const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
+        const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+        DeviceInfo info;
+        info.index = static_cast<std::uint32_t>(found.size());
+        info.name = properties.deviceName.data();
+        info.kind = kind_name(properties.deviceType);
+        info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+        info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion),
+                               VK_API_VERSION_MINOR(properties.apiVersion),
+                               VK_API_VERSION_PATCH(properties.apiVersion));
+        for (const vk::MemoryHeap& heap : physical.getMemoryProperties().memoryHeaps)
+            if (heap.flags & vk::MemoryHeapFlagBits::eDeviceLocal)
+                info.memory = std::max<std::uint64_t>(info.memory, heap.size);
+        info.storage_buffer = properties.limits.maxStorageBufferRange;
+        info.group_invocations = properties.limits.maxComputeWorkGroupInvocations;
+        info.subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
+        info.timestamps = family->timestampValidBits != 0 && properties.limits.timestampPeriod > 0;
+        found.push_back(
+            {std::move(physical), std::move(info), static_cast<std::uint32_t>(family - families.begin())});
+    }
+    return found;
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+Candidate choose(std::vector<Candidate> all, std::string_view selector) {
+    if (all.empty())
+        throw RequestError(
+            "no Vulkan 1.1 device found: install a driver (mesa-vulkan-drivers has one that needs no GPU)");
+    if (selector.empty())
+        return std::move(
+            *std::ranges::min_element(all, {}, [](const Candidate& c) { return rank(c.info.kind); }));
+    std::vector<std::string> names;
+    for (const Candidate& candidate : all)
+        names.push_back(fmt::format("{} ({})", candidate.info.index, candidate.info.name));
+    std::uint32_t index = 0;
+    const auto [end, error] = std::from_chars(selector.data(), selector.data() + selector.size(), index);
+    const bool is_index = error == std::errc() && end == selector.data() + selector.size();
+    const auto matches = [&](const Candidate& candidate) {
+        return is_index ? candidate.info.index == index
+                        : lower(candidate.info.name).find(lower(selector)) != std::string::npos;
+    };
+    const auto count = std::ranges::count_if(all, matches);
+    if (count != 1)
+        throw RequestError(fmt::format("--device '{}' matches {} device{}: the devices are {}", selector,
+                                       count == 0 ? "no" : "more than one", count == 0 ? "" : "s",
+                                       fmt::join(names, ", ")));
+    return std::move(*std::ranges::find_if(all, matches));
+}
+
+vk::raii::Device make_device(const Candidate& candidate) {
+    const float priority = 1;
+    const vk::DeviceQueueCreateInfo queue({}, candidate.family, 1, &priority);
+    return {candidate.physical, vk::DeviceCreateInfo({}, queue)};
+}
+
+constexpr vk::MemoryPropertyFlags coherent =
+    vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
+
+std::unique_ptr<Device::State> make_state(std::string_view selector) {
+    vk::raii::Context context = load();
+    vk::raii::Instance instance = make_instance(context);
+    vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
+    Candidate chosen = choose(candidates(instance), selector);
+    vk::raii::Device device = make_device(chosen);
+    vk::raii::Queue queue(device, chosen.family, 0);
+    vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, chosen.family});
+    const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
+    bool unified = false;
+    const vk::PhysicalDeviceMemoryProperties memory = chosen.physical.getMemoryProperties();
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+        const auto wanted =
+            coherent | vk::MemoryPropertyFlagBits::eHostCached | vk::MemoryPropertyFlagBits::eDeviceLocal;
+        unified |= (memory.memoryTypes[i].propertyFlags & wanted) == wanted;
+    }
+    return std::unique_ptr<Device::State>(new Device::State{
+        std::move(context), std::move(instance), std::move(messenger), std::move(chosen.physical),
+        chosen.info, chosen.family, std::move(device), std::move(queue), std::move(pool), tick, unified});
+}
+
+// The first allowed memory type with `required` and, if one exists, also with `preferred`.
+std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
+                          vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) {
+    const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();
+    for (const vk::MemoryPropertyFlags wanted : {required | preferred, required})
+        for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i)
+            if ((allowed >> i & 1) && (properties.memoryTypes[i].propertyFlags & wanted) == wanted)
+                return i;
+    throw std::runtime_error(fmt::format("{} has no suitable memory", device.info.name));
+}
+
+} // namespace
+
+std::vector<DeviceInfo> devices() {
+    const vk::raii::Context context = load();
+    const vk::raii::Instance instance = make_instance(context);
+    std::vector<DeviceInfo> result;
+    for (Candidate& candidate : candidates(instance))
+        result.push_back(std::move(candidate.info));
+    return result;
+}
+
+int validation_messages() {
+    return messages;
+}
+
+Device::Device(std::string_view selector) : state_(make_state(selector)) {}
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+
+const DeviceInfo& Device::info() const {
+    return state_->info;
+}
+
+bool Device::unified() const {
+    return state_->unified;
+}
+
+Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(std::make_unique<State>()) {
+    using Flag = vk::MemoryPropertyFlagBits;
+    using Usage = vk::BufferUsageFlagBits;
+    const vk::raii::Device& logical = device.state().device;
+    state_->bytes = bytes;
+    state_->buffer = vk::raii::Buffer(
+        logical, {{}, bytes, Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+    const vk::MemoryRequirements needs = state_->buffer.getMemoryRequirements();
+    const bool host = memory != Memory::device;
+    const vk::MemoryPropertyFlags preferred =
+        memory == Memory::readback ? Flag::eHostCached | (device.unified() ? Flag::eDeviceLocal : Flag{})
+                                   : vk::MemoryPropertyFlags(Flag::eDeviceLocal);
+    const std::uint32_t type = memory_type(device.state(), needs.memoryTypeBits,
+                                           host ? coherent : vk::MemoryPropertyFlags(), preferred);
+    state_->memory = vk::raii::DeviceMemory(logical, {needs.size, type});
+    state_->buffer.bindMemory(*state_->memory, 0);
+    if (host)
+        state_->mapped = {static_cast<std::byte*>(state_->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes};
+}
+
+Buffer::~Buffer() = default;
+Buffer::Buffer(Buffer&&) noexcept = default;
+
+std::size_t Buffer::size() const {
+    return state_->bytes;
+}
+
+std::span<std::byte> Buffer::mapped() const {
+    return state_->mapped;
+}
+
+} // namespace gabor::vulkan

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gabor::vulkan {
+
+struct DeviceInfo {
+    std::uint32_t index = 0; ///< as accepted by Device
+    std::string name;
+    std::string kind;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+    std::string driver;               ///< name and version
+    std::string api;                  ///< highest Vulkan version, "1.3.230"
+    std::uint64_t memory = 0;         ///< largest device-local heap, bytes
+    std::uint64_t storage_buffer = 0; ///< largest storage buffer that a shader can address, bytes
+    std::uint32_t group_invocations = 0; ///< largest workgroup
+    std::uint32_t subgroup = 0;          ///< lanes that run in step
+    bool timestamps = false;             ///< whether GPU time can be measured
+};
+
+/// Every Vulkan 1.1 device with a compute queue. Throws RequestError when there is no Vulkan loader.
+std::vector<DeviceInfo> devices();
+
+/// Messages of the validation layers so far. The layers are loaded, core and synchronization, when the
+/// environment variable GABOR_VALIDATION is set and not 0; each message also goes to stderr.
+int validation_messages();
+
+/// A logical device with one compute queue.
+class Device {
+  public:
+    /// `selector`: an index, or a part of the name in any case; empty for the best one (a discrete GPU, then
+    /// integrated, virtual, CPU). Throws RequestError when it matches none or several, or there is no device.
+    explicit Device(std::string_view selector = {});
+    ~Device();
+    Device(Device&&) noexcept;
+
+    const DeviceInfo& info() const;
+    /// Whether the host's memory is the device's own, so that results need no copy to be read.
+    bool unified() const;
+
+    struct State;
+    State& state() const { return *state_; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+enum class Memory {
+    device,   ///< fastest for shaders, not mapped
+    upload,   ///< written by the host, read by shaders
+    readback, ///< written by shaders or copies, read by the host
+};
+
+/// A storage buffer. Mapped memory is coherent.
+class Buffer {
+  public:
+    Buffer(const Device& device, std::size_t bytes, Memory memory);
+    ~Buffer();
+    Buffer(Buffer&&) noexcept;
+
+    std::size_t size() const;
+
+    /// The mapped contents; empty for Memory::device.
+    template <typename T>
+    std::span<T> as() const {
+        const std::span<std::byte> bytes = mapped();
+        return {reinterpret_cast<T*>(bytes.data()), bytes.size() / sizeof(T)};
+    }
+
+    struct State;
+    State& state() const { return *state_; }
+
+  private:
+    std::span<std::byte> mapped() const;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace gabor::vulkan

@@ -1,0 +1,136 @@
+#include "vulkan/state.hpp"
+
+#include <limits>
+
+namespace gabor::vulkan {
+
+Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface interface,
+           std::span<const std::uint32_t> constants)
+    : state_(std::make_unique<State>()) {
+    const vk::raii::Device& logical = device.state().device;
+    state_->interface = interface;
+
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (std::uint32_t i = 0; i < interface.buffers; ++i)
+        bindings.emplace_back(i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute);
+    state_->set_layout =
+        vk::raii::DescriptorSetLayout(logical, vk::DescriptorSetLayoutCreateInfo({}, bindings));
+
+    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, interface.push_bytes);
+    vk::PipelineLayoutCreateInfo layout({}, *state_->set_layout);
+    if (interface.push_bytes)
+        layout.setPushConstantRanges(push);
+    state_->layout = vk::raii::PipelineLayout(logical, layout);
+
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < constants.size(); ++i)
+        entries.emplace_back(i, i * 4, 4);
+    const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                                constants.size_bytes(), constants.data());
+    const vk::raii::ShaderModule module(logical, {{}, spirv.size_bytes(), spirv.data()});
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                  &specialization);
+    state_->pipeline =
+        vk::raii::Pipeline(logical, nullptr, vk::ComputePipelineCreateInfo({}, stage, *state_->layout));
+}
+
+Pass::~Pass() = default;
+Pass::Pass(Pass&&) noexcept = default;
+
+struct Job::State {
+    const Device::State& device;
+    const Pass::State& pass;
+    vk::raii::DescriptorPool descriptors = nullptr;
+    vk::raii::DescriptorSet set = nullptr;
+    vk::raii::CommandBuffer commands = nullptr;
+    vk::raii::QueryPool queries = nullptr;
+    vk::raii::Fence fence = nullptr;
+    bool under_way = false;
+
+    State(const Device::State& device_state, const Pass::State& pass_state)
+        : device(device_state), pass(pass_state) {}
+};
+
+Job::Job(const Device& device, const Pass& pass, const Buffers& buffers)
+    : state_(std::make_unique<State>(device.state(), pass.state())) {
+    const vk::raii::Device& logical = device.state().device;
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
+                                      static_cast<std::uint32_t>(buffers.size()));
+    state_->descriptors = vk::raii::DescriptorPool(
+        logical, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size));
+    vk::raii::DescriptorSets sets(
+        logical, vk::DescriptorSetAllocateInfo(*state_->descriptors, *pass.state().set_layout));
+    state_->set = std::move(sets.front());
+
+    std::vector<vk::DescriptorBufferInfo> infos;
+    for (const Buffer& buffer : buffers)
+        infos.emplace_back(*buffer.state().buffer, 0, VK_WHOLE_SIZE);
+    logical.updateDescriptorSets(
+        vk::WriteDescriptorSet(*state_->set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
+
+    vk::raii::CommandBuffers commands(logical, {*device.state().pool, vk::CommandBufferLevel::ePrimary, 1});
+    state_->commands = std::move(commands.front());
+    if (device.info().timestamps)
+        state_->queries = vk::raii::QueryPool(logical, {{}, vk::QueryType::eTimestamp, 2});
+    state_->fence = vk::raii::Fence(logical, vk::FenceCreateInfo());
+}
+
+Job::~Job() {
+    // The device may still be using the buffers; a lost device has nothing left to wait for.
+    if (state_ && state_->under_way)
+        try {
+            wait();
+        } catch (const vk::SystemError&) {
+        }
+}
+
+Job::Job(Job&&) noexcept = default;
+
+void Job::submit(std::span<const std::byte> push, Groups groups, const std::optional<Copy>& copy) {
+    using Access = vk::AccessFlagBits;
+    using Stage = vk::PipelineStageFlagBits;
+    const vk::raii::CommandBuffer& commands = state_->commands;
+    const bool timed = state_->device.info.timestamps;
+    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (timed) {
+        commands.resetQueryPool(*state_->queries, 0, 2);
+        commands.writeTimestamp(Stage::eTopOfPipe, *state_->queries, 0);
+    }
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *state_->pass.pipeline);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *state_->pass.layout, 0, *state_->set, {});
+    if (!push.empty())
+        commands.pushConstants<std::byte>(
+            *state_->pass.layout, vk::ShaderStageFlagBits::eCompute, 0,
+            vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(push.size()), push.data()));
+    commands.dispatch(groups.x, groups.y, groups.z);
+    if (timed)
+        commands.writeTimestamp(Stage::eComputeShader, *state_->queries, 1);
+    if (copy) {
+        commands.pipelineBarrier(Stage::eComputeShader, Stage::eTransfer, {},
+                                 vk::MemoryBarrier(Access::eShaderWrite, Access::eTransferRead), {}, {});
+        commands.copyBuffer(*copy->from.state().buffer, *copy->to.state().buffer,
+                            vk::BufferCopy(0, 0, copy->bytes));
+    }
+    commands.pipelineBarrier(
+        Stage::eComputeShader | Stage::eTransfer, Stage::eHost, {},
+        vk::MemoryBarrier(Access::eShaderWrite | Access::eTransferWrite, Access::eHostRead), {}, {});
+    commands.end();
+    state_->device.queue.submit(vk::SubmitInfo({}, {}, *commands), *state_->fence);
+    state_->under_way = true;
+}
+
+double Job::wait() {
+    state_->under_way = false;
+    const vk::raii::Device& logical = state_->device.device;
+    while (logical.waitForFences(*state_->fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()) ==
+           vk::Result::eTimeout) {
+    }
+    logical.resetFences(*state_->fence);
+    if (!state_->device.info.timestamps)
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto [result, ticks] = state_->queries.getResults<std::uint64_t>(
+        0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), vk::QueryResultFlagBits::e64);
+    return static_cast<double>(ticks[1] - ticks[0]) * state_->device.timestamp_seconds;
+}
+
+} // namespace gabor::vulkan

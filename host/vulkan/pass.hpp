@@ -1,0 +1,78 @@
+#pragma once
+
+#include "vulkan/device.hpp"
+
+#include <bit>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace gabor::vulkan {
+
+/// The 32 bits of a specialization constant, int, uint or float.
+template <typename T>
+constexpr std::uint32_t constant(T value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+/// A compute pipeline: storage buffers at set 0, bindings 0 to `buffers` - 1, and one block of push
+/// constants.
+class Pass {
+  public:
+    struct Interface {
+        std::uint32_t buffers = 1;
+        std::uint32_t push_bytes = 0;
+    };
+
+    /// `constants`: the specialization constants with ids 0, 1, 2, ...
+    Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface interface,
+         std::span<const std::uint32_t> constants = {});
+    ~Pass();
+    Pass(Pass&&) noexcept;
+
+    struct State;
+    State& state() const { return *state_; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+struct Groups {
+    std::uint32_t x = 1;
+    std::uint32_t y = 1;
+    std::uint32_t z = 1;
+};
+
+/// One pass with its buffers, submitted any number of times, one submission under way at a time.
+class Job {
+  public:
+    using Buffers = std::vector<std::reference_wrapper<const Buffer>>;
+
+    Job(const Device& device, const Pass& pass, const Buffers& buffers);
+    ~Job();
+    Job(Job&&) noexcept;
+
+    /// A copy after the pass, from the start of one buffer to the start of another.
+    struct Copy {
+        const Buffer& from;
+        const Buffer& to;
+        std::size_t bytes;
+    };
+
+    void submit(std::span<const std::byte> push, Groups groups, const std::optional<Copy>& copy = {});
+
+    template <typename Push>
+    void submit(const Push& push, Groups groups, const std::optional<Copy>& copy = {}) {
+        submit(std::as_bytes(std::span(&push, 1)), groups, copy);
+    }
+
+    /// Waits for the submission and returns the seconds that the pass took on the device, NaN where that
+    /// cannot be measured. What it wrote is then visible to the host.
+    double wait();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace gabor::vulkan

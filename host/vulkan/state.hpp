@@ -1,0 +1,40 @@
+#pragma once
+
+// The Vulkan objects behind device.hpp and pass.hpp; included by this room only.
+
+#include "vulkan/device.hpp"
+#include "vulkan/pass.hpp"
+
+#include <vulkan/vulkan_raii.hpp>
+
+namespace gabor::vulkan {
+
+struct Device::State {
+    vk::raii::Context context;
+    vk::raii::Instance instance;
+    vk::raii::DebugUtilsMessengerEXT messenger;
+    vk::raii::PhysicalDevice physical;
+    DeviceInfo info;
+    std::uint32_t family = 0;
+    vk::raii::Device device;
+    vk::raii::Queue queue;
+    vk::raii::CommandPool pool;
+    double timestamp_seconds = 0; ///< length of a timestamp's tick
+    bool unified = false;
+};
+
+struct Buffer::State {
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Buffer buffer = nullptr;
+    std::span<std::byte> mapped;
+    std::size_t bytes = 0;
+};
+
+struct Pass::State {
+    vk::raii::DescriptorSetLayout set_layout = nullptr;
+    vk::raii::PipelineLayout layout = nullptr;
+    vk::raii::Pipeline pipeline = nullptr;
+    Interface interface;
+};
+
+} // namespace gabor::vulkan

@@ -1,0 +1,303 @@
+// gabor_noise.glsl: fast, normalized Gabor noise in two dimensions.
+//
+// Paste or include this one file after `#version`; it needs GLSL 450, 330 core or 300 es with highp float and int,
+// declares no resources, and every name it adds begins with gabor_, Gabor or GABOR_.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Functions to call, at the end of the file: gabor_noise, gabor_unorm, and for large worlds and for frequencies that
+// do not vary, gabor_kernel with gabor_noise_at.
+//
+// The noise is a sum of Gabor kernels around random places x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i))
+//
+// after Tavernier, Neyret, Vergne and Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019 [TNVT19]:
+// a fixed number of impulses in each cell of a grid instead of Poisson counts, and weights that vary little. The unit
+// of length is the kernel radius: the window q ends at 1, where it and its slope are 0. K makes the variance exactly 1
+// at every frequency and every place.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_NOISE_GLSL
+#define GABOR_NOISE_GLSL
+
+#define GABOR_NOISE_VERSION 100 // 10000 major + 100 minor + patch
+
+// ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
+// Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.
+
+// N, impulses per cell: an int, at least 1.
+#ifndef GABOR_IMPULSES
+#define GABOR_IMPULSES 1
+#endif
+
+// R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells.
+#ifndef GABOR_RADIUS
+#define GABOR_RADIUS 1.0
+#endif
+
+// A: a weight's magnitude is A or 1, equally likely: a float in [0, 1].
+#ifndef GABOR_WEIGHT_FLOOR
+#define GABOR_WEIGHT_FLOOR 0.675
+#endif
+
+// Phases that impulses have, evenly spread over a turn: 4, 8, ... 256. Or 2, which is the sine kernel with weights of
+// random sign: each kernel then integrates to exactly 0, and gabor_kernel costs more.
+#ifndef GABOR_PHASES
+#define GABOR_PHASES 256
+#endif
+
+// The window: q(x) = u^2 (c.x + c.y u + c.z u^2) with u = 1 - x^2.
+#ifndef GABOR_WINDOW
+#define GABOR_WINDOW vec3(3.0, -4.5, 2.5)
+#endif
+
+// 1 where the device's own sine is to be used: faster on most GPUs, as exact as the driver makes it (Vulkan promises
+// 5e-4, many give 1e-6). 0 for a polynomial that is exact to 3e-7 everywhere.
+#ifndef GABOR_NATIVE_SINE
+#define GABOR_NATIVE_SINE 0
+#endif
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
+// Odd constants that spread consecutive cells, and the impulses of one cell, over all 32 bits.
+#define GABOR_SPREAD 0x9e3779b1u
+#define GABOR_SPREAD_IMPULSES 0x85ebca6bu
+
+// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
+// the hash-prospector project), the salt entering between them too, so that no two sequences share a run.
+uint gabor_mix(uint word, uint salt)
+{
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// The word of `seed`, from which those of the rows follow.
+uint gabor_seed_word(uint seed)
+{
+    return gabor_mix(seed * GABOR_SPREAD, 0x2545f491u);
+}
+
+// The word of a row of cells, from which those of its impulses follow.
+uint gabor_row_word(int row, uint seed_word)
+{
+    return gabor_mix(uint(row) * GABOR_SPREAD + seed_word, seed_word);
+}
+
+// The word of impulse `index` in a cell; everything about the impulse is in its bits:
+//     0 to 22   y in the cell            8 to 30   x in the cell
+//     0 to 7    phase                    31        magnitude
+// so the finest bits of a coordinate, far below what shows, serve twice.
+uint gabor_impulse_word(int column, uint row_word, int index)
+{
+    uint salt = row_word + uint(index) * GABOR_SPREAD_IMPULSES;
+    return gabor_mix(uint(column) * GABOR_SPREAD + salt, salt);
+}
+
+// Place of an impulse in its cell, plus 1: in [1, 2)^2.
+vec2 gabor_place_plus_one(uint word)
+{
+    return vec2(uintBitsToFloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
+                uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
+}
+
+// Magnitude of an impulse's weight.
+float gabor_magnitude(uint word)
+{
+    return int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR;
+}
+
+// ---- Sine ----------------------------------------------------------------------------------------------------------
+
+// sin(2 pi t) for any t: reduced to half a turn, then t (1/4 - t^2) times a minimax polynomial in t^2.
+// Absolute error below 3e-7 within +-1, growing with the rounding of t beyond.
+float gabor_sin_turns(float t)
+{
+    t = fract(t) - 0.5;
+    if (GABOR_NATIVE_SINE != 0)
+        return -sin(6.2831853 * t);
+    float s = t * t;
+    float p = 12.233303 * s - 38.123196;
+    p = p * s + 67.0439;
+    p = p * s - 64.83468;
+    p = p * s + 25.13273;
+    return t * (s - 0.25) * p;
+}
+
+// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials. Its error stays
+// near 1e-7, for a large frequency multiplies it.
+vec2 gabor_direction(float angle)
+{
+    float quarter = floor(angle * 0.63661977 + 0.5);
+    float r = angle - quarter * 1.5703125;
+    r -= quarter * 4.837512969970703e-4;
+    r -= quarter * 7.549789948768648e-8;
+    float s = r * r;
+    float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
+    float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
+    vec2 axis = fract(0.5 * quarter) < 0.25 ? vec2(cosine, sine) : vec2(-sine, cosine);
+    return fract(0.25 * quarter) < 0.375 ? axis : -axis;
+}
+
+// ---- Normalization -------------------------------------------------------------------------------------------------
+
+// With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
+// I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
+// Bessel function (Poisson's integral, DLMF 10.54.1). The five c_n I_n, whose sum is the energy of one axis:
+struct GaborEnergy {
+    vec4 e4567;
+    float e8;
+    float sum;
+};
+
+GaborEnergy gabor_energy()
+{
+    vec3 c = GABOR_WINDOW;
+    GaborEnergy energy;
+    energy.e4567 = vec4(c.x * c.x, 2.0 * c.x * c.y, c.y * c.y + 2.0 * c.x * c.z, 2.0 * c.y * c.z)
+                 * vec4(256.0 / 315.0, 512.0 / 693.0, 2048.0 / 3003.0, 4096.0 / 6435.0);
+    energy.e8 = c.z * c.z * (65536.0 / 109395.0);
+    energy.sum = dot(energy.e4567, vec4(1.0)) + energy.e8;
+    return energy;
+}
+
+// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the share by which one axis
+// of a sine kernel of k cycles falls short of its energy at high frequency. For small a from 1 - L_n by the power
+// series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
+//     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
+float gabor_deficit(float k, GaborEnergy energy)
+{
+    float a = 12.566371 * k;
+    float z = a * a;
+    vec4 d4567;
+    float d8 = 0.0;
+    if (z < 64.0) {
+        float d7 = 0.0;
+        float term7 = 1.0;
+        float term8 = 1.0;
+        for (int i = 1; i <= 14; ++i) {
+            float n = float(i);
+            term7 *= -0.25 * z / (n * (n + 7.5));
+            term8 *= -0.25 * z / (n * (n + 8.5));
+            d7 -= term7;
+            d8 -= term8;
+        }
+        float d6 = d7 + z * (1.0 - d8) * (1.0 / 255.0);
+        float d5 = d6 + z * (1.0 - d7) * (1.0 / 195.0);
+        float d4 = d5 + z * (1.0 - d6) * (1.0 / 143.0);
+        d4567 = vec4(d4, d5, d6, d7);
+    } else {
+        float y = 1.0 / z;
+        float l0 = gabor_sin_turns(2.0 * k) / a;
+        float l1 = 3.0 * y * (l0 - gabor_sin_turns(2.0 * k + 0.25));
+        float l2 = 15.0 * y * (l1 - l0);
+        float l3 = 35.0 * y * (l2 - l1);
+        float l4 = 63.0 * y * (l3 - l2);
+        float l5 = 99.0 * y * (l4 - l3);
+        float l6 = 143.0 * y * (l5 - l4);
+        float l7 = 195.0 * y * (l6 - l5);
+        d8 = 1.0 - 255.0 * y * (l7 - l6);
+        d4567 = 1.0 - vec4(l4, l5, l6, l7);
+    }
+    return (dot(energy.e4567, d4567) + energy.e8 * d8) / energy.sum;
+}
+
+// ---- Functions to call ---------------------------------------------------------------------------------------------
+
+// A Gabor kernel ready to be summed: all that the noise needs to know of its frequency and orientation.
+struct GaborKernel {
+    vec2 wave;       // wave vector, cycles per kernel radius
+    float amplitude; // K
+};
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise. Make it once where they do not vary.
+//
+// There are N R^2 impulses per unit area, so by Campbell's theorem, with a = 4 pi F omega,
+//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] (J(0)^2 - J(a.x) J(a.y)) / 2,
+// where four or more phases average the sin^2 to 1/2 and leave J(0)^2 alone.
+GaborKernel gabor_kernel(float frequency, float orientation)
+{
+    float magnitude = abs(frequency);
+    magnitude = magnitude > 1.0e-6 ? min(magnitude, 1.0e6) : 1.0e-6;
+    GaborKernel kernel;
+    kernel.wave = magnitude * gabor_direction(orientation);
+
+    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR;
+    GaborEnergy energy = gabor_energy();
+    float variance = 0.5 * density * power * energy.sum * energy.sum;
+    if (GABOR_PHASES == 2) {
+        float x = gabor_deficit(kernel.wave.x, energy);
+        float y = gabor_deficit(kernel.wave.y, energy);
+        variance *= x + y - x * y;
+    }
+    kernel.amplitude = inversesqrt(variance);
+    return kernel;
+}
+
+// The window q along one axis, 0 from |x| = 1 on.
+float gabor_window(float x)
+{
+    vec3 c = GABOR_WINDOW;
+    float u = max(1.0 - x * x, 0.0);
+    return u * u * (c.x + u * (c.y + u * c.z));
+}
+
+// Gabor noise at (cell + local) / R kernel radii, in full precision everywhere in a world of 2^32 cells each way, where
+// it wraps around: mean 0, variance 1 at every place, nearly Gaussian, continuous with its first derivatives.
+//   cell    any integers
+//   local   offset from that cell's corner, in cells; any small vector, [0, 1)^2 is the most precise
+//   kernel  from gabor_kernel
+//   seed    any; each seed is another instance, independent of the others
+// Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
+{
+    int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
+    vec2 whole = floor(local);
+    local -= whole;
+    vec2 first = floor(local - GABOR_RADIUS);
+    cell += ivec2(whole + first);
+    first -= 1.0; // what gabor_place_plus_one has too much
+
+    uint seed_word = gabor_seed_word(seed);
+    float sum = 0.0;
+    for (int j = 0; j < visited; ++j) {
+        uint row_word = gabor_row_word(cell.y + j, seed_word);
+        for (int i = 0; i < visited; ++i) {
+            for (int k = 0; k < GABOR_IMPULSES; ++k) {
+                uint word = gabor_impulse_word(cell.x + i, row_word, k);
+                vec2 place = gabor_place_plus_one(word);
+                // The sum in the inner brackets is exact, which leaves one rounding.
+                vec2 d = (local - (place + (first + vec2(float(i), float(j))))) * (1.0 / GABOR_RADIUS);
+                float phase = fract(place.y * (8388608.0 / float(GABOR_PHASES)));
+                sum += gabor_magnitude(word) * (gabor_window(d.x) * gabor_window(d.y))
+                     * gabor_sin_turns(kernel.wave.x * d.x + (kernel.wave.y * d.y + phase));
+            }
+        }
+    }
+    return kernel.amplitude * sum;
+}
+
+// Gabor noise at p: as gabor_noise_at, in one call.
+//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
+//                steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude is used, within [10^-6, 10^6]. From about 1 up the noise is a
+//                distinct lobe; above 64 the places of impulses are too coarse for the exact variance.
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
+//   seed         any; each seed is another instance, independent of the others
+float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
+// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
+float gabor_unorm(float noise)
+{
+    return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
+}
+
+#endif // GABOR_NOISE_GLSL

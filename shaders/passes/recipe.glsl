@@ -1,0 +1,17 @@
+// The drop-in with its recipe as specialization constants: one SPIR-V module serves every recipe.
+
+layout(constant_id = 0) const int recipe_impulses = 1;
+layout(constant_id = 1) const float recipe_radius = 1.0;
+layout(constant_id = 2) const float recipe_weight_floor = 1.0;
+layout(constant_id = 3) const int recipe_phases = 2;
+layout(constant_id = 4) const float recipe_window_x = 1.0;
+layout(constant_id = 5) const float recipe_window_y = 0.0;
+layout(constant_id = 6) const float recipe_window_z = 0.0;
+
+#define GABOR_IMPULSES recipe_impulses
+#define GABOR_RADIUS recipe_radius
+#define GABOR_WEIGHT_FLOOR recipe_weight_floor
+#define GABOR_PHASES recipe_phases
+#define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
+
+#include "gabor_noise.glsl"

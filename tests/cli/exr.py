@@ -1,0 +1,97 @@
+"""Reads and writes uncompressed scanline OpenEXR files with numpy alone: a second opinion on the program's files.
+
+The format is that of https://openexr.com/en/latest/OpenEXRFileLayout.html
+"""
+
+import json
+import pathlib
+import struct
+
+import numpy as np
+
+START = struct.pack("<ii", 20000630, 2)
+PIXEL_TYPES = ("<u4", "<f2", "<f4")
+
+
+class Exr:
+    """attributes: name -> (type, bytes). channels: name -> array of height x width."""
+
+    def __init__(self, path):
+        data = pathlib.Path(path).read_bytes()
+        assert data.startswith(START), "not a scanline OpenEXR file"
+        self.attributes, at = read_attributes(data, len(START))
+        assert self.attributes["compression"][1] == b"\0", "compressed"
+        left, top, right, bottom = self.box("dataWindow")
+        width, height = right - left + 1, bottom - top + 1
+        self.types = read_channel_types(self.attributes["channels"][1])
+
+        row = np.dtype([("y", "<i4"), ("size", "<i4")] + [(name, kind, (width,)) for name, kind in self.types.items()])
+        offsets = np.frombuffer(data, "<u8", height, at)
+        start = at + offsets.nbytes
+        assert np.array_equal(offsets, start + row.itemsize * np.arange(height, dtype="u8")), "table of offsets"
+        assert len(data) == start + row.itemsize * height, "length of the file"
+        rows = np.frombuffer(data, row, height, start)
+        assert np.array_equal(rows["y"], np.arange(top, bottom + 1)) and (rows["size"] == row.itemsize - 8).all()
+        self.channels = {name: rows[name] for name in self.types}
+
+    def box(self, name):
+        return struct.unpack("<4i", self.attributes[name][1])
+
+    @property
+    def parameters(self):
+        return json.loads(self.attributes["gabor"][1])
+
+    @property
+    def pixels(self):
+        return self.channels["Y"]
+
+
+def read_name(data, at):
+    end = data.index(b"\0", at)
+    return data[at:end].decode(), end + 1
+
+
+def read_attributes(data, at):
+    attributes = {}
+    while data[at]:
+        name, at = read_name(data, at)
+        kind, at = read_name(data, at)
+        end = at + 4 + struct.unpack_from("<i", data, at)[0]
+        attributes[name] = (kind, data[at + 4:end])
+        at = end
+    return attributes, at + 1
+
+
+def read_channel_types(data):
+    types, at = {}, 0
+    while data[at]:
+        name, at = read_name(data, at)
+        kind, _, x_sampling, y_sampling = struct.unpack_from("<4i", data, at)
+        assert (x_sampling, y_sampling) == (1, 1)
+        types[name] = PIXEL_TYPES[kind]
+        at += 16
+    return types
+
+
+def write_exr(path, channels, parameters=None, window=None):
+    """channels: name -> array of height x width, of a type in PIXEL_TYPES. parameters: the text of the attribute
+    `gabor`. window: what the header claims as data window, where that is to be wrong."""
+    channels = {name: np.asarray(values) for name, values in sorted(channels.items())}
+    height, width = next(iter(channels.values())).shape
+    box = struct.pack("<4i", *(window or (0, 0, width - 1, height - 1)))
+    described = b"".join(name.encode() + b"\0" + struct.pack("<4i", PIXEL_TYPES.index(values.dtype.str), 0, 1, 1)
+                         for name, values in channels.items()) + b"\0"
+    attributes = [("channels", "chlist", described), ("compression", "compression", b"\0"),
+                  ("dataWindow", "box2i", box), ("displayWindow", "box2i", box), ("lineOrder", "lineOrder", b"\0"),
+                  ("pixelAspectRatio", "float", struct.pack("<f", 1)),
+                  ("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)),
+                  ("screenWindowWidth", "float", struct.pack("<f", 1))]
+    if parameters is not None:
+        attributes.append(("gabor", "string", parameters.encode()))
+    header = START + b"".join(f"{name}\0{kind}\0".encode() + struct.pack("<i", len(value)) + value
+                              for name, kind, value in attributes) + b"\0"
+    rows = [b"".join(values[y].tobytes() for values in channels.values()) for y in range(height)]
+    blocks = [struct.pack("<ii", y, len(row)) + row for y, row in enumerate(rows)]
+    first = len(header) + 8 * height
+    offsets = [first + y * len(blocks[0]) for y in range(height)]
+    pathlib.Path(path).write_bytes(header + struct.pack(f"<{height}Q", *offsets) + b"".join(blocks))

@@ -1,0 +1,36 @@
+"""Decodes the one kind of PNG that the program writes for one channel: 8-bit grey, not interlaced."""
+
+import pathlib
+import struct
+import zlib
+
+import numpy as np
+
+SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
+
+def read_grey_png(path):
+    data = pathlib.Path(path).read_bytes()
+    assert data.startswith(SIGNATURE), "not a PNG"
+    chunks, at = [], len(SIGNATURE)
+    while at < len(data):
+        size, = struct.unpack_from(">I", data, at)
+        kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + size]
+        assert struct.unpack_from(">I", data, at + 8 + size) == (zlib.crc32(kind + body),), "checksum"
+        chunks.append((kind, body))
+        at += 12 + size
+    assert chunks[0][0] == b"IHDR" and chunks[-1] == (b"IEND", b"")
+    width, height, *form = struct.unpack(">IIBBBBB", chunks[0][1])
+    assert form == [8, 0, 0, 0, 0], "not 8-bit grey"
+    rows = zlib.decompress(b"".join(body for kind, body in chunks if kind == b"IDAT"))
+    return unfilter(np.frombuffer(rows, np.uint8).reshape(height, 1 + width))
+
+
+def unfilter(rows):
+    pixels = np.zeros((rows.shape[0] + 1, rows.shape[1]), int) # a border of 0 above and to the left
+    for y, (kind, *row) in enumerate(rows.tolist(), 1):
+        for x, value in enumerate(row, 1):
+            left, up, corner = pixels[y, x - 1], pixels[y - 1, x], pixels[y - 1, x - 1]
+            nearest = min((left, up, corner), key=lambda neighbour: abs(left + up - corner - neighbour))
+            pixels[y, x] = (value + (0, left, up, (left + up) // 2, nearest)[kind]) & 255
+    return pixels[1:, 1:]

@@ -1,0 +1,62 @@
+"""Runs the program under test, `GABOR_PROGRAM`, and checks what it owes to every caller."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["GABOR_PROGRAM"]
+
+
+def environment(**changes):
+    """Ours, with validation on: any message of Vulkan's validation layers is then a failure. None removes a variable."""
+    merged = {**os.environ, "GABOR_VALIDATION": "1", **changes}
+    return {name: value for name, value in merged.items() if value is not None}
+
+
+def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
+    """Runs the program to its end. command: what to start it with; env: changes to its environment."""
+    return subprocess.run([*command, *arguments], cwd=cwd, env=environment(**env), stdout=stdout,
+                          stderr=subprocess.PIPE, text=True, errors="replace", timeout=60)
+
+
+def start(*arguments, cwd):
+    return subprocess.Popen([PROGRAM, *arguments], cwd=cwd, env=environment(), stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True)
+
+
+class ProgramTest(unittest.TestCase):
+    """A test with an empty folder of its own, in which the program runs."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def files(self):
+        """Everything in the folder: the bytes of files, None for folders."""
+        return {str(path.relative_to(self.folder)): None if path.is_dir() else path.read_bytes()
+                for path in self.folder.rglob("*")}
+
+    def succeed(self, *arguments, **options):
+        """Runs the program, which must succeed in silence on stderr; returns its stdout."""
+        result = gabor(*arguments, cwd=self.folder, **options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), f"gabor {arguments}")
+        return result.stdout
+
+    def assert_fails(self, status, words, *arguments, **options):
+        """Runs the program, which must end with this status, say these words in one line on stderr and nothing on
+        stdout, and leave the folder as it was."""
+        before = self.files()
+        result = gabor(*arguments, cwd=self.folder, **options)
+        case = f"gabor {arguments}: {result.stderr!r}"
+        self.assertEqual(result.returncode, status, case)
+        self.assertRegex(result.stderr, r"\Agabor: [^\n]+\n\Z", case)
+        for word in words:
+            self.assertIn(word, result.stderr, case)
+        self.assertFalse(result.stdout, case)
+        self.assertEqual(self.files(), before, case)
+
+    def assert_refused(self, words, *arguments, **options):
+        self.assert_fails(2, words, *arguments, **options)

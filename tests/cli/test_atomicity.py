@@ -1,0 +1,116 @@
+"""`gabor render` that is killed or interrupted: its file is there completely, or not at all."""
+
+import os
+import pathlib
+import random
+import re
+import signal
+import time
+import unittest
+
+from program import ProgramTest, start
+
+REQUEST = ("render", "-o", "out.exr", "--size=2200x2200", "--compression=none") # two bands
+ROUNDS = 10
+
+
+def can_hide_files(folder):
+    """Whether the file system knows files without a name; elsewhere a killed program leaves a hidden one."""
+    try:
+        os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
+        return True
+    except OSError:
+        return False
+
+
+def catches(process, number):
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16) >> (number - 1) & 1
+
+
+class Atomicity(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.random = random.Random(7)
+        began = time.monotonic()
+        self.succeed(*REQUEST)
+        self.duration = time.monotonic() - began
+        self.complete = self.files()
+
+    def moment(self):
+        """Half of them anywhere, half near the end, where the file appears."""
+        return self.duration * self.random.choice([self.random.uniform(0, 1), self.random.uniform(0.7, 1.1)])
+
+    def begin(self, older):
+        for name in self.complete:
+            (self.folder / name).unlink(missing_ok=True)
+            if older:
+                (self.folder / name).write_text("older")
+        return start(*REQUEST, cwd=self.folder)
+
+    def check_files(self, older):
+        files = self.files()
+        self.assertLessEqual(set(files), set(self.complete), "another file is left")
+        for name, complete in self.complete.items():
+            expected = [complete, b"older" if older else None]
+            self.assertTrue(files.get(name) in expected, f"{name} is not complete")
+        return [name for name in files if files[name] == self.complete[name]]
+
+    def test_killed(self):
+        if not can_hide_files(self.folder):
+            self.skipTest("needs a file system with O_TMPFILE")
+        for turn in range(ROUNDS):
+            process = self.begin(older=turn % 2)
+            time.sleep(self.moment())
+            process.kill()
+            process.communicate(timeout=60)
+            self.check_files(older=turn % 2)
+
+    def interrupt(self, number, times, turn):
+        process = self.begin(older=turn % 2)
+        while not catches(process, number) and process.poll() is None:
+            time.sleep(0.001)
+        time.sleep(self.moment())
+        for _ in range(times):
+            process.send_signal(number)
+        _, stderr = process.communicate(timeout=60)
+        return process.returncode, stderr, self.check_files(older=turn % 2)
+
+    def check_interrupts(self, number):
+        ended = 0
+        for turn in range(ROUNDS):
+            status, stderr, complete = self.interrupt(number, 1, turn)
+            if status == 0: # too late: the file was being closed
+                self.assertEqual((stderr, len(complete)), ("", 1))
+            else:
+                ended += 1
+                self.assertEqual(status, -number)
+                self.assertRegex(stderr, r"\Agabor: interrupted[^\n]*\n\Z")
+                self.assertEqual(complete, [])
+        self.assertGreater(ended, ROUNDS // 3)
+
+    def test_interrupted_from_the_keyboard(self):
+        self.check_interrupts(signal.SIGINT)
+
+    def test_asked_to_end(self):
+        self.check_interrupts(signal.SIGTERM)
+
+    def test_interrupted_before_anything_is_set_up(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for turn in range(4):
+                process = self.begin(older=turn % 2)
+                time.sleep(self.random.uniform(0, self.duration / 8))
+                process.send_signal(number)
+                process.communicate(timeout=60)
+                self.assertEqual(process.returncode, -number)
+                self.assertEqual(self.check_files(older=turn % 2), [])
+
+    def test_interrupted_twice(self):
+        for turn in range(4):
+            status, _, complete = self.interrupt(signal.SIGINT, 2, turn)
+            if status != 0:
+                self.assertEqual((status, complete), (-signal.SIGINT, []))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,212 @@
+"""Wrong requests: one line on stderr that says what was wrong and what is accepted, status 2, nothing written."""
+
+import glob
+import os
+import shutil
+import subprocess
+import unittest
+
+import numpy as np
+
+from exr import write_exr
+from program import PROGRAM, ProgramTest, gabor
+
+
+class ErrorTest(ProgramTest):
+    def refuse_render(self, words, *options, **settings):
+        """Neither is a file made, nor an existing one touched."""
+        (self.folder / "old.exr").write_text("older")
+        for output in ("old.exr", "new.exr"):
+            self.assert_refused(words, "render", "-o", output, *options, **settings)
+
+
+class Values(ErrorTest):
+    def test_size(self):
+        for text in ("0x1", "1x0", "0x0", "-1x5", "5x-1", "65537x1", "1x65537"):
+            self.refuse_render(["1 to 65536"], f"--size={text}")
+        for text in ("1024", "1024x", "x1024", "1024x1024x", "1024*1024", " 8x8", "8x8 ", "8X8", "8.0x8", "+8x8", "axb",
+                     "x", "99999999999x1", "1x99999999999999999999999"):
+            self.refuse_render(["--size", text, "WIDTHxHEIGHT"], f"--size={text}")
+
+    def test_numbers(self):
+        accepted = {"scale": "2 to 4096", "frequency": "0.001 to 1024", "orientation": "-36000 to 36000"}
+        for name, interval in accepted.items():
+            for text in ("nan", "-nan", "inf", "-inf", "1e6", "-1e6", "1e308"):
+                self.refuse_render([name, interval], f"--{name}={text}")
+            for text in ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4"):
+                self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
+        for name in ("scale", "frequency"):
+            for text in ("0", "-0", "-4"):
+                self.refuse_render([name, accepted[name]], f"--{name}={text}")
+
+    def test_negative_numbers_as_a_word_of_their_own(self):
+        self.refuse_render(["scale", "2 to 4096"], "--scale", "-4")
+        self.refuse_render(["--seed", "-1"], "--seed", "-1")
+        self.succeed("render", "-o", "out.exr", "--size=8x8", "--orientation", "-45")
+
+    def test_seed(self):
+        for text in ("-1", "4294967296", "1.5", "1e3", "0x7", "7u", " 7", "99999999999999999999999", "-"):
+            self.refuse_render(["--seed", text, "0 to 4294967295"], f"--seed={text}")
+
+    def test_empty_values(self):
+        for name in ("size", "scale", "frequency", "orientation", "seed", "region"):
+            for option in ([f"--{name}", ""], [f"--{name}="], [f"--{name}"]):
+                self.refuse_render([name], *option)
+
+    def test_names(self):
+        self.refuse_render(["recipe", "'best'", "one", "paper"], "--recipe", "best")
+        self.refuse_render(["recipe", "one", "paper"], "--recipe", "")
+        for text in ("lzw", "ZIP", "dwaa", ""):
+            self.refuse_render(["compression", f"'{text}'", "none, rle, zips, zip, piz"], "--compression", text)
+
+    def test_region(self):
+        for text in ("-1,0,8,8", "0,-1,8,8", "0,0,0,8", "0,0,8,0", "0,0,-8,8", "60,0,5,8", "0,60,8,5", "64,0,1,1",
+                     "0,64,1,1", "2147483647,0,2147483647,1", "1,1,64,64"):
+            self.refuse_render(["--region", text, "64 x 64"], "--size=64x64", f"--region={text}")
+        for text in ("1,2,3", "1,2,3,", "1,2,3,4,5", "1 2 3 4", "a,b,c,d", "1.5,0,8,8", "0,0,8x8", ",,,",
+                     "9999999999,0,1,1"):
+            self.refuse_render(["--region", text, "X,Y,WIDTH,HEIGHT"], "--size=64x64", f"--region={text}")
+
+    def test_twice(self):
+        self.refuse_render(["--scale"], "--scale=8", "--scale=9")
+
+
+class Words(ErrorTest):
+    def test_unknown_words(self):
+        self.assert_refused(["paint"], "paint")
+        self.assert_refused(["--paint"], "--paint")
+        self.refuse_render(["--paint"], "--paint")
+        self.refuse_render(["paint"], "paint")
+        self.assert_refused(["everything"], "devices", "everything")
+
+    def test_missing_words(self):
+        self.assert_refused(["subcommand"])
+        self.assert_refused(["--output"], "render")
+        self.assert_refused(["--output"], "render", "-o")
+        self.assert_refused(["FILE"], "stats")
+
+    def test_a_name_with_a_line_break_stays_one_line(self):
+        self.refuse_render(["recipe"], "--recipe", "a\nb")
+        self.assert_refused(["cannot write"], "render", "-o", "no\nfolder/out.exr")
+        self.assert_refused(["cannot read"], "stats", "no\nfile")
+
+
+class Outputs(ErrorTest):
+    def test_there_can_be_no_such_file(self):
+        (self.folder / "file").write_text("a regular file")
+        (self.folder / "folder").mkdir()
+        for output in ("missing/out.exr", "file/out.exr", "folder", "folder/", ".", "/", ""):
+            self.assert_refused(["cannot write", output], "render", "-o", output)
+            self.assert_refused(["cannot write", output], "render", "-o", "out.exr", "--png", output)
+        self.assert_refused(["cannot write"], "render", "-o", "x" * 256 + ".exr")
+
+    def test_one_name_for_two_files(self):
+        for png in ("out.exr", "./out.exr", str(self.folder / "out.exr")):
+            self.assert_refused(["--png", "-o"], "render", "-o", "out.exr", "--png", png)
+
+
+class LikeFiles(ErrorTest):
+    def refuse_like(self, words):
+        self.refuse_render(["like.exr", *words], "--like", "like.exr")
+
+    def test_no_picture(self):
+        self.refuse_like(["No such file"])
+        (self.folder / "like.exr").mkdir()
+        self.refuse_like(["not a regular file"])
+
+    def test_not_an_exr(self):
+        for content in (b"", b"Not a picture.\n", b"v/1\x01", os.urandom(4096)):
+            (self.folder / "like.exr").write_bytes(content)
+            self.refuse_like(["cannot read"])
+
+    def test_truncated(self):
+        self.succeed("render", "-o", "whole.exr", "--size=40x40")
+        whole = (self.folder / "whole.exr").read_bytes()
+        for length in (20, 100, 300, len(whole) // 2, len(whole) - 1):
+            (self.folder / "like.exr").write_bytes(whole[:length])
+            self.refuse_like(["cannot read"])
+
+    def test_parameters(self):
+        cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
+                 ("7", ["JSON"]), ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
+                 ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
+                 ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]), ('{"scale": true}', ["scale"]),
+                 ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),
+                 ('{"frequency": 1e999}', ["like.exr"]), ('{"recipe": 1}', ["recipe"]),
+                 ('{"recipe": "best"}', ["best", "one", "paper"]), ('{"width": 0}', ["width", "1 to 65536"]),
+                 ('{"width": 2, "height": 2}', ["region"])]
+        for parameters, words in cases:
+            write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, parameters)
+            with self.subTest(parameters):
+                self.refuse_like(words)
+
+    def test_what_is_absent_keeps_its_default(self):
+        write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, '{"seed": 7}')
+        self.succeed("render", "-o", "like.exr.4", "--like", "like.exr")
+        self.succeed("render", "-o", "plain.4", "--seed=7", "--region=0,0,4,4")
+        files = self.files()
+        self.assertEqual(files["like.exr.4"], files["plain.4"])
+
+
+class Devices(ErrorTest):
+    def test_no_such_device(self):
+        for selector in ("99", "-1", "no such name", "4294967296"):
+            self.refuse_render(["--device", selector, "0 ("], "--device", selector)
+
+    def test_a_name_that_several_devices_share(self):
+        driver = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
+        if not driver:
+            self.skipTest("needs Mesa's lavapipe, to have it twice")
+        shutil.copy(driver, self.folder / "again.json")
+        twice = {"VK_ICD_FILENAMES": f"{driver}:{self.folder / 'again.json'}", "VK_DRIVER_FILES": None}
+        self.refuse_render(["llvmpipe", "more than one", "0 (", "1 ("], "--device=LLVMpipe", env=twice)
+        self.succeed("render", "-o", "out.exr", "--size=8x8", "--device=1", env=twice)
+
+    def test_no_driver(self):
+        for name, other in [("VK_ICD_FILENAMES", "VK_DRIVER_FILES"), ("VK_DRIVER_FILES", "VK_ICD_FILENAMES")]:
+            none = {name: "/nonexistent.json", other: None}
+            self.refuse_render(["no Vulkan", "mesa-vulkan-drivers"], env=none)
+            self.assert_refused(["no Vulkan", "mesa-vulkan-drivers"], "devices", env=none)
+
+    def test_no_loader(self):
+        # Found first and unreadable, these hide the real one.
+        for name in ("libvulkan.so", "libvulkan.so.1"):
+            (self.folder / name).touch()
+        hidden = {"LD_LIBRARY_PATH": str(self.folder)}
+        self.refuse_render(["no Vulkan loader", "libvulkan1"], env=hidden)
+        self.assert_refused(["no Vulkan loader", "libvulkan1"], "devices", env=hidden)
+
+
+class Disk(ErrorTest):
+    """A right request that fails while working: status 1."""
+
+    def test_a_full_device(self):
+        self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")
+        self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "out.exr", "--png=/dev/full", "--size=640x640")
+
+    def test_a_file_that_grows_too_large(self):
+        (self.folder / "old.exr").write_text("older")
+        limited = ["sh", "-c", "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # half or one MiB
+        for output in ("old.exr", "new.exr"):
+            self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024", command=limited)
+
+    def test_a_full_disk(self):
+        mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
+        small = "mount -t tmpfs -o size=1m tmpfs . && cd . && "
+        if subprocess.run([*mount, small + ":"], cwd=self.folder, capture_output=True).returncode != 0:
+            self.skipTest("may not mount a small disk")
+        script = small + 'echo older >old.exr; "$0" "$@"; status=$?; ls -A; cat old.exr; exit $status'
+        for output in ("old.exr", "new.exr"):
+            result = gabor("render", "-o", output, "--size=1024x1024", command=[*mount, script, PROGRAM], cwd=self.folder)
+            self.assertEqual((result.returncode, result.stdout), (1, "old.exr\nolder\n"))
+            self.assertRegex(result.stderr, rf"\Agabor: cannot write {output}: No space [^\n]+\n\Z")
+
+    def test_nobody_listens(self):
+        with open("/dev/full", "w") as full:
+            for arguments in (["devices"], ["--version"], ["--help"], ["render", "--help"]):
+                with self.subTest(arguments):
+                    self.assert_fails(1, ["standard output"], *arguments, stdout=full)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,41 @@
+"""`gabor devices`, --help and --version."""
+
+import re
+import unittest
+
+from program import ProgramTest
+
+
+class Help(ProgramTest):
+    def test_version(self):
+        self.assertRegex(self.succeed("--version"), r"\Agabor \d+\.\d+\.\d+\n\Z")
+
+    def test_help_lists_every_command(self):
+        self.assertEqual(self.succeed("--help"), self.succeed("-h"))
+        for command in ("render", "stats", "devices"):
+            self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
+            self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
+
+    def test_help_lists_every_option(self):
+        options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
+                              "--region", "--like", "--png", "--compression", "--device", "--verbose"),
+                   "stats": ("FILE", "--channel", "--json"), "devices": ()}
+        for command, names in options.items():
+            text = self.succeed(command, "--help")
+            self.assertEqual(set(re.findall(r"(?m)^  ([-\w,]+) ", text)), {"-h,--help", *names}, command)
+
+    def test_help_writes_nothing(self):
+        self.succeed("render", "-o", "out.exr", "--help")
+        self.assertEqual(self.files(), {})
+
+    def test_devices(self):
+        blocks = re.split(r"(?m)^(?=\d)", self.succeed("devices"))[1:]
+        self.assertGreater(len(blocks), 0)
+        for index, block in enumerate(blocks):
+            self.assertRegex(block, rf"\A{index}  \S")
+            for limit in ("kind", "driver", "Vulkan", "memory", "storage buffer", "workgroup", "GPU times"):
+                self.assertRegex(block, rf"(?m)^   {limit} +\S")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,215 @@
+"""`gabor render`: what each option does to the file."""
+
+import re
+import shutil
+import subprocess
+import unittest
+
+import numpy as np
+
+from exr import Exr
+from png import read_grey_png
+from program import ProgramTest, gabor
+
+SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
+DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024}
+
+
+class RenderTest(ProgramTest):
+    def render(self, output="out.exr", compression="none", **options):
+        """Renders with --name=value of each option; returns the file."""
+        options = [f"--{name}={value}" for name, value in {**options, "compression": compression}.items()]
+        self.succeed("render", "-o", output, *options)
+        return Exr(self.folder / output)
+
+    def assert_same_bits(self, a, b):
+        self.assertEqual((a.shape, a.tobytes()), (b.shape, b.tobytes()))
+
+
+class Files(RenderTest):
+    def test_header(self):
+        exr = self.render(**SMALL)
+        self.assertEqual(exr.types, {"Y": "<f4"})
+        self.assertEqual(exr.box("displayWindow"), (0, 0, 60, 46))
+        self.assertEqual(exr.box("dataWindow"), (0, 0, 60, 46))
+        self.assertEqual(exr.attributes["gabor"][0], "string")
+        self.assertEqual(exr.parameters, {"recipe": "one", "frequency": 3, "orientation": 30, "seed": 7, "scale": 9,
+                                          "width": 61, "height": 47})
+
+    def test_defaults(self):
+        exr = self.render()
+        self.assertEqual(exr.pixels.shape, (1024, 1024))
+        self.assertEqual(exr.parameters, DEFAULTS)
+
+    def test_parameters_keep_every_digit(self):
+        given = {"scale": 2.0000000000000004, "frequency": 0.1, "orientation": -12.345678901234567}
+        exr = self.render(size="1x1", **given)
+        self.assertEqual({name: exr.parameters[name] for name in given}, given)
+
+    def test_the_same_request_gives_the_same_bytes(self):
+        self.render(output="a.exr", **SMALL)
+        self.render(output="b.exr", **SMALL)
+        files = self.files()
+        self.assertEqual(files["a.exr"], files["b.exr"])
+
+    def test_it_replaces_an_older_file_and_writes_no_other(self):
+        (self.folder / "out.exr").write_text("older")
+        self.assertEqual(self.render(**SMALL).pixels.shape, (47, 61))
+        self.assertEqual(list(self.files()), ["out.exr"])
+
+    def test_every_compression_keeps_every_bit(self):
+        if not shutil.which("exrmultiview"):
+            self.skipTest("needs exrmultiview, of OpenEXR's tools, to decompress")
+        plain = self.render(output="plain.exr", **SMALL)
+        options = [f"--{name}={value}" for name, value in SMALL.items()]
+        for compression in ("rle", "zips", "zip", "piz"):
+            self.succeed("render", "-o", "packed.exr", "--compression", compression, *options)
+            subprocess.run(["exrmultiview", "-z", "none", "plain", "plain.exr", "packed", "packed.exr", "both.exr"],
+                           cwd=self.folder, check=True, timeout=60, stdout=subprocess.DEVNULL)
+            with self.subTest(compression):
+                self.assert_same_bits(Exr(self.folder / "both.exr").channels["packed.Y"], plain.pixels)
+
+    def test_png(self):
+        exr = self.render(**SMALL, region="3,5,50,37", png="out.png")
+        shown = read_grey_png(self.folder / "out.png")
+        expected = 255 * np.clip(0.5 + 0.25 * exr.pixels.astype(float), 0, 1)
+        self.assertEqual(shown.shape, expected.shape)
+        self.assertLess(np.abs(shown - expected).max(), 0.501)
+        self.assertGreater(np.ptp(shown), 200)
+
+
+class Regions(RenderTest):
+    def assert_crops(self, width, height, regions, **options):
+        options["size"] = f"{width}x{height}"
+        whole = self.render(output="whole.exr", **options)
+        for x, y, w, h in regions:
+            with self.subTest(size=options["size"], region=(x, y, w, h)):
+                part = self.render(**options, region=f"{x},{y},{w},{h}")
+                self.assert_same_bits(part.pixels, whole.pixels[y:y + h, x:x + w])
+                self.assertEqual(part.box("dataWindow"), (x, y, x + w - 1, y + h - 1))
+                self.assertEqual(part.box("displayWindow"), (0, 0, width - 1, height - 1))
+                self.assertEqual(part.parameters, whole.parameters)
+
+    def test_crops(self):
+        regions = [(13, 7, 101, 33), (0, 0, 1, 1), (200, 156, 1, 1), (77, 0, 1, 157), (0, 99, 201, 1), (0, 0, 201, 157)]
+        self.assert_crops(201, 157, regions, scale=9.3, orientation=20)
+
+    def test_crops_of_the_paper_recipe(self):
+        self.assert_crops(90, 70, [(31, 17, 33, 41)], recipe="paper", scale=11)
+
+    def test_a_picture_of_several_bands(self):
+        # A band is 16 MiB: 13952 rows of this width, in whole blocks of 32.
+        self.assert_crops(300, 20000, [(5, 13900, 120, 101), (299, 19999, 1, 1)], orientation=70)
+
+    def test_the_longest_sides(self):
+        self.assert_crops(65536, 1, [(65535, 0, 1, 1), (40001, 0, 999, 1)])
+        self.assert_crops(1, 65536, [(0, 65535, 1, 1), (0, 40001, 1, 999)])
+
+    def test_the_corner_of_the_largest_picture(self):
+        part = self.render(size="65536x65536", region="65500,65500,36,36", scale=2, frequency=1)
+        self.assertTrue(np.isfinite(part.pixels).all())
+        self.assertGreater(part.pixels.std(), 0.5)
+
+
+class Like(RenderTest):
+    def test_it_reproduces_the_whole(self):
+        made = self.render(output="made.exr", recipe="paper", **SMALL)
+        again = self.render(like="made.exr")
+        self.assert_same_bits(again.pixels, made.pixels)
+        self.assertEqual(again.attributes, made.attributes)
+
+    def test_it_reproduces_a_region(self):
+        made = self.render(output="made.exr", region="11,13,29,17", **SMALL)
+        again = self.render(like="made.exr")
+        self.assert_same_bits(again.pixels, made.pixels)
+        self.assertEqual(again.attributes, made.attributes)
+
+    def test_options_override_it(self):
+        self.render(output="made.exr", **SMALL)
+        for change in ({"size": "30x20"}, {"scale": 10}, {"frequency": 2}, {"orientation": 31}, {"seed": 8},
+                       {"recipe": "paper"}, {"region": "1,2,3,4"}):
+            with self.subTest(**change):
+                changed = self.render(like="made.exr", **change)
+                expected = self.render(output="expected.exr", **{**SMALL, **change})
+                self.assert_same_bits(changed.pixels, expected.pixels)
+                self.assertEqual(changed.attributes, expected.attributes)
+
+    def test_options_override_a_region(self):
+        self.render(output="made.exr", region="11,13,29,17", **SMALL)
+        self.assertEqual(self.render(like="made.exr", region="1,2,3,4").box("dataWindow"), (1, 2, 3, 5))
+        self.assertEqual(self.render(like="made.exr", size="40x30").box("dataWindow"), (0, 0, 39, 29))
+
+    def test_it_may_name_the_output(self):
+        made = self.render(region="11,13,29,17", **SMALL)
+        self.assert_same_bits(self.render(like="out.exr").pixels, made.pixels)
+
+
+class Noise(RenderTest):
+    def test_mean_and_variance(self):
+        for recipe in ("one", "paper"):
+            for frequency in (0.3, 4):
+                with self.subTest(recipe=recipe, frequency=frequency):
+                    pixels = self.render(recipe=recipe, frequency=frequency, scale=8, seed=3).pixels.astype(float)
+                    self.assertAlmostEqual(pixels.mean(), 0, delta=0.02)
+                    self.assertAlmostEqual(pixels.var(), 1, delta=0.05)
+
+    def test_the_power_lies_around_the_wave_vector(self):
+        side = 256
+        v, u = np.meshgrid(np.fft.fftfreq(side), np.fft.fftfreq(side), indexing="ij")
+        for scale, frequency, orientation in [(16, 4, 0), (16, 4, 20), (12, 3, 45), (16, 2.5, 120), (16, 4, -60)]:
+            with self.subTest(scale=scale, frequency=frequency, orientation=orientation):
+                exr = self.render(size=f"{side}x{side}", scale=scale, frequency=frequency, orientation=orientation)
+                power = np.abs(np.fft.fft2(exr.pixels * np.outer(np.hanning(side), np.hanning(side)))) ** 2
+                x, y = np.cos(np.radians(orientation)), np.sin(np.radians(orientation))
+                x, y = x * frequency / scale, y * frequency / scale # cycles per pixel, from right towards down
+                near = np.minimum(np.hypot(u - x, v - y), np.hypot(u + x, v + y)) < 1.2 / scale
+                self.assertGreater(power[near].sum() / power.sum(), 0.95)
+
+    def test_seeds_are_independent(self):
+        pictures = [self.render(scale=8, seed=seed).pixels for seed in (0, 1, 2**31, 2**32 - 1)]
+        correlation = np.corrcoef([picture.ravel() for picture in pictures])
+        self.assertLess(np.abs(correlation - np.eye(len(pictures))).max(), 0.05)
+
+    def test_extremes_are_finite(self):
+        for scale, frequency in [(2, 0.001), (2, 1), (4096, 0.001), (4096, 1024)]:
+            for orientation in (-36000, 36000):
+                exr = self.render(size="64x64", scale=scale, frequency=frequency, orientation=orientation)
+                self.assertLess(np.abs(exr.pixels).max(), 12) # NaN is not less either
+
+    def test_a_frequency_above_the_limit_of_the_picture_is_warned_of(self):
+        result = gabor("render", "-o", "out.exr", "--size=16x16", "--scale=8", "--frequency=4.1", cwd=self.folder)
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, r"\Agabor: warning: [^\n]*0\.5[^\n]*\n\Z")
+        self.render(size="16x16", scale=8, frequency=4.1, orientation=45) # within the limit on both axes
+
+
+class Messages(RenderTest):
+    def devices(self):
+        return re.findall(r"^(\d+)  (.+)$", self.succeed("devices"), re.MULTILINE)
+
+    def test_a_device_by_index_and_by_name(self):
+        for index, name in self.devices():
+            unique = sum(name.lower() in other.lower() for _, other in self.devices()) == 1
+            for selector in [index] + [name[1:].swapcase()] * unique:
+                with self.subTest(selector):
+                    stdout = self.succeed("render", "-o", "out.exr", "--size=8x8", "--device", selector)
+                    self.assertIn(name, stdout)
+
+    def test_one_line_tells_what_was_done(self):
+        stdout = self.succeed("render", "-o", "out.exr", "--size=61x47", "--region=0,0,11,13", "--recipe=paper")
+        self.assertRegex(stdout, r"\Aout\.exr: 11 x 13 pixels, recipe paper, on [^\n]+\n\Z")
+
+    def test_verbose_figures_of_a_large_picture(self):
+        # 512 MiB of pixels pass through bands of 16 MiB; /dev/null keeps them off the disk.
+        stdout = self.succeed("render", "-o", "/dev/null", "--size=16384x8192", "--verbose", "--compression=none")
+        figures = {name: float(value) for name, value in re.findall(r"^  (\w[\w ]*\w) +(-?[\d.]+) (?:s|MiB)", stdout,
+                                                                     re.MULTILINE)}
+        self.assertEqual(set(figures), {"start to first dispatch", "GPU", "compression and writing", "everything",
+                                        "host overhead", "resident memory"})
+        self.assertLess(figures["resident memory"], 512)
+        for name in ("start to first dispatch", "GPU", "compression and writing"):
+            self.assertTrue(0 < figures[name] < figures["everything"], name)
+
+
+if __name__ == "__main__":
+    unittest.main()

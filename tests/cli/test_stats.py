@@ -1,0 +1,225 @@
+"""`gabor stats`: against numpy on the same pixels, and against what was rendered."""
+
+import json
+import struct
+import unittest
+
+import numpy as np
+
+from exr import START, Exr, write_exr
+from program import ProgramTest
+
+KEYS = {"mean", "variance", "skewness", "excess_kurtosis", "minimum", "maximum", "pixels", "not_finite", "cvm",
+        "cvm_reference", "spectrum", "width", "height", "channel", "parameters"}
+SPECTRUM_KEYS = {"peak_frequency", "peak_orientation", "bandwidth", "resolution", "radial"}
+
+
+def no_constant(name):
+    raise ValueError(f"{name} is not JSON")
+
+
+class StatsTest(ProgramTest):
+    def stats(self, file="in.exr", *options):
+        self.succeed("stats", file, "--json", "out.json", *options)
+        return json.loads((self.folder / "out.json").read_text(), parse_constant=no_constant)
+
+    def write(self, parameters=None, **channels):
+        write_exr(self.folder / "in.exr", channels, parameters)
+
+    def assert_moments(self, stats, pixels):
+        pixels = pixels.astype(float).ravel()
+        centred = pixels - pixels.mean()
+        variance = np.mean(centred ** 2)
+        self.assertEqual(stats["pixels"], pixels.size)
+        self.assertEqual((stats["minimum"], stats["maximum"]), (pixels.min(), pixels.max()))
+        self.assertAlmostEqual(stats["mean"], pixels.mean(), delta=1e-12 * np.sqrt(variance) + 1e-15 * abs(pixels.mean()))
+        self.assertAlmostEqual(stats["variance"] / variance, 1, delta=1e-11)
+        self.assertAlmostEqual(stats["skewness"], np.mean(centred ** 3) / variance ** 1.5, delta=1e-10)
+        self.assertAlmostEqual(stats["excess_kurtosis"], np.mean(centred ** 4) / variance ** 2 - 3, delta=1e-10)
+
+
+class Rendered(StatsTest):
+    def render(self, *options):
+        self.succeed("render", "-o", "in.exr", "--compression=none", *options)
+
+    def test_numbers(self):
+        self.render("--size=701x499", "--scale=16", "--seed=5")
+        stats = self.stats()
+        self.assertLessEqual(KEYS, set(stats))
+        self.assertLessEqual(SPECTRUM_KEYS, set(stats["spectrum"]))
+        exr = Exr(self.folder / "in.exr")
+        self.assert_moments(stats, exr.pixels)
+        self.assertEqual(stats["not_finite"], 0)
+        self.assertEqual((stats["width"], stats["height"], stats["channel"]), (701, 499, "Y"))
+        self.assertEqual(stats["parameters"], exr.parameters)
+        self.assertEqual(stats["cvm_reference"], "analytic")
+        self.assertLess(stats["cvm"]["low"], stats["cvm"]["value"])
+        self.assertLess(stats["cvm"]["value"], stats["cvm"]["high"])
+
+    def test_a_region_is_measured_by_itself(self):
+        self.render("--size=300x200", "--region=31,17,200,101")
+        stats = self.stats()
+        self.assert_moments(stats, Exr(self.folder / "in.exr").pixels)
+        self.assertEqual((stats["width"], stats["height"], stats["parameters"]["width"]), (200, 101, 300))
+
+    def test_every_compression_gives_the_same_numbers(self):
+        self.render("--size=300x200")
+        plain = self.stats()
+        for compression in ("rle", "zips", "zip", "piz"):
+            self.succeed("render", "-o", "packed.exr", "--size=300x200", "--compression", compression)
+            self.assertEqual(self.stats("packed.exr"), plain, compression)
+
+    def test_the_peak_is_where_it_was_asked_for(self):
+        # From right towards down: 20, 120 and -60 degrees would be 160, 60 and 60 the other way round.
+        for frequency, scale, orientation in [(4, 16, 0), (4, 16, 20), (4, 16, 45), (4, 16, 90), (4, 16, 120),
+                                              (4, 16, -60), (3, 32, 200), (6, 13, 150)]:
+            with self.subTest(frequency=frequency, scale=scale, orientation=orientation):
+                self.render("--size=800x600", f"--scale={scale}", f"--frequency={frequency}",
+                            f"--orientation={orientation}")
+                spectrum = self.stats()["spectrum"]
+                self.assertAlmostEqual(spectrum["peak_frequency"] * scale / frequency, 1, delta=0.05)
+                error = (spectrum["peak_orientation"] - orientation + 90) % 180 - 90
+                self.assertAlmostEqual(error, 0, delta=3)
+                self.assertTrue(0 <= spectrum["peak_orientation"] < 180)
+
+    def test_text(self):
+        self.render("--size=512x512", "--scale=8")
+        text, stats = self.succeed("stats", "in.exr"), self.stats()
+        self.assertIn("in.exr", text)
+        self.assertIn("512 x 512", text)
+        for name in ("mean", "variance", "skewness", "excess kurtosis", "minimum", "maximum"):
+            self.assertRegex(text, rf"(?m)^ +{name} +{stats[name.replace(' ', '_')]:.6g} ")
+        for name in ("cvm", "peak frequency", "peak orientation", "bandwidth"):
+            self.assertRegex(text, rf"(?m)^ +{name} +-?\d\S* ")
+
+    def test_json_on_stdout(self):
+        self.render("--size=64x64")
+        self.assertEqual(json.loads(self.succeed("stats", "in.exr", "--json", "-")), self.stats())
+
+
+class Foreign(StatsTest):
+    def setUp(self):
+        super().setUp()
+        self.random = np.random.default_rng(1)
+
+    def normal(self, height=120, width=150):
+        return self.random.normal(3, 2, (height, width)).astype("f4")
+
+    def test_moments_far_from_zero(self):
+        pixels = (1e4 + self.normal()).astype("f4")
+        self.write(Y=pixels)
+        self.assert_moments(self.stats(), pixels)
+
+    def test_half(self):
+        pixels = self.normal().astype("f2")
+        self.write(Y=pixels)
+        self.assert_moments(self.stats(), pixels)
+
+    def test_channels(self):
+        red, green, blue = self.normal(), self.normal().astype("f2"), self.normal()
+        self.write(R=red, G=green, B=blue, id=np.ones(red.shape, "u4"))
+        for options, channel, pixels in [((), "R", red), (("--channel=G",), "G", green), (("--channel=B",), "B", blue)]:
+            stats = self.stats("in.exr", *options)
+            self.assertEqual((stats["channel"], stats["parameters"]), (channel, None))
+            self.assert_moments(stats, pixels)
+        self.write(Z=green, id=np.ones(red.shape, "u4"))
+        self.assertEqual(self.stats()["channel"], "Z")
+
+    def test_normal_samples_are_found_normal(self):
+        self.write(Y=self.normal(512, 512))
+        stats = self.stats()
+        self.assertEqual(stats["cvm_reference"], "measured")
+        self.assertLess(stats["cvm"]["low"], 0.5)
+        self.assertLess(stats["cvm"]["high"], 20)
+
+    def test_uniform_samples_are_found_not_normal(self):
+        truth = 399.77 # 2^18 times the integral of (F - Phi)^2 dPhi, for the uniform law of mean 0 and variance 1
+        self.write(Y=self.random.uniform(-1, 1, (512, 512)).astype("f4"))
+        cvm = self.stats()["cvm"]
+        self.assertTrue(truth / 2 < cvm["low"] < truth < cvm["high"] < 2 * truth, cvm)
+
+    def test_a_constant_picture(self):
+        self.write(Y=np.full((64, 64), 0.25, "f4"))
+        stats = self.stats()
+        self.assertEqual((stats["mean"], stats["variance"], stats["minimum"], stats["maximum"]), (0.25, 0, 0.25, 0.25))
+        self.assertEqual((stats["skewness"], stats["excess_kurtosis"]), (None, None))
+        self.succeed("stats", "in.exr")
+
+    def test_a_single_pixel(self):
+        self.write(Y=np.full((1, 1), 7, "f4"))
+        stats = self.stats()
+        self.assertEqual((stats["pixels"], stats["mean"], stats["cvm"], stats["spectrum"]), (1, 7, None, None))
+        self.succeed("stats", "in.exr")
+
+    def test_pixels_that_are_not_finite_are_counted_and_left_out(self):
+        pixels = self.normal()
+        pixels[3, 5] = np.nan
+        pixels[7, 1:4] = np.inf
+        pixels[119, 149] = -np.inf
+        self.write(Y=pixels)
+        stats = self.stats()
+        self.assertEqual(stats["not_finite"], 5)
+        self.assert_moments(stats, pixels[np.isfinite(pixels)])
+
+    def test_nothing_is_finite(self):
+        self.write(Y=np.full((32, 32), np.nan, "f4"))
+        stats = self.stats()
+        self.assertEqual((stats["pixels"], stats["not_finite"]), (0, 1024))
+        self.assertEqual({stats[name] for name in ("mean", "variance", "minimum", "maximum", "cvm")}, {None})
+        self.succeed("stats", "in.exr")
+
+    def test_broken_parameters_are_no_obstacle(self):
+        for parameters in ("", "{", "[1]", "7", '{"scale": "x"}', '{"scale": -1}', '{"scale": 1e999}'):
+            self.write(parameters, Y=self.normal())
+            self.assertEqual(self.stats()["channel"], "Y", parameters)
+
+
+class Errors(StatsTest):
+    def refuse(self, words, *options):
+        (self.folder / "old.json").write_text("older")
+        for output in ([], ["--json", "old.json"], ["--json", "new.json"]):
+            self.assert_refused(words, "stats", "in.exr", *options, *output)
+
+    def test_no_such_channel(self):
+        self.write(G=np.zeros((4, 4), "f4"), B=np.zeros((4, 4), "f4"), id=np.zeros((4, 4), "u4"))
+        self.refuse(["'Y'", "B, G"], "--channel=Y")
+        self.refuse(["'id'", "half and float"], "--channel=id")
+        self.write(id=np.zeros((4, 4), "u4"))
+        self.refuse(["half or float", "id"])
+
+    def test_no_such_file(self):
+        self.refuse(["in.exr", "No such file"])
+        (self.folder / "in.exr").mkdir()
+        self.refuse(["in.exr", "not a regular file"])
+
+    def test_not_an_exr(self):
+        for content in (b"", b"Not a picture.\n", b"\x89PNG\r\n\x1a\n" + bytes(64), START, START + bytes(64)):
+            (self.folder / "in.exr").write_bytes(content)
+            with self.subTest(content):
+                self.refuse(["in.exr", "OpenEXR"])
+
+    def test_truncated(self):
+        self.write(Y=np.zeros((64, 64), "f4"))
+        whole = (self.folder / "in.exr").read_bytes()
+        for length in (*range(9, 320, 31), 700, len(whole) // 2, len(whole) - 1):
+            (self.folder / "in.exr").write_bytes(whole[:length])
+            with self.subTest(length):
+                self.refuse(["in.exr"])
+
+    def test_a_header_that_claims_too_much(self):
+        for window in ((0, 0, 2**31 - 2, 0), (0, 0, 0, 2**31 - 2), (0, 0, 65535, 32767), (0, 0, 46340, 46340),
+                       (-2**31, 0, 2**31 - 1, 0), (5, 5, 4, 4)):
+            write_exr(self.folder / "in.exr", {"Y": np.zeros((4, 4), "f4")}, window=window)
+            with self.subTest(window):
+                self.refuse(["in.exr"])
+
+    def test_json_that_cannot_be_written(self):
+        self.write(Y=np.zeros((4, 4), "f4"))
+        for output in ("missing/out.json", "in.exr/out.json", ".", ""):
+            self.assert_refused(["cannot write", output], "stats", "in.exr", "--json", output)
+        self.assert_refused(["--json", "in.exr"], "stats", "in.exr", "--json", "./in.exr")
+        self.assert_refused(["extra"], "stats", "in.exr", "extra")
+
+
+if __name__ == "__main__":
+    unittest.main()

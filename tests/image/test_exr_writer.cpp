@@ -1,0 +1,173 @@
+#include "image/exr.hpp"
+
+#include "error.hpp"
+#include "scratch_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <random>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace gabor::image;
+using gabor::RequestError;
+
+namespace {
+
+/// Every kind of float: any bit pattern at all, so that NaNs, infinities and denormals are among them.
+std::vector<float> any_floats(std::size_t count) {
+    std::vector<float> values(count);
+    std::mt19937 random(7);
+    for (float& value : values)
+        value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    const std::uint32_t special[] = {0x7f800000, 0xff800000, 0x7fc00001, 0x00000001, 0x80000000, 0x807fffff};
+    for (std::size_t i = 0; i < std::size(special) && i < count; ++i)
+        values[i] = std::bit_cast<float>(special[i]);
+    return values;
+}
+
+bool same_bits(std::span<const float> a, std::span<const float> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+std::vector<float> channel_of(const std::vector<float>& pixels, std::size_t channel, std::size_t channels) {
+    std::vector<float> values;
+    for (std::size_t i = channel; i < pixels.size(); i += channels)
+        values.push_back(pixels[i]);
+    return values;
+}
+
+std::vector<float> read_all(const std::filesystem::path& path, std::optional<std::string> channel, int rows) {
+    ExrReader reader(path, std::move(channel));
+    std::vector<float> values;
+    for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows))
+        values.insert(values.end(), band.begin(), band.end());
+    return values;
+}
+
+void write(const std::filesystem::path& path, const ExrWriter::Description& description,
+           std::span<const float> pixels, std::vector<int> heights) {
+    const auto row = static_cast<std::size_t>(description.window.width) * description.channels.size();
+    ExrWriter writer(path, description);
+    for (std::size_t i = 0; !pixels.empty(); ++i) {
+        const std::size_t height = static_cast<std::size_t>(heights[i % heights.size()]);
+        const auto band = pixels.first(std::min(pixels.size(), height * row));
+        writer.write_rows(band);
+        pixels = pixels.subspan(band.size());
+    }
+    writer.commit();
+}
+
+const Window small = {0, 0, 8, 5};
+
+} // namespace
+
+TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
+    const ScratchFolder folder;
+    const auto path = folder / "out.exr";
+    const Window window = {3, 5, 61, 150};
+    const std::vector<std::string> channels =
+        GENERATE(std::vector<std::string>{"Y"}, std::vector<std::string>{"R", "G", "B"},
+                 std::vector<std::string>{"noise.0", "A", "Z", "noise.1"});
+    const auto pixels = any_floats(61 * 150 * channels.size());
+    for (const std::string_view compression : compression_names()) {
+        CAPTURE(compression);
+        write(path, {{0, 0, 100, 200}, window, channels, compression, {}}, pixels, {1, 7, 16, 33, 2, 31});
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            for (const int rows : {1, 13, 64, 1000})
+                CHECK(same_bits(read_all(path, channels[c], rows), channel_of(pixels, c, channels.size())));
+    }
+}
+
+TEST_CASE("Compressible values survive as well", "[exr]") {
+    const ScratchFolder folder;
+    const auto path = folder / "out.exr";
+    std::vector<float> pixels(64 * 64);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = i % 64 < 48 ? 0.0f : static_cast<float>(i);
+    for (const std::string_view compression : compression_names()) {
+        CAPTURE(compression);
+        write(path, {{0, 0, 64, 64}, {0, 0, 64, 64}, {"Y"}, compression, {}}, pixels, {5, 64});
+        CHECK(same_bits(read_all(path, "Y", 10), pixels));
+        CHECK((std::filesystem::file_size(path) < pixels.size() * sizeof(float)) == (compression != "none"));
+    }
+}
+
+TEST_CASE("A window at the far corner of the largest picture", "[exr]") {
+    const ScratchFolder folder;
+    const auto path = folder / "out.exr";
+    const Window picture = {0, 0, 65536, 65536};
+    const Window window =
+        GENERATE(Window{65500, 65507, 36, 29}, Window{65535, 0, 1, 20}, Window{0, 65535, 9, 1});
+    const auto pixels = any_floats(static_cast<std::size_t>(window.width * window.height) * 2);
+    write(path, {picture, window, {"a", "b"}, "zip", {}}, pixels, {3, 10});
+
+    const ExrReader reader(path, "a");
+    CHECK(reader.picture().width == 65536);
+    CHECK(reader.picture().height == 65536);
+    CHECK(reader.window().x == window.x);
+    CHECK(reader.window().y == window.y);
+    CHECK(reader.window().width == window.width);
+    CHECK(reader.window().height == window.height);
+    CHECK(same_bits(read_all(path, "b", 4), channel_of(pixels, 1, 2)));
+}
+
+TEST_CASE("The parameters are kept as text", "[exr]") {
+    const ScratchFolder folder;
+    const auto pixels = any_floats(40);
+    const std::string parameters =
+        GENERATE(std::string(), std::string("{\"seed\": 1}\nσ = 2"), std::string(5000, 'x'));
+    write(folder / "out.exr", {small, small, {"Y"}, "none", parameters}, pixels, {5});
+    CHECK(ExrReader(folder / "out.exr").parameters() == parameters);
+}
+
+TEST_CASE("An unknown compression is refused with those there are", "[exr]") {
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}), RequestError);
+    CHECK_THROWS_WITH(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}),
+                      "unknown compression 'dwaa'; accepted are none, rle, zips, zip, piz");
+    CHECK_THROWS_AS(ExrWriter(folder / "missing/out.exr", {small, small, {"Y"}, "zip", {}}), RequestError);
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("An EXR that was not finished does not appear", "[exr]") {
+    const ScratchFolder folder;
+    const auto path = folder / "out.exr";
+    const auto pixels = any_floats(40);
+    write_file(path, "old");
+    {
+        ExrWriter writer(path, {small, small, {"Y"}, "zip", {}});
+        writer.write_rows(std::span(pixels).first(32));
+        CHECK_THROWS_AS(writer.commit(), std::logic_error);
+        ExrWriter moved(std::move(writer));
+        CHECK_THROWS_AS(moved.write_rows(std::span(pixels).first(16)), std::logic_error);
+        CHECK_THROWS_AS(moved.write_rows(std::span(pixels).first(7)), std::logic_error);
+        moved.write_rows({});
+    }
+    CHECK(read_file(path) == "old");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("A full disk ends an EXR with an error", "[exr]") {
+    using Catch::Matchers::Contains;
+    CHECK_THROWS_WITH(ExrWriter("/dev/full", {small, small, {"Y"}, "none", {}}),
+                      Contains("/dev/full: No space left on device"));
+}
+
+TEST_CASE("An EXR into a pipe fails at commit, when its table of offsets is due", "[exr]") {
+    const ScratchFolder folder;
+    const auto path = folder / "fifo";
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+    {
+        ExrWriter writer(path, {small, small, {"Y"}, "none", {}});
+        writer.write_rows(any_floats(40));
+        CHECK_THROWS_AS(writer.commit(), std::runtime_error);
+    }
+    ::close(reader);
+}

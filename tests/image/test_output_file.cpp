@@ -1,0 +1,294 @@
+#include "image/output_file.hpp"
+
+#include "error.hpp"
+#include "scratch_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <optional>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+using gabor::RequestError;
+using gabor::image::OutputFile;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write(OutputFile& file, std::string_view text) {
+    file.write(std::as_bytes(std::span(text)));
+}
+
+void replace(const fs::path& path, std::string_view text) {
+    OutputFile file(path);
+    write(file, text);
+    file.commit();
+}
+
+mode_t mode(const fs::path& path) {
+    struct stat status {};
+    ::stat(path.c_str(), &status);
+    return status.st_mode & 07777;
+}
+
+/// Runs `body` in a child process and returns how waitpid describes its end; `body` returns the exit status.
+template <class Body>
+int in_child(Body body) {
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(body());
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+/// From now on this process is on a file system without O_TMPFILE.
+bool forbid_nameless_files() {
+    constexpr unsigned nameless = O_TMPFILE & ~O_DIRECTORY;
+    sock_filter program[] = {
+        {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+        {BPF_JMP | BPF_JEQ | BPF_K, 0, 3, SYS_openat},
+        {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, args[2])},
+        {BPF_JMP | BPF_JSET | BPF_K, 0, 1, nameless},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EOPNOTSUPP},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+    };
+    const sock_fprog filter{std::size(program), program};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+std::string refusal(const fs::path& path) {
+    try {
+        OutputFile file(path);
+    } catch (const RequestError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+} // namespace
+
+TEST_CASE("A file has its name only after commit", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+
+    OutputFile file(path);
+    write(file, "complete");
+    CHECK(folder.count() == 0);
+    file.commit();
+    CHECK(read_file(path) == "complete");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("Seeking writes over what is there", "[output_file]") {
+    const ScratchFolder folder;
+    OutputFile file(folder / "out");
+    write(file, "table: ....");
+    CHECK(file.position() == 11);
+    file.seek(7);
+    write(file, "12");
+    CHECK(file.position() == 9);
+    file.commit();
+    CHECK(read_file(folder / "out") == "table: 12..");
+}
+
+TEST_CASE("An older file stays until commit and is replaced then", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+    write_file(path, "a longer old content");
+
+    { OutputFile(path).write({}); }
+    CHECK(read_file(path) == "a longer old content");
+    {
+        OutputFile file(path);
+        write(file, "new");
+        CHECK(read_file(path) == "a longer old content");
+        file.commit();
+    }
+    CHECK(read_file(path) == "new");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("A moved-from file is left with nothing to do", "[output_file]") {
+    const ScratchFolder folder;
+    std::optional<OutputFile> first(folder / "out");
+    write(*first, "one ");
+    OutputFile second(std::move(*first));
+    first.reset();
+    write(second, "two");
+    second.commit();
+    CHECK(read_file(folder / "out") == "one two");
+}
+
+TEST_CASE("The mode is that of any new file", "[output_file]") {
+    const ScratchFolder folder;
+    const mode_t before = ::umask(027);
+    replace(folder / "narrow", "");
+    ::umask(0);
+    replace(folder / "wide", "");
+    ::umask(before);
+    CHECK(mode(folder / "narrow") == 0640);
+    CHECK(mode(folder / "wide") == 0666);
+}
+
+TEST_CASE("What cannot be a file is refused in one line", "[output_file]") {
+    using Catch::Matchers::Contains;
+    const ScratchFolder folder;
+    write_file(folder / "file", "");
+
+    CHECK_THAT(refusal(""), Contains("name is empty"));
+    CHECK_THAT(refusal(folder.path()), Contains("it is a folder"));
+    CHECK_THAT(refusal(folder / "file2/"), Contains("it is a folder"));
+    CHECK_THAT(refusal(folder / "missing/out"),
+               Contains("missing/out: folder ") && Contains("No such file or directory; accepted is"));
+    CHECK_THAT(refusal(folder / "file/out"), Contains("Not a directory; accepted is"));
+    CHECK_THAT(refusal(folder / std::string(300, 'x')), Contains("File name too long"));
+    CHECK_THAT(refusal("/proc/out"), Contains("folder /proc: ") && Contains("that can be written"));
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("The longest name there can be is accepted", "[output_file]") {
+    const ScratchFolder folder;
+    const std::string name(255, 'x');
+    replace(folder / name, "long");
+    CHECK(read_file(folder / name) == "long");
+}
+
+TEST_CASE("A path without a folder means the current one", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    replace("out", "here");
+    fs::current_path(before);
+    CHECK(read_file(folder / "out") == "here");
+}
+
+TEST_CASE("A symbolic link stays and what it points to is replaced", "[output_file]") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "real");
+    write_file(folder / "real/old", "old");
+    fs::create_symlink("real/old", folder / "link");
+    fs::create_symlink("link", folder / "link to link");
+    fs::create_symlink("real/absent", folder / "dangling");
+    fs::create_symlink("circle", folder / "circle");
+
+    replace(folder / "link to link", "new");
+    replace(folder / "dangling", "made");
+    CHECK(fs::is_symlink(folder / "link to link"));
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::is_symlink(folder / "dangling"));
+    CHECK(read_file(folder / "real/old") == "new");
+    CHECK(read_file(folder / "real/absent") == "made");
+    CHECK_THROWS_AS(OutputFile(folder / "circle"), RequestError);
+}
+
+TEST_CASE("A device is written into and never replaced", "[output_file]") {
+    replace("/dev/null", "gone");
+    CHECK(fs::is_character_file("/dev/null"));
+
+    OutputFile full("/dev/full");
+    CHECK_THROWS_WITH(write(full, "too much"), "cannot write /dev/full: No space left on device");
+    CHECK(fs::is_character_file("/dev/full"));
+}
+
+TEST_CASE("A FIFO takes what is written in order", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "fifo";
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+
+    OutputFile file(path);
+    write(file, "one ");
+    write(file, "two");
+    CHECK_NOTHROW(file.seek(7));
+    CHECK_THROWS_AS(file.seek(0), std::runtime_error);
+    file.commit();
+
+    char text[8] = {};
+    CHECK(::read(reader, text, sizeof(text)) == 7);
+    CHECK(std::string(text) == "one two");
+    ::close(reader);
+    CHECK(fs::is_fifo(path));
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("A disk that fails is no fault of the request", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+    // The limit on a file's size plays the full disk; it cuts the first write short and fails the next.
+    const int status = in_child([&] {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            OutputFile file(path);
+            write(file, std::string(2000, 'x'));
+        } catch (const RequestError&) {
+            return 2;
+        } catch (const std::runtime_error& error) {
+            return error.what() == "cannot write " + path.string() + ": File too large" ? 0 : 3;
+        }
+        return 4;
+    });
+    CHECK(status == 0);
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("A killed process leaves nothing behind", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+    write_file(path, "old");
+    const int status = in_child([&] {
+        OutputFile file(path);
+        write(file, "new");
+        ::raise(SIGKILL);
+        return 0;
+    });
+    CHECK(WIFSIGNALED(status));
+    CHECK(read_file(path) == "old");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("Without nameless files a hidden one takes their place", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+    const mode_t before = ::umask(027);
+    const int status = in_child([&] {
+        if (!forbid_nameless_files())
+            return 1;
+        {
+            OutputFile abandoned(path);
+            const std::string name = fs::directory_iterator(folder.path())->path().filename();
+            if (folder.count() != 1 || name.size() != 13 || !name.starts_with(".out."))
+                return 2;
+        }
+        if (folder.count() != 0)
+            return 3;
+        replace(path, "old");
+        std::optional<OutputFile> file(path);
+        OutputFile moved(std::move(*file));
+        file.reset();
+        write(moved, "new");
+        if (folder.count() != 2 || read_file(path) != "old")
+            return 4;
+        moved.commit();
+        return 0;
+    });
+    ::umask(before);
+    REQUIRE(status == 0);
+    CHECK(read_file(path) == "new");
+    CHECK(mode(path) == 0640);
+    CHECK(folder.count() == 1);
+}

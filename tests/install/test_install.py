@@ -1,0 +1,74 @@
+"""What `cmake --install` lays down, and that it is enough for a project that knows nothing else of ours."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+CMAKE = os.environ["CMAKE"]
+SIDE = 256
+
+INSTALLED = {
+    "bin/gabor",
+    "lib/cmake/gabor-noise/gabor-noise-config-version.cmake",
+    "lib/cmake/gabor-noise/gabor-noise-config.cmake",
+    "share/gabor-noise/shaders/gabor_noise.glsl",
+}
+
+
+def run(*command, **options):
+    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=280, **options)
+    if result.returncode != 0:
+        raise AssertionError(f"{command} failed:\n{result.stdout}\n{result.stderr}")
+
+
+class Install(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.prefix = cls.folder / "a prefix"
+        cls.build = cls.folder / "a build"
+        run(CMAKE, "--install", os.environ["GABOR_BUILD"], "--prefix", cls.prefix)
+
+    def configure(self, *options):
+        run(CMAKE, "-S", pathlib.Path(__file__).parent / "consumer", "-B", self.build, "-G", os.environ["GENERATOR"],
+            f"-DCMAKE_PREFIX_PATH={self.prefix}", *options)
+
+    def test_the_tree_has_just_what_it_should(self):
+        files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*") if not path.is_dir()}
+        self.assertEqual(files, INSTALLED)
+
+    def test_the_drop_in_is_ours(self):
+        source = pathlib.Path(__file__).parents[2] / "shaders" / "gabor_noise.glsl"
+        self.assertEqual((self.prefix / "share/gabor-noise/shaders/gabor_noise.glsl").read_bytes(), source.read_bytes())
+
+    def test_a_version_that_is_too_new_is_refused(self):
+        with self.assertRaisesRegex(AssertionError, "gabor-noise"):
+            self.configure("-DWANTED_VERSION=99.0")
+
+    def test_a_consumer_renders_what_the_program_does(self):
+        self.configure("-DWANTED_VERSION=0.1")
+        run(CMAKE, "--build", self.build)
+        for recipe in ("one", "paper"):
+            with self.subTest(recipe):
+                run(self.build / "consumer", f"{recipe}.spv", f"{recipe}.raw", cwd=self.build)
+                run(self.prefix / "bin/gabor", "render", "-o", f"{recipe}.exr", "--compression=none", f"--recipe={recipe}",
+                    f"--size={SIDE}x{SIDE}", "--scale=32", "--frequency=4", "--orientation=45", "--seed=7", cwd=self.build)
+                theirs = np.fromfile(self.build / f"{recipe}.raw", "<f4").reshape(SIDE, SIDE)
+                # Uncompressed, a row is its number, its size and its pixels; the rows are the end of the file.
+                rows = (self.build / f"{recipe}.exr").read_bytes()[-SIDE * (8 + 4 * SIDE):]
+                ours = np.frombuffer(rows, "<f4").reshape(SIDE, 2 + SIDE)[:, 2:]
+                self.assertGreater(ours.std(), 0.5)
+                # The program derives the kernel in double precision, the shader in single.
+                difference = np.abs(theirs - ours)
+                worst = np.unravel_index(difference.argmax(), difference.shape)
+                self.assertLess(difference.max(), 2e-5, f"at row and column {worst}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,89 @@
+#include "noise/variance.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+using namespace gabor;
+
+namespace {
+
+// Composite Gauss-Legendre quadrature with 5 points on each of `panels` panels: exact far beyond the
+// tolerances here.
+double integrate(const std::function<double(double)>& f, double from, double to, int panels) {
+    constexpr double x[] = {0, 0.5384693101056831, 0.9061798459386640};
+    constexpr double w[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    const double half = (to - from) / (2 * panels);
+    double sum = 0;
+    for (int i = 0; i < panels; ++i) {
+        const double middle = from + (2 * i + 1) * half;
+        sum += w[0] * f(middle);
+        for (int k : {1, 2})
+            sum += w[k] * (f(middle - half * x[k]) + f(middle + half * x[k]));
+    }
+    return sum * half;
+}
+
+double window_squared(const noise::Recipe& recipe, double x) {
+    const double u = 1 - x * x;
+    const double q = u * u * (recipe.window[0] + recipe.window[1] * u + recipe.window[2] * u * u);
+    return q * q;
+}
+
+const noise::Recipe sines{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
+
+} // namespace
+
+TEST_CASE("the window's energy agrees with quadrature", "[noise]") {
+    for (const noise::Recipe& recipe :
+         {noise::find_recipe("one"), noise::find_recipe("pure"), noise::find_recipe("paper"), sines}) {
+        for (const double a : {0.0, 1e-4, 0.1, 0.9999, 1.0, 3.0, 5.9, 6.1, 20.0, 120.0, 800.0}) {
+            const double expected =
+                integrate([&](double x) { return window_squared(recipe, x) * std::cos(a * x); }, -1, 1, 400);
+            INFO("recipe " << recipe.name << ", a = " << a);
+            CHECK(noise::window_energy(recipe, a) == Approx(expected).margin(1e-12));
+            CHECK(noise::window_energy(recipe, -a) == Approx(expected).margin(1e-12));
+        }
+    }
+}
+
+TEST_CASE("the variance agrees with Campbell's theorem by quadrature in the plane", "[noise]") {
+    for (const noise::Recipe& recipe :
+         {noise::find_recipe("one"), noise::find_recipe("pure"), noise::find_recipe("paper"), sines}) {
+        for (const double frequency : {0.1, 0.5, 1.0, 4.0}) {
+            for (const double degrees : {0.0, 30.0, 45.0, 200.0}) {
+                const double orientation = degrees * std::numbers::pi / 180;
+                const double energy = integrate(
+                    [&](double y) {
+                        return window_squared(recipe, y) *
+                               integrate(
+                                   [&](double x) {
+                                       const double s =
+                                           std::sin(2 * std::numbers::pi * frequency *
+                                                    (x * std::cos(orientation) + y * std::sin(orientation)));
+                                       return window_squared(recipe, x) * (recipe.phases == 2 ? s * s : 0.5);
+                                   },
+                                   -1, 1, 40);
+                    },
+                    -1, 1, 40);
+                const double floor = recipe.weight_floor;
+                const double magnitude_squared = (1 + floor * floor) / 2;
+                const double density = recipe.impulses * double{recipe.radius} * recipe.radius;
+                INFO("recipe " << recipe.name << ", frequency " << frequency << ", " << degrees
+                               << " degrees");
+                CHECK(noise::variance(recipe, frequency, orientation) ==
+                      Approx(density * magnitude_squared * energy).epsilon(1e-9));
+            }
+        }
+    }
+}
+
+TEST_CASE("visited impulses and recipe names", "[noise]") {
+    CHECK(noise::visited_impulses(noise::find_recipe("one")) == 9);
+    CHECK(noise::visited_impulses(noise::find_recipe("pure")) == 16);
+    CHECK(noise::visited_impulses(noise::find_recipe("paper")) == 18);
+    CHECK(noise::visited_impulses(sines) == 48);
+    CHECK_THROWS_WITH(noise::find_recipe("two"), Catch::Contains("one") && Catch::Contains("paper"));
+}

@@ -1,0 +1,79 @@
+// The law of the noise over independent instances: one value at a random place of each.
+
+#include "sampler.hpp"
+#include "statistics/gaussianity.hpp"
+#include "statistics/moments.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <random>
+
+using namespace gabor;
+
+namespace {
+
+struct Law {
+    statistics::Moments moments;
+    statistics::Gaussianity gaussianity;
+};
+
+Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float frequency, float orientation,
+            int batches) {
+    constexpr std::size_t per_batch = 1 << 20;
+    test::Sampler sampler(device, recipe, per_batch);
+    std::mt19937 random(3);
+    Law law;
+    for (int batch = 0; batch < batches; ++batch) {
+        for (test::Sample& sample : sampler.samples()) {
+            const auto place = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+            sample = {
+                {static_cast<std::int32_t>(random()), static_cast<std::int32_t>(random()), place(), place()},
+                frequency,
+                orientation,
+                static_cast<std::uint32_t>(random())};
+        }
+        for (const test::Answer& answer : sampler.answers(per_batch)) {
+            law.moments.add(answer.at);
+            law.gaussianity.add(answer.at);
+        }
+    }
+    return law;
+}
+
+} // namespace
+
+TEST_CASE("mean 0 and variance 1 at every frequency", "[instances]") {
+    const vulkan::Device device;
+    for (const char* name : {"one", "pure", "paper"}) {
+        for (const float frequency : {0.002f, 0.1f, 0.7f, 1.5f, 30.0f}) {
+            const Law law = measure(device, noise::find_recipe(name), frequency, 0.3f, 4);
+            INFO(name << ", frequency " << frequency);
+            CHECK(law.moments.mean() == Approx(0).margin(0.002)); // four standard errors
+            CHECK(law.moments.variance() == Approx(1).margin(0.003));
+        }
+    }
+}
+
+TEST_CASE("Gaussianity of the recipes", "[instances]") {
+    const vulkan::Device device;
+    struct Expected {
+        const char* recipe;
+        double cvm;
+    };
+    // `one`, `pure`: from the characteristic function by quadrature. `paper`: of the exact excess kurtosis
+    // -0.0325 (Campbell's theorem less what the stratification takes, by quadrature), 2^18 (kurtosis / 24)^2
+    // 0.1429.
+    for (const auto& [name, expected] :
+         {Expected{"one", 0.01}, Expected{"pure", 0.007}, Expected{"paper", 0.07}}) {
+        const Law law = measure(device, noise::find_recipe(name), 4, 0.3f, 8);
+        const statistics::Estimate cvm = law.gaussianity.index();
+        fmt::print("{}: variance {:.5f}, excess kurtosis {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n", name,
+                   law.moments.variance(), law.moments.excess_kurtosis(), cvm.value, cvm.low, cvm.high);
+        CHECK(law.moments.variance() == Approx(1).margin(0.002));
+        CHECK(law.moments.mean() == Approx(0).margin(0.0015));
+        CHECK(cvm.low < expected);
+        CHECK(cvm.high > expected);
+        CHECK(cvm.high - cvm.low < 0.1);
+    }
+}

@@ -1,0 +1,143 @@
+"""gabor_noise.glsl pasted into shaders of every dialect, and the names and constructs that it may use."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = (pathlib.Path(os.environ["GABOR_SHADERS"]) / "gabor_noise.glsl").read_text()
+VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
+
+RECIPES = {
+    "default": {},
+    "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2", "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
+    "wide": {"GABOR_RADIUS": "1.5", "GABOR_WEIGHT_FLOOR": "0.5", "GABOR_WINDOW": "vec3(1.0, -1.0, 1.0)"},
+    "native sine": {"GABOR_NATIVE_SINE": "1"},
+}
+HIGHP = "precision highp float; precision highp int;\n"
+
+# The functions to call, with values that no compiler can fold.
+USE = """
+    GaborKernel once = gabor_kernel(p.x, p.y);
+    float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
+    float unorm = gabor_unorm(noise);
+"""
+FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n" + USE + \
+           "    color = vec4(unorm);\n}}\n"
+COMPUTE = "layout(local_size_x = 8, local_size_y = 8) in;\n" \
+          "layout(std430, binding = 0) writeonly buffer Result {{ float result[]; }};\n" \
+          "void main()\n{{\n    vec2 p = vec2(gl_GlobalInvocationID.xy) / 32.0;\n" + USE + \
+          "    result[gl_GlobalInvocationID.x] = unorm;\n}}\n"
+
+# Dialect: version, what comes before the file, shader, its output's qualifiers, stage, options of the compiler.
+DIALECTS = {
+    "450 fragment": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", []),
+    "450 compute": ("450", "", COMPUTE, "", "comp", []),
+    "450 fragment for Vulkan": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", ["-V"]),
+    "450 compute for Vulkan": ("450", "", COMPUTE, "", "comp", ["-V"]),
+    "330 core fragment": ("330 core", "", FRAGMENT, "out", "frag", []),
+    "300 es fragment": ("300 es", HIGHP, FRAGMENT, "out", "frag", []),
+}
+
+
+def shader(version, before, body, target, macros={}, times=1):
+    defines = "".join(f"#define {name} {value}\n" for name, value in macros.items())
+    return f"#version {version}\n{before}{defines}{SOURCE * times}{body.format(target=target)}"
+
+
+def strip_comments(text):
+    return re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.DOTALL)
+
+
+def outermost(text):
+    """What is in no braces and no parentheses."""
+    while True:
+        text, replaced = re.subn(r"\([^(){}]*\)|\{[^(){}]*\}", " ", text)
+        if not replaced:
+            return text
+
+
+class Dialects(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def compile(self, source, stage, options):
+        """Compiles and links without an error or a warning; the file of SPIR-V, where one was asked for."""
+        path, spirv = self.folder / f"shader.{stage}", self.folder / "shader.spv"
+        path.write_text(source)
+        options = [*options, *(["-o", spirv] if "-V" in options else ["-l"])]
+        result = subprocess.run([VALIDATOR, *options, path], capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertNotRegex(result.stdout + result.stderr, "ERROR|WARNING")
+        return spirv
+
+    def test_every_dialect_compiles_every_recipe(self):
+        for dialect, (*parts, stage, options) in DIALECTS.items():
+            for recipe, macros in RECIPES.items():
+                with self.subTest(dialect, recipe=recipe):
+                    self.compile(shader(*parts, macros), stage, options)
+
+    def test_included_twice_it_counts_once(self):
+        for dialect, (*parts, stage, options) in DIALECTS.items():
+            with self.subTest(dialect):
+                self.compile(shader(*parts, times=2), stage, options)
+
+    def test_an_error_would_be_noticed(self):
+        *parts, stage, options = DIALECTS["300 es fragment"]
+        with self.assertRaises(AssertionError):
+            self.compile(shader(*parts, {"GABOR_IMPULSES": "2.0"}), stage, options)
+
+    def test_spirv_tools_accept_it(self):
+        tools = {"spirv-val": [], "spirv-cross": ["--version", "310", "--es"]}
+        found = {tool: options for tool, options in tools.items() if shutil.which(tool)}
+        for dialect, (*parts, stage, options) in DIALECTS.items():
+            if "-V" in options:
+                spirv = self.compile(shader(*parts), stage, options)
+                for tool, tool_options in found.items():
+                    with self.subTest(tool=tool, dialect=dialect):
+                        subprocess.run([tool, *tool_options, spirv], check=True, timeout=60, stdout=subprocess.DEVNULL)
+        if len(found) < len(tools):
+            self.skipTest(f"not installed: {', '.join(tools.keys() - found.keys())}")
+
+
+class Names(unittest.TestCase):
+    def setUp(self):
+        lines = strip_comments(SOURCE).splitlines()
+        self.directives = [line.strip() for line in lines if line.strip().startswith("#")]
+        self.code = "\n".join(line for line in lines if not line.strip().startswith("#"))
+
+    def test_all_global_names_have_the_prefix(self):
+        types = {"bool", "int", "uint", "float", "struct", "void", "const", "highp"}
+        vectors = re.compile(r"[biu]?vec[234]|mat[234]")
+        names = {name for name in re.findall(r"[A-Za-z_]\w*", outermost(self.code))
+                 if name not in types and not vectors.fullmatch(name)}
+        self.assertIn("gabor_noise", names)
+        self.assertIn("GaborKernel", names)
+        self.assertEqual({name for name in names if not re.match("gabor_|Gabor", name)}, set())
+
+    def test_all_macros_have_the_prefix(self):
+        macros = {match[1] for line in self.directives if (match := re.match(r"#\s*(?:define|undef)\s+(\w+)", line))}
+        self.assertIn("GABOR_IMPULSES", macros)
+        self.assertEqual({name for name in macros if not name.startswith("GABOR_")}, set())
+
+    def test_it_leaves_version_extensions_and_precision_to_the_shader(self):
+        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives}, {"ifndef", "define", "endif"})
+        self.assertNotRegex(self.code, r"\bprecision\b")
+
+    def test_it_declares_no_resources(self):
+        self.assertNotRegex(self.code, r"\b(uniform|buffer|shared|layout|in|out|varying|attribute|binding)\b")
+        self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
+
+    def test_it_has_no_arrays_and_no_initializer_lists(self):
+        # Drivers copy constant arrays at each access; 300 es knows no initializer lists.
+        self.assertNotRegex(self.code, r"\[")
+        self.assertNotRegex(self.code, r"=\s*\{")
+
+
+if __name__ == "__main__":
+    unittest.main()

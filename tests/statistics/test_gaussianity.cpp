@@ -1,0 +1,140 @@
+#include "statistics/gaussianity.hpp"
+
+#include "samples.hpp"
+#include "statistics/normal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace gabor::statistics;
+
+namespace {
+
+/// The index by the formula of the statistic itself.
+double sorted_index(std::vector<float> values, double deviation) {
+    std::sort(values.begin(), values.end());
+    const double n = static_cast<double>(values.size());
+    double t = 1 / (12 * n);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double d = (2 * static_cast<double>(i) + 1) / (2 * n) - normal_cdf(values[i] / deviation);
+        t += d * d;
+    }
+    return 262144 * (t - 1.0 / 6) / n;
+}
+
+Estimate index_of(const std::vector<float>& values, double deviation = 1) {
+    Gaussianity gaussianity(deviation);
+    gaussianity.add(values);
+    return gaussianity.index();
+}
+
+/// The part of 1500 samples of `count` values each whose interval holds `exact`, and the indices' mean.
+struct Coverage {
+    double part = 0;
+    double mean = 0;
+};
+
+Coverage coverage(std::size_t count, const samples::Bent& bent) {
+    constexpr int repetitions = 1500;
+    const double exact = bent.index();
+    Coverage result;
+    for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
+        std::vector<float> values = samples::normal(count, 1000 + seed);
+        bent.apply(values);
+        const Estimate index = index_of(values);
+        result.part += (index.low <= exact && exact <= index.high) / double(repetitions);
+        result.mean += index.value / repetitions;
+    }
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("the index is that of the sorted formula") {
+    const std::size_t count = GENERATE(1u, 2u, 100u, 50000u);
+    const double c = GENERATE(0.0, 0.03);
+    const double deviation = GENERATE(1.0, 0.25);
+    std::vector<float> values = samples::normal(count, count);
+    samples::Bent{c}.apply(values);
+    for (float& value : values)
+        value *= static_cast<float>(deviation);
+    // In units of the statistic T, whose standard deviation is at least 0.15.
+    const double unit = 262144 / static_cast<double>(count);
+    CHECK(index_of(values, deviation).value / unit ==
+          Approx(sorted_index(values, deviation) / unit).epsilon(1e-3).margin(1e-3));
+}
+
+TEST_CASE("two values, by hand") {
+    // x = +-0: u = 1/2 twice, T = 1/24 + 2 (1/4)^2 = 1/6.
+    const Estimate index = index_of({0.0f, -0.0f});
+    CHECK(index.value == Approx(0).margin(262144 / 2 * 1e-3));
+    CHECK(index.value - index.low == Approx(262144 / 2 * 1.96 / std::sqrt(45)).epsilon(1e-6));
+}
+
+TEST_CASE("the index of a law that is not normal is found to a hundredth") {
+    std::vector<float> values = samples::normal(2000000, 5);
+    const samples::Bent bent{0.2};
+    bent.apply(values);
+    const Estimate index = index_of(values);
+    CHECK(index.value == Approx(bent.index()).epsilon(0.01));
+    CHECK(index.low < bent.index());
+    CHECK(index.high > bent.index());
+    CHECK(index.high - index.low < 0.03 * index.value);
+}
+
+TEST_CASE("a wrong deviation is seen") {
+    // Phi(x / 1.02) - Phi(x) = -0.02 x phi(x) + ..., and the integral of x^2 phi^3 is 1 / (2 pi 3 sqrt(3)).
+    const std::vector<float> values = samples::normal(1000000, 6);
+    const Estimate index = index_of(values, 1 / 1.02);
+    CHECK(index.low > 0);
+    CHECK(index.value == Approx(262144 * 0.02 * 0.02 / (2 * 3.14159265 * 5.19615)).margin(0.4));
+}
+
+TEST_CASE("indices have no bias and their intervals cover the truth in 95 cases of 100") {
+    SECTION("normal") {
+        const Coverage normal = coverage(1000, {0});
+        CHECK(normal.part == Approx(0.95).margin(0.02));
+        CHECK(normal.mean == Approx(0).margin(3 * 262.144 * 0.149 / std::sqrt(1500)));
+    }
+    SECTION("nearly normal: wider than need be, never narrower") {
+        const double c = GENERATE(0.01, 0.03, 0.05);
+        const Coverage near = coverage(1000, {c});
+        INFO("c " << c << ", index " << samples::Bent{c}.index() << ", covered " << near.part);
+        CHECK(near.part > 0.94);
+    }
+    SECTION("far from normal") {
+        const samples::Bent bent{0.2};
+        const Coverage far = coverage(4000, bent);
+        CHECK(far.part == Approx(0.95).margin(0.02));
+        CHECK(far.mean == Approx(bent.index()).epsilon(0.01));
+    }
+}
+
+TEST_CASE("merging is exact, in any order, and across machines") {
+    const std::vector<float> values = samples::normal(30000, 7);
+    const std::span<const float> all = values;
+    Gaussianity whole;
+    Gaussianity first;
+    Gaussianity second;
+    whole.add(all);
+    first.add(all.first(7777));
+    for (const float value : all.subspan(7777))
+        second.add(static_cast<double>(value));
+    Gaussianity forth(1, first.counts());
+    Gaussianity back(1, second.counts());
+    forth.merge(second);
+    back.merge(first);
+    CHECK(forth.index() == whole.index());
+    CHECK(back.index() == whole.index());
+    CHECK(whole.count() == values.size());
+}
+
+TEST_CASE("infinities count as the extreme values that they are, NaN is refused") {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    CHECK(index_of({-infinity, 0, infinity}).value == index_of({-20, 0, 20}).value);
+    CHECK_THROWS_AS(index_of({std::numeric_limits<float>::quiet_NaN()}), std::domain_error);
+    CHECK_THROWS_AS(Gaussianity(1, Counts(17)), std::invalid_argument);
+}

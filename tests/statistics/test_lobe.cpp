@@ -1,0 +1,85 @@
+#include "statistics/lobe.hpp"
+
+#include "samples.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+using namespace gabor::statistics;
+
+namespace {
+
+constexpr int side = 256;
+
+/// The periodogram that has `density` at each frequency, given in cells of 1 / side.
+std::vector<double> periodogram_of(const std::function<double(double, double)>& density) {
+    std::vector<double> periodogram;
+    for (int row = 0; row < side; ++row)
+        for (int x = 0; x <= side / 2; ++x)
+            periodogram.push_back(density(x, row < side / 2 ? row : row - side));
+    return periodogram;
+}
+
+double gauss(double dx, double dy, double sigma) {
+    return std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)) / (2 * std::numbers::pi * sigma * sigma);
+}
+
+} // namespace
+
+TEST_CASE("the numbers of a Gaussian lobe are those of the Gaussian") {
+    const double x = GENERATE(50.0, 51.3);
+    const double y = GENERATE(0.0, 33.4, -33.4);
+    const double sigma = GENERATE(3.0, 6.0);
+    const auto summary =
+        summarize(periodogram_of([&](double fx, double fy) {
+                      return 0.7 * gauss(fx - x, fy - y, sigma) + 0.7 * gauss(fx + x, fy + y, sigma);
+                  }),
+                  side);
+    INFO("lobe at " << x << ", " << y << ", sigma " << sigma);
+    CHECK(summary.power == Approx(1.4).epsilon(1e-6));
+    CHECK(summary.radial_step == 1.0 / side);
+    CHECK(std::reduce(summary.radial.begin(), summary.radial.end()) == Approx(1.4).epsilon(1e-6));
+    CHECK(summary.peak_frequency == Approx(std::hypot(x, y) / side).epsilon(1e-5));
+    const double degrees = std::atan2(y, x) * 180 / std::numbers::pi;
+    CHECK(summary.peak_orientation == Approx(degrees < 0 ? degrees + 180 : degrees).margin(0.01));
+    CHECK(summary.bandwidth == Approx(2 * std::sqrt(2 * std::numbers::ln2) * sigma / side).epsilon(0.02));
+    // Two lobes, each with sum of squares 0.7^2 / (4 pi sigma^2).
+    const double squares = 2 * 0.7 * 0.7 / (4 * std::numbers::pi * sigma * sigma);
+    CHECK(summary.correlation == Approx(2 * side * std::sqrt(squares) / 1.4).epsilon(1e-4));
+}
+
+TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
+    const auto summary =
+        summarize(periodogram_of([](double fx, double fy) {
+                      const double r = std::hypot(fx, fy);
+                      const double phase = std::numbers::pi * (r - 65) / 30;
+                      // In power per annulus a period of 1 + cos, 60 wide at its foot.
+                      return std::abs(phase) < std::numbers::pi ? (1 + std::cos(phase)) / r : 0;
+                  }),
+                  side);
+    CHECK(summary.bandwidth == Approx(30.0 / side).epsilon(0.015));
+    CHECK(summary.peak_frequency == Approx(65.0 / side).epsilon(0.15)); // it has no single peak
+}
+
+TEST_CASE("lobes beyond the highest frequency are seen where sampling folds them") {
+    const auto summary = summarize(periodogram_of([](double fx, double fy) {
+                                       double power = 0;
+                                       for (const double fold : {-1.0, 0.0, 1.0})
+                                           power += gauss(fx - 126 - fold * side, fy - 10, 4) +
+                                                    gauss(fx + 126 - fold * side, fy + 10, 4);
+                                       return power;
+                                   }),
+                                   side);
+    CHECK(summary.peak_frequency == Approx(std::hypot(126, 10) / side).epsilon(0.01));
+    CHECK(summary.power == Approx(2).epsilon(1e-3));
+}
+
+TEST_CASE("nothing but zeros has no peak") {
+    const auto summary = summarize(periodogram_of([](double, double) { return 0; }), side);
+    CHECK(summary.power == 0);
+    CHECK(summary.peak_frequency == 0);
+}

@@ -1,0 +1,97 @@
+#include "statistics/picture.hpp"
+
+#include "samples.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace gabor::statistics;
+
+namespace {
+
+PictureReport report_on(const std::vector<float>& picture, int width, int height, int band,
+                        const Reference& reference = {}) {
+    PictureStatistics statistics(width, height, reference);
+    const std::span<const float> pixels = picture;
+    const auto columns = static_cast<std::size_t>(width);
+    for (int y = 0; y < height; y += band) {
+        const auto rows = static_cast<std::size_t>(std::min(band, height - y));
+        statistics.add_rows(pixels.subspan(static_cast<std::size_t>(y) * columns, rows * columns));
+    }
+    return statistics.report();
+}
+
+} // namespace
+
+TEST_CASE("reports do not depend on the height of the bands") {
+    const std::vector<float> picture = samples::picture(203, 181, {1.5, 0.2, 0.1}, 41);
+    const PictureReport one = report_on(picture, 203, 181, 1);
+    REQUIRE(one.spectrum);
+    REQUIRE(one.blocks);
+    CHECK(report_on(picture, 203, 181, 37) == one);
+    CHECK(report_on(picture, 203, 181, 181) == one);
+}
+
+TEST_CASE("a report holds what its parts measure") {
+    const int side = 512;
+    std::vector<float> picture = samples::picture(side, side, {2, 0.2, 0.1}, 42);
+    for (float& value : picture)
+        value = 0.5f + 0.25f * value;
+    Moments moments;
+    CHECK(add_finite(moments, picture) == 0);
+    const Reference reference = measured_reference(moments);
+    CHECK(reference.measured);
+    CHECK(reference.mean == Approx(0.5).epsilon(0.01));
+    CHECK(reference.deviation == Approx(0.25).epsilon(0.02));
+
+    const PictureReport report = report_on(picture, side, side, 100, reference);
+    CHECK(report.not_finite == 0);
+    CHECK(report.moments.count() == picture.size());
+    CHECK(report.moments.mean() == Approx(moments.mean()).epsilon(1e-12));
+    CHECK(report.moments.excess_kurtosis() == Approx(moments.excess_kurtosis()).epsilon(1e-9));
+    CHECK(report.spectrum->power == Approx(moments.variance()).epsilon(0.05));
+    CHECK(report.spectrum->peak_frequency == Approx(std::hypot(0.2, 0.1)).epsilon(0.02));
+    Blocks blocks(side, side, reference);
+    for (int y = 0; y < side; ++y)
+        blocks.add(0, y, std::span(picture).subspan(static_cast<std::size_t>(y * side), side));
+    CHECK(report.blocks == blocks.estimate(report.spectrum->correlation));
+    CHECK(report.blocks->variance.value == Approx(moments.variance()).epsilon(1e-12));
+    CHECK(report.blocks->cvm.low < 0);
+    CHECK(report.blocks->cvm.high > 0);
+}
+
+TEST_CASE("pixels that are not finite are counted and left out") {
+    std::vector<float> picture = samples::normal(64 * 64, 43);
+    const PictureReport clean = report_on(picture, 64, 64, 64);
+    Moments rest;
+    for (const std::size_t bad : {0u, 63u, 64u, 2000u, 2001u, 4095u})
+        picture[bad] =
+            bad % 2 == 0 ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::infinity();
+    CHECK(add_finite(rest, picture) == 6);
+    CHECK(rest.count() == 64 * 64 - 6);
+
+    const PictureReport report = report_on(picture, 64, 64, 64);
+    CHECK(report.not_finite == 6);
+    CHECK(report.moments.count() == rest.count());
+    CHECK(report.moments.mean() == Approx(rest.mean()).epsilon(1e-9));
+    CHECK(report.spectrum->power == Approx(clean.spectrum->power).epsilon(0.01));
+
+    const PictureReport nothing =
+        report_on(std::vector<float>(64 * 64, std::numeric_limits<float>::quiet_NaN()), 64, 64, 64);
+    CHECK(nothing.not_finite == 64 * 64);
+    CHECK(nothing.moments.count() == 0);
+    CHECK_FALSE(nothing.blocks);
+}
+
+TEST_CASE("small pictures and long correlations leave out what cannot be said") {
+    const PictureReport tiny = report_on(samples::normal(15 * 3, 44), 15, 3, 3);
+    CHECK(tiny.moments.count() == 45);
+    CHECK_FALSE(tiny.spectrum);
+    CHECK_FALSE(tiny.blocks);
+
+    const PictureReport smooth = report_on(samples::picture(256, 256, {16}, 45), 256, 256, 256);
+    CHECK(smooth.spectrum);
+    CHECK_FALSE(smooth.blocks);
+}

@@ -1,0 +1,125 @@
+#include "statistics/spectrum.hpp"
+
+#include "samples.hpp"
+#include "statistics/moments.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+using namespace gabor::statistics;
+
+namespace {
+
+SpectrumSummary spectrum_of(const std::vector<float>& picture, int width, int height) {
+    Spectrum spectrum(width, height);
+    const std::span<const float> pixels = picture;
+    const auto columns = static_cast<std::size_t>(width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+        spectrum.add_row(pixels.subspan(y * columns, columns));
+    return summarize(spectrum.periodogram(), spectrum.side());
+}
+
+std::vector<float> wave(int width, int height, double fx, double fy, double amplitude, double noise) {
+    std::vector<float> picture =
+        samples::normal(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 21, 0, noise);
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        const double x = static_cast<double>(i % static_cast<std::size_t>(width));
+        const double y = static_cast<double>(i / static_cast<std::size_t>(width));
+        picture[i] +=
+            static_cast<float>(amplitude * std::cos(2 * std::numbers::pi * (fx * x + fy * y) + 0.7));
+    }
+    return picture;
+}
+
+double degrees(double fx, double fy) {
+    const double angle = std::atan2(fy, fx) * 180 / std::numbers::pi;
+    return angle < 0 ? angle + 180 : angle;
+}
+
+} // namespace
+
+TEST_CASE("a plane wave in white noise is found at its frequency and orientation") {
+    const auto [fx, fy] = GENERATE(table<double, double>(
+        {{0.1, 0.0}, {0.0, 0.123}, {0.0817, 0.0433}, {0.0817, -0.0433}, {-0.21, 0.3}, {0.4, 0.4}}));
+    const SpectrumSummary summary = spectrum_of(wave(300, 200, fx, fy, 0.5, 1), 300, 200);
+    INFO("wave " << fx << ", " << fy);
+    CHECK(summary.peak_frequency == Approx(std::hypot(fx, fy)).margin(0.0005));
+    CHECK(std::remainder(summary.peak_orientation - degrees(fx, fy), 180) == Approx(0).margin(0.3));
+    CHECK(summary.peak_orientation >= 0);
+    CHECK(summary.peak_orientation < 180);
+    CHECK(summary.power == Approx(1.125).epsilon(0.02));
+}
+
+TEST_CASE("a plane wave alone is as wide as the resolution") {
+    const double fx = GENERATE(0.1, 0.105, 0.1075);
+    const SpectrumSummary summary = spectrum_of(wave(512, 512, fx, 0.02, 1, 0), 512, 512);
+    CHECK(summary.resolution == Approx(2.0 / 256));
+    CHECK(summary.bandwidth == Approx(summary.resolution).epsilon(0.1));
+    CHECK(summary.power == Approx(0.5).epsilon(0.002));
+}
+
+TEST_CASE("the power of one segment is that of its windowed pixels") {
+    const int side = 16;
+    const std::vector<float> picture = samples::normal(side * side, 8);
+    Spectrum spectrum(side, side);
+    REQUIRE(spectrum.side() == 8);
+    for (int y = 0; y < side; ++y)
+        spectrum.add_row(std::span(picture).subspan(static_cast<std::size_t>(y * side), side));
+    double expected = 0;
+    for (const int top : {0, 4, 8})
+        for (const int left : {0, 4, 8})
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 8; ++x) {
+                    const double w = std::pow(std::sin(std::numbers::pi * x / 8), 2) *
+                                     std::pow(std::sin(std::numbers::pi * y / 8), 2);
+                    const double v = w * picture[static_cast<std::size_t>((top + y) * side + left + x)];
+                    expected += v * v / (9 * 9); // 9 segments; sum of sin^8 over 64 places is 9
+                }
+    const SpectrumSummary summary = summarize(spectrum.periodogram(), 8);
+    CHECK(summary.power == Approx(expected).epsilon(1e-6));
+    CHECK(std::reduce(summary.radial.begin(), summary.radial.end()) == Approx(summary.power).epsilon(1e-12));
+}
+
+TEST_CASE("white noise is white: power proportional to area") {
+    const SpectrumSummary summary = spectrum_of(samples::normal(1024 * 1024, 9), 1024, 1024);
+    CHECK(summary.power == Approx(1).epsilon(0.01));
+    const double df = summary.radial_step;
+    // An annulus of radius f < 1/2 and width df has the area 2 pi f df of a plane of area 1.
+    const double inner = std::accumulate(summary.radial.begin() + 52, summary.radial.begin() + 205, 0.0);
+    double area = 0;
+    for (int k = 52; k < 205; ++k)
+        area += 2 * std::numbers::pi * k * df * df;
+    CHECK(inner == Approx(area).epsilon(0.01));
+    CHECK(summary.correlation == Approx(2).epsilon(0.1));
+}
+
+TEST_CASE("a noise of known lobe has that lobe's frequency, orientation, width and correlation") {
+    const auto [fx, fy] = GENERATE(table<double, double>({{0.13, 0.07}, {-0.05, 0.12}}));
+    const double spread = 10;
+    const int side = 1400;
+    const std::vector<float> picture = samples::picture(side, side, {spread, fx, fy}, 31);
+    Moments moments;
+    moments.add(picture);
+    const SpectrumSummary summary = spectrum_of(picture, side, side);
+    INFO("lobe " << fx << ", " << fy);
+    CHECK(summary.peak_frequency == Approx(std::hypot(fx, fy)).epsilon(0.005));
+    CHECK(summary.peak_orientation == Approx(degrees(fx, fy)).margin(0.3));
+    CHECK(summary.bandwidth == Approx(samples::lobe_width(spread)).epsilon(0.03));
+    CHECK(summary.power == Approx(moments.variance()).epsilon(0.025));
+    // 2 sqrt(integral of exp(-d^2 / (2 spread^2)) cos^2) = 2 sqrt(pi) spread
+    CHECK(summary.correlation == Approx(2 * std::sqrt(std::numbers::pi) * spread).epsilon(0.04));
+}
+
+TEST_CASE("segments fit the picture, and tiny pictures have none") {
+    CHECK(segment_side(1024, 1024) == 512);
+    CHECK(segment_side(1023, 4000) == 256);
+    CHECK(segment_side(65536, 65536) == 512);
+    CHECK(segment_side(1 << 20, 65536) == 32);
+    CHECK(segment_side(16, 100) == 8);
+    CHECK_FALSE(segment_side(15, 100));
+    CHECK_THROWS_AS(Spectrum(100, 15), std::invalid_argument);
+}
