@@ -60,6 +60,12 @@
 #define GABOR_NATIVE_SINE 0
 #endif
 
+// Put before each loop over impulses: define it as [[unroll]] (GL_EXT_control_flow_attributes) or [unroll] (HLSL) where
+// the compiler leaves the loops of a larger recipe as they are. `one` is unrolled by all that were tried.
+#ifndef GABOR_UNROLL
+#define GABOR_UNROLL
+#endif
+
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
 // Odd constants that spread consecutive cells, and the impulses of one cell, over all 32 bits.
@@ -102,6 +108,12 @@ vec2 gabor_place_plus_one(uint word)
 {
     return vec2(uintBitsToFloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
                 uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
+}
+
+// Phase of the impulse at that place, in turns.
+float gabor_phase(vec2 place_plus_one)
+{
+    return fract(place_plus_one.y * (8388608.0 / float(GABOR_PHASES)));
 }
 
 // Magnitude of an impulse's weight.
@@ -264,17 +276,16 @@ float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 
     uint seed_word = gabor_seed_word(seed);
     float sum = 0.0;
-    for (int j = 0; j < visited; ++j) {
+    GABOR_UNROLL for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_row_word(cell.y + j, seed_word);
-        for (int i = 0; i < visited; ++i) {
-            for (int k = 0; k < GABOR_IMPULSES; ++k) {
+        GABOR_UNROLL for (int i = 0; i < visited; ++i) {
+            GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
                 uint word = gabor_impulse_word(cell.x + i, row_word, k);
                 vec2 place = gabor_place_plus_one(word);
                 // The sum in the inner brackets is exact, which leaves one rounding.
                 vec2 d = (local - (place + (first + vec2(float(i), float(j))))) * (1.0 / GABOR_RADIUS);
-                float phase = fract(place.y * (8388608.0 / float(GABOR_PHASES)));
                 sum += gabor_magnitude(word) * (gabor_window(d.x) * gabor_window(d.y))
-                     * gabor_sin_turns(kernel.wave.x * d.x + (kernel.wave.y * d.y + phase));
+                     * gabor_sin_turns(dot(kernel.wave, d) + gabor_phase(place));
             }
         }
     }

@@ -191,7 +191,7 @@ void render_picture(const RenderOptions& options, Clock::time_point start) {
         fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", writing,
                    closing);
         fmt::print("  everything              {:8.3f} s\n", wall);
-        fmt::print("  host overhead           {:8.3f} s\n", wall - times.gpu - writing - closing);
+        fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - writing - closing);
         fmt::print("  resident memory         {:8} MiB at most\n", usage.ru_maxrss / 1024);
     }
 }

@@ -134,7 +134,7 @@ std::string to_json(const Measured& measured) {
 }
 
 void print_line(const char* name, double value, const std::string& note = {}) {
-    fmt::print("{}\n", fmt::format("  {:<18}{:>13.6g}  {}", name, value, note));
+    fmt::print("  {:<18}{:>13.6g}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
 void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>& scale) {

@@ -4,7 +4,6 @@
 #include "render/picture.hpp"
 #include "vulkan/device.hpp"
 
-#include <array>
 #include <functional>
 #include <span>
 
@@ -12,11 +11,9 @@ namespace gabor::render {
 
 struct Times {
     double first_dispatch = 0; ///< seconds from the call to the first submission
+    double waiting = 0;        ///< seconds that the host waited for the device
     double gpu = 0;            ///< seconds that the passes took on the device, NaN where it cannot tell
 };
-
-/// The specialization constants of passes/recipe.glsl.
-std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 
 /// Renders `region` of a checked picture from top to bottom and hands whole rows to `sink`, band by band:
 /// while one band is taken the next is on the device. Memory does not grow with the height. What `sink`

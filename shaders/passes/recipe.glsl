@@ -8,6 +8,8 @@ layout(constant_id = 4) const float recipe_window_x = 1.0;
 layout(constant_id = 5) const float recipe_window_y = 0.0;
 layout(constant_id = 6) const float recipe_window_z = 0.0;
 
+#extension GL_EXT_control_flow_attributes : require
+#define GABOR_UNROLL [[unroll]]
 #define GABOR_IMPULSES recipe_impulses
 #define GABOR_RADIUS recipe_radius
 #define GABOR_WEIGHT_FLOOR recipe_weight_floor

@@ -10,7 +10,8 @@ PROGRAM = os.environ["GABOR_PROGRAM"]
 
 
 def environment(**changes):
-    """Ours, with validation on: any message of Vulkan's validation layers is then a failure. None removes a variable."""
+    """Ours, with validation on: any message of Vulkan's validation layers is then a failure. None removes a
+    variable."""
     merged = {**os.environ, "GABOR_VALIDATION": "1", **changes}
     return {name: value for name, value in merged.items() if value is not None}
 

@@ -130,8 +130,8 @@ class LikeFiles(ErrorTest):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
                  ("7", ["JSON"]), ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
                  ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
-                 ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]), ('{"scale": true}', ["scale"]),
-                 ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),
+                 ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]),
+                 ('{"scale": true}', ["scale"]), ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),
                  ('{"frequency": 1e999}', ["like.exr"]), ('{"recipe": 1}', ["recipe"]),
                  ('{"recipe": "best"}', ["best", "one", "paper"]), ('{"width": 0}', ["width", "1 to 65536"]),
                  ('{"width": 2, "height": 2}', ["region"])]
@@ -188,7 +188,8 @@ class Disk(ErrorTest):
         (self.folder / "old.exr").write_text("older")
         limited = ["sh", "-c", "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # half or one MiB
         for output in ("old.exr", "new.exr"):
-            self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024", command=limited)
+            self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024",
+                              command=limited)
 
     def test_a_full_disk(self):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
@@ -197,7 +198,8 @@ class Disk(ErrorTest):
             self.skipTest("may not mount a small disk")
         script = small + 'echo older >old.exr; "$0" "$@"; status=$?; ls -A; cat old.exr; exit $status'
         for output in ("old.exr", "new.exr"):
-            result = gabor("render", "-o", output, "--size=1024x1024", command=[*mount, script, PROGRAM], cwd=self.folder)
+            result = gabor("render", "-o", output, "--size=1024x1024", cwd=self.folder,
+                           command=[*mount, script, PROGRAM])
             self.assertEqual((result.returncode, result.stdout), (1, "old.exr\nolder\n"))
             self.assertRegex(result.stderr, rf"\Agabor: cannot write {output}: No space [^\n]+\n\Z")
 

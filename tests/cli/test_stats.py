@@ -32,7 +32,7 @@ class StatsTest(ProgramTest):
         variance = np.mean(centred ** 2)
         self.assertEqual(stats["pixels"], pixels.size)
         self.assertEqual((stats["minimum"], stats["maximum"]), (pixels.min(), pixels.max()))
-        self.assertAlmostEqual(stats["mean"], pixels.mean(), delta=1e-12 * np.sqrt(variance) + 1e-15 * abs(pixels.mean()))
+        self.assertAlmostEqual(stats["mean"], pixels.mean(), delta=1e-12 * np.abs(pixels).max())
         self.assertAlmostEqual(stats["variance"] / variance, 1, delta=1e-11)
         self.assertAlmostEqual(stats["skewness"], np.mean(centred ** 3) / variance ** 1.5, delta=1e-10)
         self.assertAlmostEqual(stats["excess_kurtosis"], np.mean(centred ** 4) / variance ** 2 - 3, delta=1e-10)
@@ -88,9 +88,9 @@ class Rendered(StatsTest):
         self.assertIn("in.exr", text)
         self.assertIn("512 x 512", text)
         for name in ("mean", "variance", "skewness", "excess kurtosis", "minimum", "maximum"):
-            self.assertRegex(text, rf"(?m)^ +{name} +{stats[name.replace(' ', '_')]:.6g} ")
+            self.assertRegex(text, rf"(?m)^ +{name} +{stats[name.replace(' ', '_')]:.6g}\b")
         for name in ("cvm", "peak frequency", "peak orientation", "bandwidth"):
-            self.assertRegex(text, rf"(?m)^ +{name} +-?\d\S* ")
+            self.assertRegex(text, rf"(?m)^ +{name} +-?\d")
 
     def test_json_on_stdout(self):
         self.render("--size=64x64")

@@ -57,8 +57,9 @@ class Install(unittest.TestCase):
         for recipe in ("one", "paper"):
             with self.subTest(recipe):
                 run(self.build / "consumer", f"{recipe}.spv", f"{recipe}.raw", cwd=self.build)
-                run(self.prefix / "bin/gabor", "render", "-o", f"{recipe}.exr", "--compression=none", f"--recipe={recipe}",
-                    f"--size={SIDE}x{SIDE}", "--scale=32", "--frequency=4", "--orientation=45", "--seed=7", cwd=self.build)
+                run(self.prefix / "bin/gabor", "render", "-o", f"{recipe}.exr", f"--recipe={recipe}",
+                    f"--size={SIDE}x{SIDE}", "--scale=32", "--frequency=4", "--orientation=45", "--seed=7",
+                    "--compression=none", cwd=self.build)
                 theirs = np.fromfile(self.build / f"{recipe}.raw", "<f4").reshape(SIDE, SIDE)
                 # Uncompressed, a row is its number, its size and its pixels; the rows are the end of the file.
                 rows = (self.build / f"{recipe}.exr").read_bytes()[-SIDE * (8 + 4 * SIDE):]

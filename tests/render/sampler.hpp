@@ -2,7 +2,7 @@
 
 #include "noise/recipe.hpp"
 #include "noise/reference.hpp"
-#include "render/bands.hpp"
+#include "render/bake.hpp"
 #include "vulkan/pass.hpp"
 
 #include "passes/sample.h"

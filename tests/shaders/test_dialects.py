@@ -13,7 +13,8 @@ VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
 RECIPES = {
     "default": {},
-    "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2", "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
+    "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2",
+              "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
     "wide": {"GABOR_RADIUS": "1.5", "GABOR_WEIGHT_FLOOR": "0.5", "GABOR_WINDOW": "vec3(1.0, -1.0, 1.0)"},
     "native sine": {"GABOR_NATIVE_SINE": "1"},
 }

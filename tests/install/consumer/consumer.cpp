@@ -1,4 +1,5 @@
-// Runs a compute shader that fills 256 x 256 floats, and writes them to a file: consumer SHADER.spv VALUES.raw
+// Runs a compute shader that fills 256 x 256 floats, and writes them to a file: consumer SHADER.spv
+// VALUES.raw
 
 #include <vulkan/vulkan_raii.hpp>
 
@@ -29,12 +30,14 @@ int main(int, char** argv) {
     const vk::raii::Device device(physical, vk::DeviceCreateInfo({}, queue_info));
     const vk::raii::Queue queue(device, family, 0);
 
-    const vk::raii::Buffer buffer(device, vk::BufferCreateInfo({}, bytes, vk::BufferUsageFlagBits::eStorageBuffer));
+    const vk::raii::Buffer buffer(device,
+                                  vk::BufferCreateInfo({}, bytes, vk::BufferUsageFlagBits::eStorageBuffer));
     const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
     const auto visible = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
     const vk::PhysicalDeviceMemoryProperties memories = physical.getMemoryProperties();
     std::uint32_t type = 0;
-    while (!(needs.memoryTypeBits >> type & 1) || (memories.memoryTypes.at(type).propertyFlags & visible) != visible)
+    while (!(needs.memoryTypeBits >> type & 1) ||
+           (memories.memoryTypes.at(type).propertyFlags & visible) != visible)
         ++type;
     const vk::raii::DeviceMemory memory(device, vk::MemoryAllocateInfo(needs.size, type));
     buffer.bindMemory(*memory, 0);
@@ -50,7 +53,8 @@ int main(int, char** argv) {
 
     const vk::DescriptorPoolSize pool_size(vk::DescriptorType::eStorageBuffer, 1);
     const vk::raii::DescriptorPool descriptors(
-        device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, pool_size));
+        device,
+        vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, pool_size));
     const vk::raii::DescriptorSets sets(device, vk::DescriptorSetAllocateInfo(*descriptors, *set_layout));
     const vk::DescriptorBufferInfo whole(*buffer, 0, VK_WHOLE_SIZE);
     device.updateDescriptorSets(
@@ -63,13 +67,16 @@ int main(int, char** argv) {
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *sets.front(), {});
     commands.dispatch(side / 8, side / 8, 1);
+    const vk::MemoryBarrier written(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {},
-                             vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead), {}, {});
+                             written, {}, {});
     commands.end();
     const vk::raii::Fence fence(device, vk::FenceCreateInfo());
     queue.submit(vk::SubmitInfo({}, {}, *commands), *fence);
-    if (device.waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()) != vk::Result::eSuccess)
+    if (device.waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()) !=
+        vk::Result::eSuccess)
         throw std::runtime_error("the device did not finish");
 
-    std::ofstream(argv[2], std::ios::binary).write(static_cast<const char*>(memory.mapMemory(0, bytes)), bytes);
+    std::ofstream(argv[2], std::ios::binary)
+        .write(static_cast<const char*>(memory.mapMemory(0, bytes)), bytes);
 }

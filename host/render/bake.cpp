@@ -1,0 +1,106 @@
+#include "render/bake.hpp"
+
+#include "noise/variance.hpp"
+
+#include "passes/bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gabor::render {
+
+namespace {
+
+constexpr std::uint32_t group = 32; // local_size_x of passes/bake.comp
+
+std::vector<Run> runs_along(const Picture& picture, int first, int count, int longest) {
+    const double radius = noise::find_recipe(picture.recipe).radius;
+    return make_runs(first, count, radius / picture.scale, radius, longest);
+}
+
+vulkan::Buffer upload(const vulkan::Device& device, const std::vector<Run>& runs) {
+    vulkan::Buffer buffer(device, runs.size() * sizeof(Run), vulkan::Memory::upload);
+    std::ranges::copy(runs, buffer.as<Run>().begin());
+    return buffer;
+}
+
+vulkan::Pass make_pass(const vulkan::Device& device, const noise::Recipe& recipe, int columns,
+                       std::uint32_t push_bytes) {
+    const auto of_recipe = recipe_constants(recipe);
+    std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
+    constants.push_back(vulkan::constant(static_cast<int>(std::ceil(2 * recipe.radius)) + 1));
+    constants.push_back(vulkan::constant(columns));
+    return {device, bake_spirv, {3, push_bytes}, constants};
+}
+
+} // namespace
+
+std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
+    using vulkan::constant;
+    return {constant(recipe.impulses), constant(recipe.radius),    constant(recipe.weight_floor),
+            constant(recipe.phases),   constant(recipe.window[0]), constant(recipe.window[1]),
+            constant(recipe.window[2])};
+}
+
+// A CPU has few lanes to fill and large caches; a GPU wants many small blocks.
+Bake::Block Bake::block_for(const vulkan::Device& device) {
+    return device.info().kind == "CPU" ? Block{8, longest_row_run} : Block{4, 16};
+}
+
+Bake::Push Bake::make_push(const Picture& picture) {
+    const noise::Recipe& recipe = noise::find_recipe(picture.recipe);
+    const double radians = std::remainder(picture.orientation, 360.0) * std::numbers::pi / 180;
+    const double wave_x = picture.frequency * std::cos(radians);
+    const double wave_y = picture.frequency * std::sin(radians);
+    const double column_turn = 2 * std::numbers::pi * wave_x / picture.scale;
+    const double row_turn = 2 * std::numbers::pi * wave_y / picture.scale;
+    Push push{};
+    push.wave_x = static_cast<float>(wave_x);
+    push.wave_y = static_cast<float>(wave_y);
+    push.column_turn_x = static_cast<float>(std::cos(column_turn));
+    push.column_turn_y = static_cast<float>(std::sin(column_turn));
+    push.row_turn_x = static_cast<float>(std::cos(row_turn));
+    push.row_turn_y = static_cast<float>(std::sin(row_turn));
+    push.amplitude = static_cast<float>(1 / std::sqrt(noise::variance(recipe, picture.frequency, radians)));
+    push.pixel = static_cast<float>(1 / picture.scale);
+    push.seed = picture.seed;
+    return push;
+}
+
+Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region)
+    : block_(block_for(device)), height_(region.height),
+      column_runs_(runs_along(picture, region.x, region.width, block_.columns)),
+      row_runs_(runs_along(picture, region.y, region.height, block_.rows)),
+      pass_(make_pass(device, noise::find_recipe(picture.recipe), block_.columns, sizeof(Push))),
+      columns_(upload(device, column_runs_)), rows_(upload(device, row_runs_)), push_(make_push(picture)) {
+    push_.width = region.width;
+    push_.column_runs = static_cast<std::uint32_t>(column_runs_.size());
+}
+
+std::vector<Bake::Band> Bake::bands(int most_rows) const {
+    std::vector<Band> bands;
+    for (std::size_t run = 0; run < row_runs_.size(); ++run) {
+        const int begin = std::max(row_runs_[run].first, 0);
+        const int end = std::min(row_runs_[run].first + row_runs_[run].count, height_);
+        if (bands.empty() || end - bands.back().first_row > most_rows)
+            bands.push_back({begin, 0, run, 0});
+        bands.back().rows = end - bands.back().first_row;
+        ++bands.back().runs;
+    }
+    return bands;
+}
+
+vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
+    return {device, pass_, {columns_, rows_, result}};
+}
+
+void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
+    Push push = push_;
+    push.first_row = band.first_row;
+    push.height = band.rows;
+    push.first_row_run = static_cast<std::uint32_t>(band.first_run);
+    job.submit(push, {(push.column_runs + group - 1) / group, static_cast<std::uint32_t>(band.runs)}, copy);
+}
+
+} // namespace gabor::render

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "image/exr.hpp"
+#include "render/picture.hpp"
+#include "render/runs.hpp"
+#include "vulkan/pass.hpp"
+
+#include <array>
+#include <vector>
+
+namespace gabor::render {
+
+/// The specialization constants of passes/recipe.glsl.
+std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
+
+/// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
+class Bake {
+  public:
+    /// `picture` must have passed `check`, and `region` lie within it.
+    Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region);
+
+    /// Consecutive rows of the region that can be filled on their own.
+    struct Band {
+        int first_row;
+        int rows;
+        std::size_t first_run;
+        std::size_t runs;
+    };
+
+    /// The region cut into bands of at most `most_rows`, from top to bottom. `most_rows` is at least
+    /// `longest_row_run`.
+    std::vector<Band> bands(int most_rows) const;
+
+    static constexpr int longest_row_run = 32;
+
+    /// A job that writes to `result`, which holds a band's pixels row by row.
+    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const;
+
+    /// Has `job` fill a band.
+    void submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy = {}) const;
+
+  private:
+    struct Block {
+        int columns;
+        int rows;
+    };
+
+    struct Push {
+        float wave_x, wave_y;
+        float column_turn_x, column_turn_y;
+        float row_turn_x, row_turn_y;
+        float amplitude;
+        float pixel;
+        std::uint32_t seed;
+        std::int32_t width;
+        std::int32_t height;
+        std::int32_t first_row;
+        std::uint32_t column_runs;
+        std::uint32_t first_row_run;
+    };
+
+    static Block block_for(const vulkan::Device& device);
+    static Push make_push(const Picture& picture);
+
+    Block block_;
+    int height_;
+    std::vector<Run> column_runs_;
+    std::vector<Run> row_runs_;
+    vulkan::Pass pass_;
+    vulkan::Buffer columns_;
+    vulkan::Buffer rows_;
+    Push push_;
+};
+
+} // namespace gabor::render

@@ -1,0 +1,99 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// A whole picture, faster than pixel by pixel: each invocation fills a block of pixels that visit the same cells. With impulse c at (x_c, y_c) a kernel is separable as a complex number:
+//
+//     n(x, y) = Im sum_c  [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))]  q(y - y_c)  e^(2 pi i F.y (y - y_0))
+//
+// The bracket is made once for each column of the block, q(y - y_c) once for each row, and the last factor, which all
+// impulses share, once for each pixel. Exponentials at even distances follow from the first by rotation.
+
+#include "recipe.glsl"
+
+layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
+layout(constant_id = 8) const int block_columns = 8;
+const int impulses = visited * visited * recipe_impulses;
+
+layout(local_size_x = 32) in;
+
+// Consecutive pixels that visit the same cells along an axis.
+struct Run {
+    int cell;    // the first of them
+    float local; // place of the first pixel, in cells from where the next cell begins
+    int first;   // that pixel in the picture; may be outside
+    int count;   // at most block_columns along x
+};
+
+layout(std430, set = 0, binding = 0) readonly buffer Columns { Run columns[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
+layout(std430, set = 0, binding = 2) writeonly buffer Picture { float picture[]; };
+
+layout(push_constant) uniform Push {
+    vec2 wave;        // as in GaborKernel
+    vec2 column_turn; // cos and sin of the phase from one column to the next
+    vec2 row_turn;    // and from one row to the next
+    float amplitude;  // as in GaborKernel
+    float pixel;      // kernel radii per pixel
+    uint seed;
+    int width;
+    int height;
+    int first_row;    // of the band, in the units of Run.first
+    uint column_runs;
+    uint first_row_run;
+};
+
+vec2 rotated(vec2 z, vec2 by)
+{
+    return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
+}
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= column_runs)
+        return;
+    Run across = columns[gl_GlobalInvocationID.x];
+    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    ivec2 cell = ivec2(across.cell, down.cell);
+    vec2 local = vec2(across.local, down.local);
+
+    // Of each impulse its y distance from the first row, and the bracket above for each column.
+    float distance_y[impulses];
+    vec2 bracket[impulses * block_columns];
+
+    uint seed_word = gabor_seed_word(seed);
+    [[unroll]] for (int c = 0; c < impulses; ++c) {
+        ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
+        uint row_word = gabor_row_word(cell.y + offset.y, seed_word);
+        uint word = gabor_impulse_word(cell.x + offset.x, row_word, c % recipe_impulses);
+        vec2 place = gabor_place_plus_one(word);
+        vec2 d = (local - (place + (vec2(offset) - 2.0))) * (1.0 / GABOR_RADIUS);
+        float turns = dot(wave, d) + gabor_phase(place);
+        vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+        distance_y[c] = d.y;
+        [[unroll]] for (int k = 0; k < block_columns; ++k) {
+            bracket[c * block_columns + k] = z * gabor_window(d.x + float(k) * pixel);
+            z = rotated(z, column_turn);
+        }
+    }
+
+    vec2 carrier = vec2(1.0, 0.0);
+    int row = down.first - first_row;
+    for (int r = 0; r < down.count; ++r) {
+        vec2 envelope[block_columns];
+        [[unroll]] for (int k = 0; k < block_columns; ++k)
+            envelope[k] = vec2(0.0);
+        [[unroll]] for (int c = 0; c < impulses; ++c) {
+            float q = gabor_window(distance_y[c] + float(r) * pixel);
+            [[unroll]] for (int k = 0; k < block_columns; ++k)
+                envelope[k] += q * bracket[c * block_columns + k];
+        }
+        if (row >= 0 && row < height) {
+            int start = row * width + across.first;
+            [[unroll]] for (int k = 0; k < block_columns; ++k)
+                if (k < across.count && across.first + k >= 0 && across.first + k < width)
+                    picture[start + k] = envelope[k].y * carrier.x + envelope[k].x * carrier.y;
+        }
+        carrier = rotated(carrier, row_turn);
+        ++row;
+    }
+}
