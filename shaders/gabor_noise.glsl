@@ -284,8 +284,11 @@ float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
                 vec2 place = gabor_place_plus_one(word);
                 // The sum in the inner brackets is exact, which leaves one rounding.
                 vec2 d = (local - (place + (first + vec2(float(i), float(j))))) * (1.0 / GABOR_RADIUS);
-                sum += gabor_magnitude(word) * (gabor_window(d.x) * gabor_window(d.y))
-                     * gabor_sin_turns(dot(kernel.wave, d) + gabor_phase(place));
+                // Less than half of the impulses reach here. GPUs skip what no pixel of a wave needs, and compilers for
+                // CPUs keep their registers in order, which without the branch they do not: lavapipe takes 2.5 x as long.
+                if (max(abs(d.x), abs(d.y)) < 1.0)
+                    sum += gabor_magnitude(word) * (gabor_window(d.x) * gabor_window(d.y))
+                         * gabor_sin_turns(dot(kernel.wave, d) + gabor_phase(place));
             }
         }
     }

@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1); // with 1, CLI11 would not say which word it does not know
     gabor::cli::add_render_command(app);
     gabor::cli::add_stats_command(app);
+    gabor::cli::add_bench_command(app);
+    gabor::cli::add_study_command(app);
     gabor::cli::add_devices_command(app);
     try {
         app.parse(argc, argv);

@@ -25,37 +25,18 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<Run>& runs
     return buffer;
 }
 
-vulkan::Pass make_pass(const vulkan::Device& device, const noise::Recipe& recipe, int columns,
-                       std::uint32_t push_bytes) {
-    const auto of_recipe = recipe_constants(recipe);
-    std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
-    constants.push_back(vulkan::constant(static_cast<int>(std::ceil(2 * recipe.radius)) + 1));
-    constants.push_back(vulkan::constant(columns));
-    return {device, bake_spirv, {3, push_bytes}, constants};
+Block block_for(const vulkan::Device& device, const noise::Recipe& recipe) {
+    return device.info().kind == "CPU" ? cpu_block : gpu_block(recipe);
 }
 
-} // namespace
-
-std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
-    using vulkan::constant;
-    return {constant(recipe.impulses), constant(recipe.radius),    constant(recipe.weight_floor),
-            constant(recipe.phases),   constant(recipe.window[0]), constant(recipe.window[1]),
-            constant(recipe.window[2])};
-}
-
-// A CPU has few lanes to fill and large caches; a GPU wants many small blocks.
-Bake::Block Bake::block_for(const vulkan::Device& device) {
-    return device.info().kind == "CPU" ? Block{8, longest_row_run} : Block{4, 16};
-}
-
-Bake::Push Bake::make_push(const Picture& picture) {
+BakePush make_push(const Picture& picture) {
     const noise::Recipe& recipe = noise::find_recipe(picture.recipe);
     const double radians = std::remainder(picture.orientation, 360.0) * std::numbers::pi / 180;
     const double wave_x = picture.frequency * std::cos(radians);
     const double wave_y = picture.frequency * std::sin(radians);
     const double column_turn = 2 * std::numbers::pi * wave_x / picture.scale;
     const double row_turn = 2 * std::numbers::pi * wave_y / picture.scale;
-    Push push{};
+    BakePush push{};
     push.wave_x = static_cast<float>(wave_x);
     push.wave_y = static_cast<float>(wave_y);
     push.column_turn_x = static_cast<float>(std::cos(column_turn));
@@ -68,11 +49,34 @@ Bake::Push Bake::make_push(const Picture& picture) {
     return push;
 }
 
+} // namespace
+
+std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
+    using vulkan::constant;
+    return {constant(recipe.impulses), constant(recipe.radius),    constant(recipe.weight_floor),
+            constant(recipe.phases),   constant(recipe.window[0]), constant(recipe.window[1]),
+            constant(recipe.window[2])};
+}
+
+Block gpu_block(const noise::Recipe& recipe) {
+    return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
+}
+
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const noise::Recipe& recipe, int block_columns,
+                            int fixed_rows) {
+    const auto of_recipe = recipe_constants(recipe);
+    std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
+    constants.push_back(vulkan::constant(static_cast<int>(std::ceil(2 * recipe.radius)) + 1));
+    constants.push_back(vulkan::constant(block_columns));
+    constants.push_back(vulkan::constant(fixed_rows));
+    return {device, bake_spirv, {3, sizeof(BakePush), fixed_rows > 0}, constants};
+}
+
 Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region)
-    : block_(block_for(device)), height_(region.height),
+    : block_(block_for(device, noise::find_recipe(picture.recipe))), height_(region.height),
       column_runs_(runs_along(picture, region.x, region.width, block_.columns)),
       row_runs_(runs_along(picture, region.y, region.height, block_.rows)),
-      pass_(make_pass(device, noise::find_recipe(picture.recipe), block_.columns, sizeof(Push))),
+      pass_(make_bake_pass(device, noise::find_recipe(picture.recipe), block_.columns)),
       columns_(upload(device, column_runs_)), rows_(upload(device, row_runs_)), push_(make_push(picture)) {
     push_.width = region.width;
     push_.column_runs = static_cast<std::uint32_t>(column_runs_.size());
@@ -96,7 +100,7 @@ vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    Push push = push_;
+    BakePush push = push_;
     push.first_row = band.first_row;
     push.height = band.rows;
     push.first_row_run = static_cast<std::uint32_t>(band.first_run);

@@ -13,6 +13,36 @@ namespace gabor::render {
 /// The specialization constants of passes/recipe.glsl.
 std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 
+/// As in passes/bake.comp.
+struct BakePush {
+    float wave_x, wave_y;
+    float column_turn_x, column_turn_y;
+    float row_turn_x, row_turn_y;
+    float amplitude;
+    float pixel;
+    std::uint32_t seed;
+    std::int32_t width;
+    std::int32_t height;
+    std::int32_t first_row;
+    std::uint32_t column_runs;
+    std::uint32_t first_row_run;
+};
+
+/// The pixels that one invocation of passes/bake.comp fills.
+struct Block {
+    int columns;
+    int rows; ///< at most; the last of a cell has fewer
+};
+
+/// A CPU has few lanes to fill and large caches: `cpu_block`. A GPU wants many small blocks, whose impulses
+/// fit its registers.
+constexpr Block cpu_block{8, 32};
+Block gpu_block(const noise::Recipe& recipe);
+
+/// The pipeline of passes/bake.comp. `fixed_rows`: see there, with statistics asked for; 0 to fill pictures.
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const noise::Recipe& recipe, int block_columns,
+                            int fixed_rows = 0);
+
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake {
   public:
@@ -27,11 +57,9 @@ class Bake {
         std::size_t runs;
     };
 
-    /// The region cut into bands of at most `most_rows`, from top to bottom. `most_rows` is at least
-    /// `longest_row_run`.
+    /// The region cut into bands of at most `most_rows`, or the rows of one block where that is more, from
+    /// top to bottom.
     std::vector<Band> bands(int most_rows) const;
-
-    static constexpr int longest_row_run = 32;
 
     /// A job that writes to `result`, which holds a band's pixels row by row.
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const;
@@ -40,28 +68,6 @@ class Bake {
     void submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy = {}) const;
 
   private:
-    struct Block {
-        int columns;
-        int rows;
-    };
-
-    struct Push {
-        float wave_x, wave_y;
-        float column_turn_x, column_turn_y;
-        float row_turn_x, row_turn_y;
-        float amplitude;
-        float pixel;
-        std::uint32_t seed;
-        std::int32_t width;
-        std::int32_t height;
-        std::int32_t first_row;
-        std::uint32_t column_runs;
-        std::uint32_t first_row_run;
-    };
-
-    static Block block_for(const vulkan::Device& device);
-    static Push make_push(const Picture& picture);
-
     Block block_;
     int height_;
     std::vector<Run> column_runs_;
@@ -69,7 +75,7 @@ class Bake {
     vulkan::Pass pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
-    Push push_;
+    BakePush push_;
 };
 
 } // namespace gabor::render

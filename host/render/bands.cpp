@@ -57,7 +57,7 @@ Times render_bands(const vulkan::Device& device, const Picture& picture, const i
     const auto width = static_cast<std::size_t>(region.width);
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
     const int fitting = static_cast<int>(limit / (width * sizeof(float)));
-    const std::vector<Bake::Band> bands = bake.bands(std::max(fitting, Bake::longest_row_run));
+    const std::vector<Bake::Band> bands = bake.bands(fitting);
     const auto pixels = [&](const Bake::Band& band) { return static_cast<std::size_t>(band.rows) * width; };
     const int most_rows = std::ranges::max(bands, {}, &Bake::Band::rows).rows;
     const std::size_t bytes = static_cast<std::size_t>(most_rows) * width * sizeof(float);

@@ -174,10 +174,28 @@ Candidate choose(std::vector<Candidate> all, std::string_view selector) {
     return std::move(*std::ranges::find_if(all, matches));
 }
 
+bool has_executable_properties(const vk::raii::PhysicalDevice& physical) {
+    return std::ranges::any_of(physical.enumerateDeviceExtensionProperties(),
+                               [](const vk::ExtensionProperties& extension) {
+                                   return std::string_view(extension.extensionName.data()) ==
+                                          VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
+                               });
+}
+
 vk::raii::Device make_device(const Candidate& candidate) {
     const float priority = 1;
     const vk::DeviceQueueCreateInfo queue({}, candidate.family, 1, &priority);
-    return {candidate.physical, vk::DeviceCreateInfo({}, queue)};
+    vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR> chain;
+    chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
+    constexpr std::array extensions{VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME};
+    if (has_executable_properties(candidate.physical)) {
+        chain.get<vk::DeviceCreateInfo>().setPEnabledExtensionNames(extensions);
+        chain.get<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>().pipelineExecutableInfo =
+            VK_TRUE;
+    } else {
+        chain.unlink<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>();
+    }
+    return {candidate.physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
 constexpr vk::MemoryPropertyFlags coherent =
@@ -188,6 +206,7 @@ std::unique_ptr<Device::State> make_state(std::string_view selector) {
     vk::raii::Instance instance = make_instance(context);
     vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
     Candidate chosen = choose(candidates(instance), selector);
+    const bool executable_properties = has_executable_properties(chosen.physical);
     vk::raii::Device device = make_device(chosen);
     vk::raii::Queue queue(device, chosen.family, 0);
     vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, chosen.family});
@@ -199,9 +218,10 @@ std::unique_ptr<Device::State> make_state(std::string_view selector) {
             coherent | vk::MemoryPropertyFlagBits::eHostCached | vk::MemoryPropertyFlagBits::eDeviceLocal;
         unified |= (memory.memoryTypes[i].propertyFlags & wanted) == wanted;
     }
-    return std::unique_ptr<Device::State>(new Device::State{
-        std::move(context), std::move(instance), std::move(messenger), std::move(chosen.physical),
-        chosen.info, chosen.family, std::move(device), std::move(queue), std::move(pool), tick, unified});
+    return std::unique_ptr<Device::State>(
+        new Device::State{std::move(context), std::move(instance), std::move(messenger),
+                          std::move(chosen.physical), chosen.info, chosen.family, std::move(device),
+                          std::move(queue), std::move(pool), tick, unified, executable_properties});
 }
 
 // The first allowed memory type with `required` and, if one exists, also with `preferred`.

@@ -1,5 +1,9 @@
 #include "vulkan/state.hpp"
 
+#include "error.hpp"
+
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace gabor::vulkan {
@@ -30,12 +34,28 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
     const vk::raii::ShaderModule module(logical, {{}, spirv.size_bytes(), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &specialization);
+    const auto flags = interface.statistics && device.state().executable_properties
+                           ? vk::PipelineCreateFlagBits::eCaptureStatisticsKHR
+                           : vk::PipelineCreateFlagBits{};
     state_->pipeline =
-        vk::raii::Pipeline(logical, nullptr, vk::ComputePipelineCreateInfo({}, stage, *state_->layout));
+        vk::raii::Pipeline(logical, nullptr, vk::ComputePipelineCreateInfo(flags, stage, *state_->layout));
 }
 
 Pass::~Pass() = default;
 Pass::Pass(Pass&&) noexcept = default;
+
+std::map<std::string, std::uint64_t> Pass::statistics(const Device& device) const {
+    if (!device.state().executable_properties)
+        throw RequestError(fmt::format("{} does not tell what it compiles to: it takes a driver with "
+                                       "VK_KHR_pipeline_executable_properties, such as RADV",
+                                       device.info().name));
+    std::map<std::string, std::uint64_t> result;
+    for (const vk::PipelineExecutableStatisticKHR& statistic :
+         device.state().device.getPipelineExecutableStatisticsKHR({*state_->pipeline, 0}))
+        if (statistic.format == vk::PipelineExecutableStatisticFormatKHR::eUint64)
+            result.emplace(statistic.name.data(), statistic.value.u64);
+    return result;
+}
 
 struct Job::State {
     const Device::State& device;

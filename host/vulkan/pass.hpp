@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ class Pass {
     struct Interface {
         std::uint32_t buffers = 1;
         std::uint32_t push_bytes = 0;
+        bool statistics = false; ///< whether `statistics` will be asked for
     };
 
     /// `constants`: the specialization constants with ids 0, 1, 2, ...
@@ -29,6 +31,10 @@ class Pass {
          std::span<const std::uint32_t> constants = {});
     ~Pass();
     Pass(Pass&&) noexcept;
+
+    /// What the compiler says of its code, by the driver's own names, as "Instructions":
+    /// VK_KHR_pipeline_executable_properties. Throws RequestError on a device without that extension.
+    std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
     struct State;
     State& state() const { return *state_; }

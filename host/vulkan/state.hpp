@@ -21,6 +21,7 @@ struct Device::State {
     vk::raii::CommandPool pool;
     double timestamp_seconds = 0; ///< length of a timestamp's tick
     bool unified = false;
+    bool executable_properties = false; ///< VK_KHR_pipeline_executable_properties is enabled
 };
 
 struct Buffer::State {

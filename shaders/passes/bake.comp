@@ -12,6 +12,7 @@
 
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = 8) const int block_columns = 8;
+layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
 const int impulses = visited * visited * recipe_impulses;
 
 layout(local_size_x = 32) in;
@@ -78,7 +79,8 @@ void main()
 
     vec2 carrier = vec2(1.0, 0.0);
     int row = down.first - first_row;
-    for (int r = 0; r < down.count; ++r) {
+    int row_count = fixed_rows > 0 ? fixed_rows : down.count;
+    [[unroll]] for (int r = 0; r < row_count; ++r) {
         vec2 envelope[block_columns];
         [[unroll]] for (int k = 0; k < block_columns; ++k)
             envelope[k] = vec2(0.0);

@@ -12,14 +12,15 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "stats", "devices"):
+        for command in ("render", "stats", "bench", "devices"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--like", "--png", "--compression", "--device", "--verbose"),
-                   "stats": ("FILE", "--channel", "--json"), "devices": ()}
+                   "stats": ("FILE", "--channel", "--json"), "devices": (),
+                   "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():
             text = self.succeed(command, "--help")
             self.assertEqual(set(re.findall(r"(?m)^  ([-\w,]+) ", text)), {"-h,--help", *names}, command)

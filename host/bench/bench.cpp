@@ -1,0 +1,224 @@
+#include "bench/bench.hpp"
+
+#include "bench/subjects.hpp"
+#include "error.hpp"
+#include "render/bake.hpp"
+#include "statistics/gaussianity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace gabor::bench {
+
+namespace {
+
+constexpr double base_scale = 32;
+constexpr double base_frequency = 4;
+constexpr double degrees = 40;
+constexpr float radians = 0.69813170f;
+constexpr int sample_side = 1024;
+
+struct Setting {
+    int side;
+    double scale;
+    double frequency;
+};
+
+// Something that fills a picture, ready to be timed again and again.
+struct Contestant {
+    Row row;
+    const noise::Recipe* recipe = nullptr; // of the drop-in
+    std::function<double()> run;
+    std::vector<double> seconds;
+};
+
+using Contestants = std::vector<Contestant>;
+
+template <typename Make>
+auto timed(double& seconds, Make make) {
+    const auto start = std::chrono::steady_clock::now();
+    auto made = make();
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return made;
+}
+
+Push make_push(const Setting& setting, std::uint32_t seed) {
+    const auto side = static_cast<std::uint32_t>(setting.side);
+    return {static_cast<float>(setting.frequency),
+            radians,
+            static_cast<float>(1 / setting.scale),
+            seed,
+            side,
+            side};
+}
+
+vulkan::Groups groups(int side) {
+    const std::uint32_t count = (static_cast<std::uint32_t>(side) + group - 1) / group;
+    return {count, count};
+}
+
+Contestant per_pixel(const vulkan::Device& device, const Subject& subject, const Setting& setting,
+                     const vulkan::Buffer& picture) {
+    Contestant contestant;
+    contestant.row = {
+        subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
+    contestant.recipe = subject.recipe;
+    struct State {
+        vulkan::Pass pass;
+        vulkan::Job job;
+    };
+    vulkan::Pass pass =
+        timed(contestant.row.pipeline, [&] { return make_pass(device, subject, Use::picture); });
+    vulkan::Job job(device, pass, {picture});
+    auto state = std::make_shared<State>(State{std::move(pass), std::move(job)});
+    contestant.run = [state, setting] {
+        state->job.submit(make_push(setting, 7), groups(setting.side));
+        return state->job.wait();
+    };
+    return contestant;
+}
+
+Contestant bake(const vulkan::Device& device, const noise::Recipe& recipe, const Setting& setting,
+                const vulkan::Buffer& picture) {
+    Contestant contestant;
+    contestant.row = {fmt::format("bake, {}", recipe.name),
+                      static_cast<double>(noise::visited_impulses(recipe)),
+                      setting.side,
+                      setting.scale,
+                      setting.frequency,
+                      {},
+                      0,
+                      {}};
+    contestant.recipe = &recipe;
+    const render::Picture wanted{
+        setting.side, setting.side, setting.scale, setting.frequency, degrees, 7, std::string(recipe.name)};
+    struct State {
+        render::Bake bake;
+        vulkan::Job job;
+        std::vector<render::Bake::Band> bands;
+    };
+    render::Bake made = timed(contestant.row.pipeline, [&] {
+        return render::Bake(device, wanted, {0, 0, setting.side, setting.side});
+    });
+    vulkan::Job job = made.job(device, picture);
+    std::vector<render::Bake::Band> bands = made.bands(setting.side);
+    auto state = std::make_shared<State>(State{std::move(made), std::move(job), std::move(bands)});
+    contestant.run = [state] {
+        state->bake.submit(state->job, state->bands.front());
+        return state->job.wait();
+    };
+    return contestant;
+}
+
+// One round after another, so that what disturbs the machine disturbs all alike.
+void interleave(Contestants& contestants, int repetitions, const std::function<void()>& step) {
+    for (int round = -1; round < repetitions; ++round) {
+        for (Contestant& contestant : contestants) {
+            const double seconds = contestant.run();
+            if (round >= 0)
+                contestant.seconds.push_back(seconds);
+            step();
+        }
+    }
+    for (Contestant& contestant : contestants) {
+        std::ranges::sort(contestant.seconds);
+        const auto quantile = [&](double q) {
+            return contestant
+                .seconds[static_cast<std::size_t>(q * static_cast<double>(contestant.seconds.size() - 1))];
+        };
+        contestant.row.seconds = {quantile(0.5), quantile(0.25), quantile(0.75)};
+    }
+}
+
+std::vector<Row> rows(const Contestants& contestants) {
+    std::vector<Row> result;
+    std::ranges::transform(contestants, std::back_inserter(result), &Contestant::row);
+    return result;
+}
+
+statistics::Estimate measure_cvm(const vulkan::Device& device, const Subject& subject,
+                                 const vulkan::Buffer& values, int batches,
+                                 const std::function<void()>& step) {
+    const vulkan::Pass pass = make_pass(device, subject, Use::samples);
+    vulkan::Job job(device, pass, {values});
+    statistics::Gaussianity gaussianity;
+    for (int batch = 0; batch < batches; ++batch) {
+        job.submit(make_push({sample_side, base_scale, base_frequency},
+                             0x51ed270bu * static_cast<std::uint32_t>(batch + 1)),
+                   groups(sample_side));
+        job.wait();
+        gaussianity.add(values.as<float>());
+        step();
+    }
+    return gaussianity.index();
+}
+
+std::vector<Setting> trend_settings(int side) {
+    return {{side / 2, base_scale, base_frequency},
+            {side * 2, base_scale, base_frequency},
+            {side, 4, 1},
+            {side, 8, base_frequency},
+            {side, 128, base_frequency},
+            {side, 1024, base_frequency},
+            {side, base_scale, 0.5},
+            {side, base_scale, 12}};
+}
+
+} // namespace
+
+int steps(const Effort& effort) {
+    const auto all = subjects();
+    const auto recipes = static_cast<int>(noise::recipes().size());
+    const auto noises = static_cast<int>(std::ranges::count_if(all, &Subject::is_gabor));
+    return (effort.repetitions + 1) * (static_cast<int>(all.size()) + recipes +
+                                       2 * static_cast<int>(trend_settings(effort.side).size())) +
+           noises * effort.sample_batches;
+}
+
+Report run(const vulkan::Device& device, const Effort& effort, const std::function<void()>& step) {
+    if (!device.info().timestamps)
+        throw RequestError(fmt::format("{} cannot tell times: the benchmark takes a device with timestamps",
+                                       device.info().name));
+    const vulkan::Memory memory = device.unified() ? vulkan::Memory::readback : vulkan::Memory::device;
+    const auto bytes = [](int side) {
+        return static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4;
+    };
+    const vulkan::Buffer picture(device, bytes(2 * effort.side), memory);
+    const std::vector<Subject> all = subjects();
+
+    Contestants contestants;
+    const Setting base{effort.side, base_scale, base_frequency};
+    for (const Subject& subject : all)
+        contestants.push_back(per_pixel(device, subject, base, picture));
+    for (const noise::Recipe& recipe : noise::recipes())
+        contestants.push_back(bake(device, recipe, base, picture));
+    interleave(contestants, effort.repetitions, step);
+
+    const vulkan::Buffer values(device, bytes(sample_side), vulkan::Memory::readback);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all[i].is_gabor())
+            continue;
+        const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
+        contestants[i].row.cvm = cvm;
+        for (Contestant& other : contestants) // a bake gives the values of its recipe, to 5e-5
+            if (other.recipe && other.recipe == all[i].recipe)
+                other.row.cvm = cvm;
+    }
+    Report report{rows(contestants), {}};
+
+    const noise::Recipe& recipe = noise::recipes().front();
+    const auto subject = std::ranges::find(all, &recipe, &Subject::recipe);
+    Contestants trends;
+    for (const Setting& setting : trend_settings(effort.side)) {
+        trends.push_back(per_pixel(device, *subject, setting, picture));
+        trends.push_back(bake(device, recipe, setting, picture));
+    }
+    interleave(trends, effort.repetitions, step);
+    report.trends = rows(trends);
+    return report;
+}
+
+} // namespace gabor::bench

@@ -1,0 +1,42 @@
+#include "bench/subjects.hpp"
+
+#include "render/bake.hpp"
+
+#include "passes/bench/gradient.h"
+#include "passes/bench/recipe.h"
+#include "passes/bench/seminal.h"
+#include "passes/bench/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gabor::bench {
+
+std::vector<Subject> subjects() {
+    std::vector<Subject> all{
+        {"seminal, N = 30", 270, seminal_spirv, nullptr, 30, false},
+        {"the paper's advice, N = 2, plain", 18, seminal_spirv, nullptr, 2, true},
+    };
+    for (const noise::Recipe& recipe : noise::recipes())
+        all.push_back({fmt::format("gabor_noise, {}", recipe.name),
+                       static_cast<double>(noise::visited_impulses(recipe)), recipe_spirv, &recipe, 0,
+                       false});
+    all.push_back({"gradient noise", 0, gradient_spirv, nullptr, 0, false});
+    all.push_back({"writing alone", 0, write_spirv, nullptr, 0, false});
+    return all;
+}
+
+vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use, bool native_sine) {
+    // Ids 0 to 6 are the recipe's, 20 its sine; what a shader does not name it does not see.
+    std::vector<std::uint32_t> constants(21, 0);
+    if (subject.recipe)
+        std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());
+    constants[7] = use == Use::samples;
+    constants[8] = subject.mean_impulses;
+    constants[9] = subject.advice;
+    constants[20] = native_sine;
+    return {device, subject.spirv, {1, sizeof(Push), use == Use::statistics}, constants};
+}
+
+} // namespace gabor::bench

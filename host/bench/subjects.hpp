@@ -1,0 +1,49 @@
+#pragma once
+
+#include "noise/recipe.hpp"
+#include "vulkan/pass.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gabor::bench {
+
+/// As in passes/bench/bench.glsl.
+struct Push {
+    float frequency;
+    float orientation;
+    float pixel;
+    std::uint32_t seed;
+    std::uint32_t width;
+    std::uint32_t height;
+};
+
+constexpr std::uint32_t group = 8; // local_size of passes/bench/bench.glsl, in x and y
+
+/// A noise that the benchmark fills a picture with, one pixel per invocation.
+struct Subject {
+    std::string name;
+    double visited = 0; ///< impulses visited for each pixel; 0 where there are none
+    std::span<const std::uint32_t> spirv;
+    const noise::Recipe* recipe = nullptr; ///< of the drop-in
+    std::uint32_t mean_impulses = 0;       ///< of the seminal noise and the advice; 0 for all others
+    bool advice = false;
+
+    /// Whether it is a Gabor noise, whose law is worth measuring.
+    bool is_gabor() const { return visited > 0; }
+};
+
+/// Seminal noise, the paper's advice written plainly, every recipe of the drop-in, gradient noise, and
+/// writing alone.
+std::vector<Subject> subjects();
+
+/// What a pass is made for: to fill a picture, to evaluate random places of independent instances, or to ask
+/// what it compiles to.
+enum class Use { picture, samples, statistics };
+
+vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use,
+                       bool native_sine = false);
+
+} // namespace gabor::bench

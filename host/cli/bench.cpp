@@ -1,0 +1,167 @@
+#include "bench/bench.hpp"
+#include "bench/isa.hpp"
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "image/output_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gabor::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct BenchOptions {
+    std::string device;
+    std::optional<std::string> json;
+    bool quick = false;
+    bool isa = false;
+};
+
+const bench::Row& find(const std::vector<bench::Row>& rows, const char* name) {
+    return *std::ranges::find_if(rows, [&](const bench::Row& row) { return row.name.starts_with(name); });
+}
+
+void print_base(const std::vector<bench::Row>& rows) {
+    const double seminal = find(rows, "seminal").seconds.median;
+    const double advice = find(rows, "the paper's advice").seconds.median;
+    const double gradient = find(rows, "gradient").seconds.median;
+    const double writing = find(rows, "writing").seconds.median;
+    const bench::Row& first = rows.front();
+    fmt::print("{0} x {0} pixels, {1} pixels per kernel radius, frequency {2}\n", first.side, first.scale,
+               first.frequency);
+    fmt::print("{:<34}{:>8}{:>10}{:>19}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
+               "quartiles", "seminal/", "advice/", "/gradient", "writing/", "pipeline", "cvm");
+    for (const bench::Row& row : rows) {
+        const double to_nanoseconds = 1e9 / row.side / row.side;
+        const std::string cvm =
+            row.cvm ? fmt::format("{:.3f} [{:.3f}, {:.3f}]", row.cvm->value, row.cvm->low, row.cvm->high)
+                    : "";
+        fmt::print("{:<34}{:>8}{:>10.3f}{:>19}{:>10.1f}{:>9.2f}{:>10.2f}{:>9.3f}{:>7.1f} ms  {}\n", row.name,
+                   row.visited > 0 ? fmt::format("{:.0f}", row.visited) : "", row.nanoseconds_per_pixel(),
+                   fmt::format("{:.3f} to {:.3f}", row.seconds.low * to_nanoseconds,
+                               row.seconds.high * to_nanoseconds),
+                   seminal / row.seconds.median, advice / row.seconds.median, row.seconds.median / gradient,
+                   writing / row.seconds.median, row.pipeline * 1e3, cvm);
+    }
+}
+
+void print_trends(const std::vector<bench::Row>& rows) {
+    fmt::print("\n{:<22}{:>8}{:>8}{:>11}{:>10}{:>19}\n", "", "side", "scale", "frequency", "ns/pixel",
+               "quartiles");
+    for (const bench::Row& row : rows) {
+        const double to_nanoseconds = 1e9 / row.side / row.side;
+        fmt::print("{:<22}{:>8}{:>8}{:>11}{:>10.3f}{:>19}\n", row.name, row.side, row.scale, row.frequency,
+                   row.nanoseconds_per_pixel(),
+                   fmt::format("{:.3f} to {:.3f}", row.seconds.low * to_nanoseconds,
+                               row.seconds.high * to_nanoseconds));
+    }
+}
+
+ordered_json to_json(const std::vector<bench::Row>& rows) {
+    ordered_json result = ordered_json::array();
+    for (const bench::Row& row : rows) {
+        ordered_json cvm;
+        if (row.cvm)
+            cvm = {{"value", row.cvm->value}, {"low", row.cvm->low}, {"high", row.cvm->high}};
+        result.push_back({{"name", row.name},
+                          {"visited", row.visited},
+                          {"side", row.side},
+                          {"scale", row.scale},
+                          {"frequency", row.frequency},
+                          {"seconds", row.seconds.median},
+                          {"seconds_low", row.seconds.low},
+                          {"seconds_high", row.seconds.high},
+                          {"ns_per_pixel", row.nanoseconds_per_pixel()},
+                          {"pipeline_seconds", row.pipeline},
+                          {"cvm", cvm}});
+    }
+    return result;
+}
+
+void print_device(const vulkan::Device& device) {
+    fmt::print("{}, {}\n", device.info().name, device.info().driver);
+}
+
+long peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;
+}
+
+ordered_json time_all(const vulkan::Device& device, bool quick) {
+    const bench::Effort effort = quick ? bench::Effort{3, 256, 1} : bench::Effort{};
+    std::optional<Progress> progress(std::in_place, "measuring",
+                                     static_cast<std::uint64_t>(bench::steps(effort)));
+    const bench::Report report = bench::run(device, effort, [&] {
+        check_interrupt();
+        progress->advance(1);
+    });
+    progress.reset();
+    print_device(device);
+    print_base(report.base);
+    print_trends(report.trends);
+    fmt::print("\nresident memory {} MiB at most\n", peak_memory() >> 20);
+    return {
+        {"base", to_json(report.base)}, {"trends", to_json(report.trends)}, {"peak_memory", peak_memory()}};
+}
+
+ordered_json count_code(const vulkan::Device& device) {
+    const std::vector<bench::Code> codes = bench::measure_code(device);
+    print_device(device);
+    ordered_json result = ordered_json::array();
+    fmt::print("{:<38}{:>14}{:>12}{:>12}\n", "per pixel", "instructions", "cycles", "registers");
+    for (const bench::Code& code : codes) {
+        fmt::print("{:<38}{:>14.1f}{:>12.1f}{:>12}\n", code.name, code.instructions, code.throughput,
+                   code.registers);
+        result.push_back({{"name", code.name},
+                          {"instructions", code.instructions},
+                          {"inverse_throughput", code.throughput},
+                          {"registers", code.registers}});
+    }
+    return {{"code", result}};
+}
+
+void run_bench(const BenchOptions& options) {
+    std::optional<image::OutputFile> file;
+    if (options.json)
+        file.emplace(*options.json);
+    const vulkan::Device device(options.device);
+    note_interrupts();
+    ordered_json json{{"device", device.info().name}, {"driver", device.info().driver}};
+    json.update(options.isa ? count_code(device) : time_all(device, options.quick));
+    if (file) {
+        const std::string text = json.dump(2) + "\n";
+        file->write(std::as_bytes(std::span(text)));
+        file->commit();
+    }
+}
+
+} // namespace
+
+void add_bench_command(CLI::App& app) {
+    auto options = std::make_shared<BenchOptions>();
+    CLI::App* command =
+        app.add_subcommand("bench", "Time the noises against each other on the device's own clock");
+    command->add_option("--json", options->json, "Also write all figures to this file");
+    command->add_option("--device", options->device,
+                        "Vulkan device: its index, or a part of its name [the fastest kind]");
+    command->add_flag("--quick", options->quick,
+                      "Few repetitions on a small picture, to see that all of it runs");
+    command->add_flag(
+        "--isa", options->isa,
+        "Instead of times, what the device's compiler says of the code: needs RADV, but no GPU, as "
+        "tools/isa sets it up");
+    command->callback([options] { run_bench(*options); });
+}
+
+} // namespace gabor::cli

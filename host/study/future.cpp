@@ -1,0 +1,100 @@
+// The paper's open questions: no weights, regular grids with random phases, several close kernels.
+
+#include "study/figures.hpp"
+#include "study/measures.hpp"
+#include "study/recipe_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gabor::study {
+
+namespace {
+
+// The sine kernel without weights, beside the same with Bernoulli weights.
+Table unweighted(const vulkan::Device& device, const Effort& effort) {
+    Table table{"future_unweighted",
+                "points,weights,kernel,envelope,N,frequency,samples,variance,cvm,cvm_low,cvm_high,"
+                "places_interdecile,places_chance,mean_largest,mean_chance,contrast_interdecile",
+                {}};
+    for (const double frequency : {0.5, 1.0, 2.0, 4.0})
+        for (const Weights weights : {Weights::none, Weights::bernoulli})
+            for (const Points points : {Points::poisson, Points::stratified, Points::jittered})
+                for (const int n : {1, 2, 4, 10}) {
+                    const Ingredients noise{points, weights, Kernel::sine, Envelope::gaussian, n, 0};
+                    table.rows.push_back(
+                        {fmt::format("{},{:g},{}", key(noise), frequency, effort.samples),
+                         n * (2 * static_cast<double>(effort.samples) +
+                              64 * static_cast<double>(effort.places) +
+                              256 * static_cast<double>(effort.windows)),
+                         [&device, noise, frequency, effort](std::uint32_t seed) -> Numbers {
+                             Noise it(device, noise, Wave{frequency});
+                             const std::span<Noise> sum(&it, 1);
+                             const double variance =
+                                 measure_values(sum, effort.samples, seed).moments.variance();
+                             const statistics::Estimate cvm =
+                                 measure_values(sum, effort.samples, seed, std::sqrt(variance))
+                                     .gaussianity.index();
+                             const Places places = measure_places(sum, 1, effort.places, seed);
+                             const Windows windows = measure_windows(sum, effort.windows, seed);
+                             return {variance,
+                                     cvm.value,
+                                     cvm.low,
+                                     cvm.high,
+                                     places.variance.interdecile,
+                                     places.variance_chance,
+                                     places.largest_mean,
+                                     places.mean_chance,
+                                     windows.contrast.interdecile};
+                         }});
+                }
+    return table;
+}
+
+// Impulses at the nodes of a grid, with random phases alone or complex normal amplitudes, beside random
+// places.
+Table grids(const vulkan::Device& device, const Effort& effort) {
+    Table table{"future_grids", std::string(recipe_columns), {}};
+    for (const Window& window :
+         {Window{"u2", Shape::separable, {1, 0, 0}}, Window{"u2(1-u+u2)", Shape::separable, {1, -1, 1}},
+          Window{"gaussian", Shape::gaussian}})
+        for (const double radius : {1.0, 1.5, 2.0})
+            for (const double jitter : {0.0, 1.0})
+                for (const Law law : {Law::two_point, Law::rayleigh})
+                    table.rows.push_back(
+                        recipe_row(device, {window, 1, radius, Lattice::square, law, 1, jitter}, effort));
+    return table;
+}
+
+// K kernels of the recommended noise with N impulses each, at frequencies a step apart.
+Table kernels(const vulkan::Device& device, const Effort& effort) {
+    Table table{"future_kernels", "kernels,step,N,samples,cvm,cvm_low,cvm_high,contrast_interdecile", {}};
+    for (const int count : {1, 2, 3, 6})
+        for (const double step : {0.0, 0.1, 0.3, 1.0})
+            for (const int n : {1, 2, 4})
+                table.rows.push_back(
+                    {fmt::format("{},{:g},{},{}", count, step, n, effort.samples),
+                     count * n *
+                         (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows)),
+                     [&device, count, step, n, effort](std::uint32_t seed) -> Numbers {
+                         Ingredients ingredients = recommended;
+                         ingredients.impulses = n;
+                         std::vector<Noise> sum;
+                         for (int i = 0; i < count; ++i)
+                             sum.emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
+                         const statistics::Estimate cvm =
+                             measure_values(sum, effort.samples, seed).gaussianity.index();
+                         return {cvm.value, cvm.low, cvm.high,
+                                 measure_windows(sum, effort.windows, seed).contrast.interdecile};
+                     }});
+    return table;
+}
+
+} // namespace
+
+Tables future(const vulkan::Device& device, const Effort& effort) {
+    return {unweighted(device, effort), grids(device, effort), kernels(device, effort)};
+}
+
+} // namespace gabor::study

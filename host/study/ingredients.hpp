@@ -1,0 +1,63 @@
+#pragma once
+
+#include "study/wave.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gabor::study {
+
+// In the order of shaders/gabor_ingredients.glsl.
+enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
+enum class Weights { uniform, bernoulli, none };
+enum class Kernel { cosine, sine, random_phase };
+enum class Envelope { gaussian, c0, c1_radial, c1_separable };
+
+inline constexpr std::array all_points{Points::poisson,      Points::stratified, Points::jittered,
+                                       Points::jittered_hex, Points::sobol,      Points::scrambled_sobol};
+inline constexpr std::array all_weights{Weights::uniform, Weights::bernoulli, Weights::none};
+inline constexpr std::array all_kernels{Kernel::cosine, Kernel::sine, Kernel::random_phase};
+inline constexpr std::array all_envelopes{Envelope::gaussian, Envelope::c0, Envelope::c1_radial,
+                                          Envelope::c1_separable};
+
+std::string_view name(Points points);
+std::string_view name(Weights weights);
+std::string_view name(Kernel kernel);
+std::string_view name(Envelope envelope);
+
+/// One of the noises that [TNVT19] compares; the default is the seminal one. Cells have the side of the
+/// kernel radius.
+struct Ingredients {
+    Points points = Points::poisson;
+    Weights weights = Weights::uniform;
+    Kernel kernel = Kernel::cosine;
+    Envelope envelope = Envelope::gaussian;
+    int impulses = 30; ///< N per cell; the mean for Poisson points, exact for all others
+    int period = 0;    ///< in cells, at least 3; 0 for an instance that does not repeat
+};
+
+/// The paper's advice: stratified points, Bernoulli weights, two impulses per cell.
+inline constexpr Ingredients recommended{
+    Points::stratified, Weights::bernoulli, Kernel::cosine, Envelope::gaussian, 2, 0};
+
+/// "points,weights,kernel,envelope,N", as the first columns of a table.
+std::string key(const Ingredients& ingredients);
+
+/// The specialization constants of passes/ingredients.glsl.
+std::vector<std::uint32_t> constants(const Ingredients& ingredients);
+
+/// Variance of the sum by Campbell's theorem: N E[w^2] times the energy of the kernel. Exact for weights of
+/// mean 0 and for Poisson points; without weights other points have less.
+double variance(const Ingredients& ingredients, const Wave& wave);
+
+/// Excess kurtosis of the sum with Poisson points, N E[w^4] integral(g^4) / variance^2 by Campbell's theorem.
+double poisson_kurtosis(const Ingredients& ingredients, const Wave& wave);
+
+/// Excess kurtosis of the sum with stratified points, on average over the places of a cell: with m2 and m4
+/// the moments of one impulse of cell c, sum_c N (m4 - 3 m2^2) / variance^2. For a cosine or a sine.
+double stratified_kurtosis(const Ingredients& ingredients, const Wave& wave);
+
+} // namespace gabor::study

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "study/ingredients.hpp"
+#include "study/variant.hpp"
+#include "study/wave.hpp"
+#include "vulkan/pass.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace gabor::study {
+
+/// A square of 2^bits x 2^bits places in every instance, row by row, at the centres of its pixels. One place
+/// of no extent is a value.
+struct Grid {
+    unsigned bits = 0;
+    double side = 0;    ///< kernel radii
+    bool random = true; ///< begins at a random place of a cell; else at a cell's corner
+};
+
+/// A noise on the device, of the variance that is asked for.
+class Noise {
+  public:
+    Noise(const vulkan::Device& device, const Ingredients& ingredients, const Wave& wave = {},
+          double variance = 1);
+    Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave = {}, double variance = 1);
+
+    /// The values of one instance after the other, from `first` on. Instances with the same `place_seed`
+    /// begin at the same places. Returns the seconds that it took on the device, NaN where that cannot be
+    /// measured.
+    double fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
+                std::uint32_t place_seed);
+
+  private:
+    Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
+          std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
+          double cells_per_radius);
+
+    Wave wave_;
+    double amplitude_;
+    double cells_per_radius_;
+    vulkan::Pass pass_;
+    vulkan::Buffer values_;
+    std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
+    vulkan::Job job_;
+};
+
+} // namespace gabor::study

@@ -1,0 +1,41 @@
+#include "study/point_set.hpp"
+
+#include "vulkan/pass.hpp"
+
+#include "passes/points.h"
+
+#include <stdexcept>
+
+namespace gabor::study {
+
+PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
+                   std::uint32_t seed) {
+    struct Push {
+        std::uint32_t side;
+        std::uint32_t capacity;
+        std::uint32_t seed;
+    };
+    // Poisson counts may be larger than their mean.
+    const Push push{static_cast<std::uint32_t>(side),
+                    static_cast<std::uint32_t>(4 * ingredients.impulses + 32), seed};
+    const std::size_t cells = std::size_t{push.side} * push.side;
+    const vulkan::Pass pass(device, points_spirv, {2, sizeof(Push)}, constants(ingredients));
+    const vulkan::Buffer counts(device, cells * sizeof(std::int32_t), vulkan::Memory::readback);
+    const vulkan::Buffer places(device, cells * push.capacity * sizeof(Point), vulkan::Memory::readback);
+    vulkan::Job job(device, pass, {counts, places});
+    const std::uint32_t groups = (push.side + 7) / 8;
+    job.submit(push, {groups, groups});
+    job.wait();
+
+    PointSet set;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const auto count = static_cast<std::size_t>(counts.as<std::int32_t>()[cell]);
+        if (count > push.capacity)
+            throw std::runtime_error("a cell has more impulses than a Poisson count should have");
+        const auto first = places.as<Point>().subspan(cell * push.capacity, count);
+        set.emplace_back(first.begin(), first.end());
+    }
+    return set;
+}
+
+} // namespace gabor::study

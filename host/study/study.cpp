@@ -1,0 +1,68 @@
+#include "study/study.hpp"
+
+#include "error.hpp"
+#include "study/figures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
+
+namespace gabor::study {
+
+namespace {
+
+constexpr std::array known{
+    Study{"figure1", "the point sets", figure1, nullptr},
+    Study{"figure2", "Gaussianity against N", figure2, figure2_pictures},
+    Study{"figure3", "seminal N of the same Gaussianity", figure3, nullptr},
+    Study{"figure4", "contrast of windows against N", figure4, nullptr},
+    Study{"figure5", "time against N", figure5, nullptr},
+    Study{"figure6", "a noise of six lobes, and its time", figure6, figure6_pictures},
+    Study{"stationarity", "the noise at each place of a cell, and means of instances", stationarity, nullptr},
+    Study{"frontier", "recipes that no other beats", frontier, nullptr},
+    Study{"future", "the paper's open questions", future, nullptr},
+};
+
+} // namespace
+
+Effort Effort::full() {
+    std::vector<int> impulses(30);
+    std::iota(impulses.begin(), impulses.end(), 1);
+    return {.samples = 7 << 20,
+            .windows = 1 << 14,
+            .places = 7 << 14,
+            .impulses = std::move(impulses),
+            .radii = {1, 1.06, 1.1, 1.25, 1.5},
+            .picture_bits = 9,
+            .timings = 9};
+}
+
+Effort Effort::quick() {
+    return {.samples = 1 << 17,
+            .windows = 1 << 9,
+            .places = 1 << 11,
+            .impulses = {1, 2, 4, 10, 30},
+            .radii = {1, 1.5},
+            .picture_bits = 7,
+            .timings = 3};
+}
+
+std::span<const Study> studies() {
+    return known;
+}
+
+const Study& find_study(std::string_view name) {
+    const auto found = std::ranges::find(known, name, &Study::name);
+    if (found != known.end())
+        return *found;
+    std::vector<std::string_view> names;
+    std::ranges::transform(known, std::back_inserter(names), &Study::name);
+    throw RequestError(
+        fmt::format("unknown study '{}': the studies are {}, all", name, fmt::join(names, ", ")));
+}
+
+} // namespace gabor::study

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "study/table.hpp"
+#include "vulkan/device.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace gabor::study {
+
+/// How much is measured.
+struct Effort {
+    std::uint64_t samples;     ///< values of independent instances, per row
+    std::uint64_t windows;     ///< of independent instances, per row
+    std::uint64_t places;      ///< instances that are seen at each place of a cell, per row
+    std::vector<int> impulses; ///< N along the axis of a figure
+    std::vector<double> radii; ///< R of recipes, cells
+    int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
+    int timings;               ///< of which the median is taken
+
+    /// The paper's seven million samples, N from 1 to 30.
+    static Effort full();
+    /// Everything in two minutes on a software device.
+    static Effort quick();
+};
+
+/// One figure or question: the tables that it consists of, and pictures to write beside them.
+struct Study {
+    std::string_view name;
+    std::string_view is; ///< for help texts
+    std::vector<Table> (*tables)(const vulkan::Device& device, const Effort& effort);
+    /// May be null.
+    void (*pictures)(const vulkan::Device& device, const Effort& effort, const std::filesystem::path& folder);
+};
+
+/// In the order in which they are to be read.
+std::span<const Study> studies();
+
+/// Throws RequestError, listing the known names.
+const Study& find_study(std::string_view name);
+
+} // namespace gabor::study

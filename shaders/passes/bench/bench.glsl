@@ -1,0 +1,48 @@
+// What the benchmark's passes share. Each defines
+//     float value(vec2 p, uint seed)
+// and is timed filling a picture, one pixel per invocation; or, to measure the law of its values, samples one random
+// place of an independent instance per invocation.
+
+layout(constant_id = 7) const bool sampling = false;
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
+
+layout(push_constant) uniform Push {
+    float frequency;
+    float orientation;
+    float pixel; // kernel radii per pixel
+    uint seed;
+    uint width;
+    uint height;
+};
+
+float value(vec2 p, uint instance);
+
+// Any generator of good words would do: PCG-RXS-M-XS of O'Neill, HMC-CS-2014-0905.
+uint random_word(inout uint state)
+{
+    state = state * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+void main()
+{
+    uvec2 here = gl_GlobalInvocationID.xy;
+    if (here.x >= width || here.y >= height)
+        return;
+    uint index = here.y * width + here.x;
+    vec2 p = (vec2(here) + 0.5) * pixel;
+    uint instance = seed;
+    if (sampling) {
+        uint state = index * 0x9e3779b9u + seed;
+        random_word(state);
+        instance = random_word(state);
+        uint x = random_word(state);
+        uint y = random_word(state);
+        p = vec2(float(x), float(y)) * (64.0 / 4294967296.0);
+    }
+    picture[index] = value(p, instance);
+}

@@ -1,0 +1,39 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Gradient noise for scale, written plainly: Perlin, "Improving noise", 2002, in two dimensions, with an integer hash
+// in place of the permutation table. Two of its cells to a kernel radius for each unit of frequency.
+
+#include "bench.glsl"
+
+uint corner_word(ivec2 corner, uint instance)
+{
+    uint word = uint(corner.x) * 0x9e3779b1u ^ (uint(corner.y) * 0x85ebca6bu + instance);
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// Dot product of the offset with one of eight gradients.
+float slope(ivec2 corner, vec2 offset, uint instance)
+{
+    uint word = corner_word(corner, instance);
+    vec2 along = (word & 1u) == 0u ? offset : offset.yx;
+    float u = (word & 2u) == 0u ? along.x : -along.x;
+    float v = (word & 4u) == 0u ? along.y : -along.y;
+    return u + 0.5 * v;
+}
+
+float value(vec2 p, uint instance)
+{
+    p *= 2.0 * frequency;
+    vec2 whole = floor(p);
+    ivec2 cell = ivec2(whole);
+    vec2 f = p - whole;
+    vec2 fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    float a = slope(cell, f, instance);
+    float b = slope(cell + ivec2(1, 0), f - vec2(1.0, 0.0), instance);
+    float c = slope(cell + ivec2(0, 1), f - vec2(0.0, 1.0), instance);
+    float d = slope(cell + ivec2(1, 1), f - vec2(1.0, 1.0), instance);
+    return mix(mix(a, b, fade.x), mix(c, d, fade.x), fade.y);
+}

@@ -1,0 +1,36 @@
+// Where the study looks: a square grid of 4^grid_bits places in each of many instances, starting at a random place of a
+// cell or at the cell's corner. One value at a random place of each instance, windows, cells and pictures all are this.
+
+layout(local_size_x = 64) in;
+
+layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
+
+layout(push_constant) uniform Push {
+    vec2 wave;       // cycles per kernel radius
+    float amplitude; // K
+    float spacing;   // of the grid, in cells
+    float origin;    // 1: starts at a random place of a cell, 0: at the corner
+    uint grid_bits;
+    uint first;      // instance
+    uint count;      // values
+    uint place_seed;
+    uint noise_seed;
+};
+
+// Two numbers in [0, 1).
+vec2 place_random(uint instance)
+{
+    uint x = gabor_mix(instance * GABOR_SPREAD, place_seed);
+    uint y = gabor_mix(x, place_seed ^ GABOR_SPREAD_IMPULSES);
+    return vec2(ivec2(x >> 8u, y >> 8u)) / 16777216.0;
+}
+
+// The place of a value, in cells, and the seed of its instance.
+vec2 place_of(uint index, out uint seed)
+{
+    uint instance = first + (index >> (2u * grid_bits));
+    seed = gabor_mix(instance * GABOR_SPREAD + noise_seed, noise_seed);
+    uint mask = (1u << grid_bits) - 1u;
+    vec2 node = vec2(ivec2(index & mask, (index >> grid_bits) & mask));
+    return origin * place_random(instance) + (node + 0.5) * spacing;
+}

@@ -1,0 +1,33 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// The point set of each cell of a square of cells: its count, then the places of the first `capacity` impulses.
+
+#include "ingredients.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(std430, set = 0, binding = 0) writeonly buffer Counts { int counts[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Places { vec2 places[]; };
+
+layout(push_constant) uniform Push {
+    uint side; // cells
+    uint capacity;
+    uint seed;
+};
+
+void main()
+{
+    uvec2 cell = gl_GlobalInvocationID.xy;
+    if (cell.x >= side || cell.y >= side)
+        return;
+    uint index = cell.y * side + cell.x;
+    uint row_word = gabor_row_word(int(cell.y), gabor_seed_word(seed));
+    uint cell_word = gabor_impulse_word(int(cell.x), row_word, -1);
+    int count = gabor_count(cell_word);
+    counts[index] = count;
+    for (int k = 0; k < min(count, int(capacity)); ++k) {
+        uint word = gabor_impulse_word(int(cell.x), row_word, k);
+        places[index * capacity + uint(k)] = vec2(cell) + gabor_point(k, word, cell_word);
+    }
+}

@@ -1,0 +1,76 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Values of recipes around the drop-in's, for the frontier and the open questions: the drop-in's sum with any number of
+// impulses, any lattice, weight law and window.
+
+layout(constant_id = 0) const int impulses = 1;
+layout(constant_id = 1) const float radius = 1.0; // cells
+layout(constant_id = 2) const int brick = 0;      // 1: odd rows of cells are shifted by half a cell
+layout(constant_id = 3) const float jitter = 1.0; // 0: impulses stay at the centre of their cell
+layout(constant_id = 4) const int law = 0;        // of magnitudes: 0 uniform in [weight_floor, 1], 1 weight_floor or 1, 2 Rayleigh
+layout(constant_id = 5) const float weight_floor = 1.0;
+layout(constant_id = 6) const int window = 0; // 0 separable polynomial, 1 radial polynomial, 2 truncated Gaussian
+layout(constant_id = 7) const float window_x = 1.0;
+layout(constant_id = 8) const float window_y = 0.0;
+layout(constant_id = 9) const float window_z = 0.0;
+
+#define GABOR_WINDOW vec3(window_x, window_y, window_z)
+#include "gabor_noise.glsl"
+#include "places.glsl"
+
+float magnitude(uint word)
+{
+    float u = (float(int(word >> 8u)) + 0.5) / 16777216.0;
+    if (law == 2)
+        return sqrt(-2.0 * log(u));
+    if (law == 1)
+        return u < 0.5 ? weight_floor : 1.0;
+    return weight_floor + (1.0 - weight_floor) * u;
+}
+
+float envelope(vec2 d)
+{
+    if (window == 0)
+        return gabor_window(d.x) * gabor_window(d.y);
+    if (window == 1)
+        return gabor_window(length(d));
+    return dot(d, d) <= 1.0 ? exp(-3.14159265 * dot(d, d)) : 0.0;
+}
+
+float noise(vec2 p, uint seed)
+{
+    float lean = brick == 1 ? 0.5 : 0.0; // the most that a row is shifted
+    int columns = int(ceil(2.0 * radius + lean)) + 1;
+    int rows = int(ceil(2.0 * radius)) + 1;
+    vec2 first = floor(p - radius - vec2(lean, 0.0));
+    uint seed_word = gabor_seed_word(seed);
+    float sum = 0.0;
+    for (int j = 0; j < rows; ++j) {
+        float row = first.y + float(j);
+        float shift = brick == 1 ? fract(0.5 * row) : 0.0;
+        uint row_word = gabor_row_word(int(row), seed_word);
+        for (int i = 0; i < columns; ++i) {
+            float column = first.x + float(i);
+            for (int k = 0; k < impulses; ++k) {
+                uint word = gabor_impulse_word(int(column), row_word, k);
+                uint more = gabor_mix(word, 3u);
+                vec2 place = gabor_place_plus_one(word) - 1.5;
+                vec2 d = (p - (jitter * place + vec2(column + shift, row) + 0.5)) / radius;
+                float phase = float(int((more ^ word) & 0xffu)) / 256.0;
+                sum += magnitude(more) * envelope(d) * gabor_sin_turns(dot(wave, d) + phase);
+            }
+        }
+    }
+    return sum;
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    uint seed;
+    vec2 p = place_of(i, seed);
+    values[i] = amplitude * noise(p, seed);
+}
