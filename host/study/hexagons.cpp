@@ -22,10 +22,10 @@ void reduce(Vector& a, Vector& b) {
     for (;;) {
         if (dot(b, b) < dot(a, a))
             std::swap(a, b);
-        const double times = std::round(dot(a, b) / dot(a, a));
-        if (times == 0)
+        const Vector shorter = less(b, a, std::round(dot(a, b) / dot(a, a)));
+        if (dot(shorter, shorter) >= dot(b, b) - 1e-12)
             break;
-        b = less(b, a, times);
+        b = shorter;
     }
     if (dot(a, b) < 0)
         b = {-b[0], -b[1]};

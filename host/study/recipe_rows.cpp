@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace gabor::study {
 
 namespace {
@@ -16,8 +14,7 @@ constexpr Window gaussian{"gaussian", Shape::gaussian};
 Numbers criteria(Noise noise, const Window& window, double visits, double cell, const Effort& effort,
                  std::uint32_t seed) {
     const std::span<Noise> sum(&noise, 1);
-    const double variance = measure_values(sum, effort.samples, seed).moments.variance();
-    const OneValue values = measure_values(sum, effort.samples, seed, std::sqrt(variance));
+    const OneValue values = measure_values(sum, effort.samples, seed);
     const statistics::Estimate cvm = values.gaussianity.index();
     const Places places = measure_places(sum, cell, effort.places, seed);
     const Windows windows = measure_windows(sum, effort.windows, seed);
@@ -26,7 +23,7 @@ Numbers criteria(Noise noise, const Window& window, double visits, double cell, 
             cvm.value,
             cvm.low,
             cvm.high,
-            variance,
+            values.moments.variance(),
             places.variance.interdecile,
             places.variance_chance,
             windows.contrast.interdecile,
@@ -35,7 +32,7 @@ Numbers criteria(Noise noise, const Window& window, double visits, double cell, 
 }
 
 double cost(double visits, const Effort& effort) {
-    return visits * (2 * static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
+    return visits * (static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
                      256 * static_cast<double>(effort.windows));
 }
 

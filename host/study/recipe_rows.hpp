@@ -9,7 +9,7 @@ inline constexpr std::string_view recipe_columns =
     "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
     "places_chance,contrast_interdecile,sidelobe_db,outside";
 
-/// Every criterion of one recipe: Gaussianity with the variance that it has, the variance at each place of a
+/// Every criterion of one recipe: Gaussianity, the variance at each place of a
 /// cell, the contrast of windows, spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
 

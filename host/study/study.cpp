@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 
 namespace gabor::study {
 
@@ -30,12 +29,10 @@ constexpr std::array known{
 } // namespace
 
 Effort Effort::full() {
-    std::vector<int> impulses(30);
-    std::iota(impulses.begin(), impulses.end(), 1);
     return {.samples = 7 << 20,
-            .windows = 1 << 14,
+            .windows = 1 << 13,
             .places = 7 << 14,
-            .impulses = std::move(impulses),
+            .impulses = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 25, 30},
             .radii = {1, 1.06, 1.1, 1.25, 1.5},
             .picture_bits = 9,
             .timings = 9};
@@ -46,8 +43,8 @@ Effort Effort::quick() {
             .windows = 1 << 9,
             .places = 1 << 11,
             .impulses = {1, 2, 4, 10, 30},
-            .radii = {1, 1.5},
-            .picture_bits = 7,
+            .radii = {1},
+            .picture_bits = 8,
             .timings = 3};
 }
 

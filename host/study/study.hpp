@@ -21,7 +21,7 @@ struct Effort {
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
     int timings;               ///< of which the median is taken
 
-    /// The paper's seven million samples, N from 1 to 30.
+    /// The paper's seven million samples, and N up to 30: all up to 10, then fewer.
     static Effort full();
     /// Everything in two minutes on a software device.
     static Effort quick();
