@@ -73,7 +73,8 @@ vec2 gabor_hexagon(int index, vec2 unit)
     d -= a * floor(dot(d, a) / dot(a, a) + 0.5);
     d -= b * floor(dot(d, b) / dot(b, b) + 0.5);
     d -= c * floor(dot(d, c) / dot(c, c) + 0.5);
-    return vec2(float(index), n * fract(float(index * GABOR_HEX_STEP) / n)) / n + 0.5 / n + d;
+    float row = floor(n * fract(float(index * GABOR_HEX_STEP) / n) + 0.5);
+    return vec2(float(index) + 0.5, row + 0.5) / n + d;
 }
 
 // Sobol's sequence in two dimensions as 32-bit fractions. The first is the bit reversal of the index. The second has
@@ -171,19 +172,21 @@ float gabor_ingredients(vec2 p, vec2 wave, uint seed)
 {
     float reach = GABOR_POINTS == 3 ? 1.0 + GABOR_HEX_OVERHANG : 1.0;
     int visited = GABOR_POINTS == 3 && GABOR_HEX_OVERHANG > 0.0 ? 4 : 3;
-    vec2 first = floor(p - reach);
+    vec2 base = floor(p);
+    vec2 local = p - base;
+    vec2 first = floor(local - reach);
     uint seed_word = gabor_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(gabor_wrapped(int(first.y) + j), seed_word);
+        uint row_word = gabor_row_word(gabor_wrapped(int(base.y + first.y) + j), seed_word);
         for (int i = 0; i < visited; ++i) {
-            int column = gabor_wrapped(int(first.x) + i);
+            int column = gabor_wrapped(int(base.x + first.x) + i);
             uint cell_word = gabor_impulse_word(column, row_word, -1);
-            vec2 corner = p - first - vec2(float(i), float(j));
+            vec2 corner = first + vec2(float(i), float(j));
             int count = gabor_count(cell_word);
             for (int k = 0; k < count; ++k) {
                 uint word = gabor_impulse_word(column, row_word, k);
-                vec2 d = corner - gabor_point(k, word, cell_word);
+                vec2 d = (local - gabor_point(k, word, cell_word)) - corner;
                 sum += gabor_weight(word) * gabor_envelope(d) * gabor_wave(dot(wave, d), word);
             }
         }

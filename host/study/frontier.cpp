@@ -29,7 +29,13 @@ double best_floor(const Variant& variant) {
 }
 
 // Columns of `recipe_columns` that are measured.
-enum Column : std::size_t { visits = 0, cvm_high = 3, places_interdecile = 5, sidelobe = 8 };
+enum Column : std::size_t {
+    visits = 0,
+    cvm_high = 3,
+    places_interdecile = 5,
+    places_chance = 6,
+    sidelobe = 8
+};
 
 bool beats(const Numbers& a, const Numbers& b) {
     bool better = false;
@@ -44,7 +50,9 @@ bool beats(const Numbers& a, const Numbers& b) {
 void mark_pareto(std::vector<Numbers>& rows) {
     const std::vector<Numbers> all = rows;
     for (Numbers& row : rows) {
-        const auto stationary = [](const Numbers& r) { return r[places_interdecile] < 0.05; };
+        const auto stationary = [](const Numbers& r) {
+            return r[places_interdecile] < 0.05 + r[places_chance];
+        };
         const bool beaten =
             std::ranges::any_of(all, [&](const Numbers& r) { return stationary(r) && beats(r, row); });
         row.push_back(stationary(row) && !beaten);

@@ -4,6 +4,7 @@
 
 #include "passes/points.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace gabor::study {
@@ -15,9 +16,9 @@ PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients,
         std::uint32_t capacity;
         std::uint32_t seed;
     };
-    // Poisson counts may be larger than their mean.
-    const Push push{static_cast<std::uint32_t>(side),
-                    static_cast<std::uint32_t>(4 * ingredients.impulses + 32), seed};
+    // Poisson counts stay within twelve standard deviations.
+    const double capacity = ingredients.impulses + 12 * std::sqrt(ingredients.impulses) + 12;
+    const Push push{static_cast<std::uint32_t>(side), static_cast<std::uint32_t>(capacity), seed};
     const std::size_t cells = std::size_t{push.side} * push.side;
     const vulkan::Pass pass(device, points_spirv, {2, sizeof(Push)}, constants(ingredients));
     const vulkan::Buffer counts(device, cells * sizeof(std::int32_t), vulkan::Memory::readback);

@@ -9,9 +9,9 @@ namespace gabor::study {
 
 namespace {
 
-constexpr double step = 0.01;  // cycles per radius
-constexpr double highest = 12; // cycles per radius
-constexpr int nodes = 2000;
+constexpr double step = 0.01; // cycles per radius
+constexpr double highest = 8; // cycles per radius
+constexpr int nodes = 500;
 
 double node(int i) {
     return (i + 0.5) / nodes;

@@ -40,6 +40,7 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& study)
             const std::size_t colon = line.find(": ");
             std::istringstream numbers(line.substr(std::min(colon, line.size() - 1) + 1));
             Numbers& row = rows_[line.substr(0, colon)];
+            row.clear(); // of two such lines the later one counts
             for (std::string number; numbers >> number;)
                 row.push_back(std::stod(number));
         }

@@ -1,0 +1,179 @@
+#include "ingredients_reference.hpp"
+
+#include "noise/reference.hpp"
+#include "study/hexagons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gabor::test {
+
+using study::Envelope;
+using study::Ingredients;
+using study::Kernel;
+using study::Points;
+using study::Weights;
+
+namespace {
+
+constexpr std::uint32_t spread = 0x9e3779b1u;
+
+std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
+    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
+}
+
+std::uint32_t reversed(std::uint32_t word) {
+    std::uint32_t result = 0;
+    for (int bit = 0; bit < 32; ++bit)
+        result |= (word >> bit & 1) << (31 - bit);
+    return result;
+}
+
+// In single precision, as on the device: a product near the end decides a whole impulse.
+int poisson(float mean, std::uint32_t cell_word) {
+    int count = 0;
+    std::uint32_t draw = 0;
+    for (; mean > 0; mean -= 64) {
+        const float end = std::exp(-std::min(mean, 64.0f));
+        for (float product = 1;; ++count) {
+            product *=
+                (static_cast<float>(mix(cell_word + draw++ * spread, cell_word) >> 8) + 0.5f) * 0x1p-24f;
+            if (product <= end)
+                break;
+        }
+    }
+    return count;
+}
+
+// Laine and Karras' hash on the reversed bits.
+std::uint32_t owen(std::uint32_t fraction, std::uint32_t seed) {
+    std::uint32_t v = reversed(fraction) + seed;
+    for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
+        v ^= v * factor;
+    return reversed(v);
+}
+
+// A point of the parallelogram of a and b, moved into the Voronoi cell of the lattice point that it is
+// nearest to.
+std::pair<double, double> hexagon(const study::Hexagons& hex, double u, double v) {
+    const double x = (u - 0.5) * hex.a[0] + (v - 0.5) * hex.b[0];
+    const double y = (u - 0.5) * hex.a[1] + (v - 0.5) * hex.b[1];
+    std::pair<double, double> best{x, y};
+    for (int i = -2; i <= 2; ++i)
+        for (int j = -2; j <= 2; ++j) {
+            const double dx = x - i * hex.a[0] - j * hex.b[0];
+            const double dy = y - i * hex.a[1] - j * hex.b[1];
+            if (std::hypot(dx, dy) < std::hypot(best.first, best.second) - 1e-9)
+                best = {dx, dy};
+        }
+    return best;
+}
+
+// Sub-cell `index` of n equal ones in round(sqrt(n)) rows.
+std::pair<double, double> jittered(int n, int index, double u, double v) {
+    const int rows = static_cast<int>(std::lround(std::sqrt(n)));
+    const int row = index * rows / n;
+    const auto first_of = [&](int r) { return (r * n + rows - 1) / rows; };
+    const int first = first_of(row);
+    const int width = first_of(row + 1) - first;
+    return {(index - first + u) / width, (first + v * width) / n};
+}
+
+double envelope(Envelope envelope, double x, double y) {
+    const double square = x * x + y * y;
+    const bool inside = square <= 1;
+    switch (envelope) {
+    case Envelope::gaussian:
+        return inside ? std::exp(-std::numbers::pi * square) : 0;
+    case Envelope::c0:
+        return inside ? std::exp(-std::numbers::pi * square) - std::exp(-std::numbers::pi) : 0;
+    case Envelope::c1_radial:
+        return inside ? std::pow(1 - square, 2) : 0;
+    default:
+        return std::pow(std::max(1 - x * x, 0.0) * std::max(1 - y * y, 0.0), 2);
+    }
+}
+
+} // namespace
+
+std::pair<std::uint32_t, std::uint32_t> sobol(std::uint32_t index) {
+    // Direction numbers of the primitive polynomial x + 1 from m_1 = 1: v_(k+1) = v_k ^ (v_k >> 1).
+    std::uint32_t second = 0;
+    for (std::uint32_t v = 0x80000000u, rest = index; rest != 0; rest >>= 1, v ^= v >> 1)
+        if (rest & 1)
+            second ^= v;
+    return {reversed(index), second};
+}
+
+std::vector<Impulse> cell_impulses(const Ingredients& it, std::int32_t cell_x, std::int32_t cell_y,
+                                   std::uint32_t seed) {
+    if (it.period > 0) {
+        cell_x = (cell_x % it.period + it.period) % it.period;
+        cell_y = (cell_y % it.period + it.period) % it.period;
+    }
+    const std::uint32_t cell_word = noise::impulse_word(cell_x, cell_y, -1, seed);
+    const bool counted = it.points == Points::poisson;
+    const int count = counted ? poisson(static_cast<float>(it.impulses), cell_word) : it.impulses;
+    const study::Hexagons hex = study::hexagons(it.impulses);
+    std::vector<Impulse> impulses;
+    for (int k = 0; k < count; ++k) {
+        const std::uint32_t word = noise::impulse_word(cell_x, cell_y, k, seed);
+        const double u = ((word >> 20) + 0.5) / 4096;
+        const double v = ((word >> 8 & 0xfff) + 0.5) / 4096;
+        std::pair<double, double> place{u, v};
+        if (it.points == Points::jittered)
+            place = jittered(it.impulses, k, u, v);
+        if (it.points == Points::jittered_hex) {
+            place = hexagon(hex, u, v);
+            place.first += (k + 0.5) / it.impulses;
+            place.second += (k * hex.step % it.impulses + 0.5) / it.impulses;
+        }
+        if (it.points == Points::sobol || it.points == Points::scrambled_sobol) {
+            const bool plain = it.points == Points::sobol;
+            auto [x, y] = sobol(static_cast<std::uint32_t>(k) + (plain ? cell_word : 0));
+            if (!plain) {
+                x = owen(x, cell_word);
+                y = owen(y, mix(cell_word, 1));
+            }
+            place = {(x >> 8) * 0x1p-24, (y >> 8) * 0x1p-24};
+        }
+        double weight = 1;
+        if (it.weights == Weights::uniform)
+            weight = ((word & 0xff) - 127.5) / 128;
+        if (it.weights == Weights::bernoulli)
+            weight = word & 0x80 ? -1 : 1;
+        const double phase = it.kernel == Kernel::random_phase ? (mix(word, 2) >> 8) * 0x1p-24
+                             : it.kernel == Kernel::cosine     ? 0.25
+                                                               : 0;
+        impulses.push_back({place.first, place.second, weight, phase});
+    }
+    return impulses;
+}
+
+double ingredients_sum(const Ingredients& it, const study::Wave& wave, double x, double y,
+                       std::uint32_t seed) {
+    double sum = 0;
+    // Two cells each way are more than the kernel and the hexagons reach.
+    for (int j = static_cast<int>(std::floor(y)) - 2; j <= std::floor(y) + 2; ++j)
+        for (int i = static_cast<int>(std::floor(x)) - 2; i <= std::floor(x) + 2; ++i)
+            for (const Impulse& impulse : cell_impulses(it, i, j, seed)) {
+                const double dx = x - i - impulse.x;
+                const double dy = y - j - impulse.y;
+                const double turns =
+                    wave.frequency * (dx * std::cos(wave.orientation) + dy * std::sin(wave.orientation));
+                sum += impulse.weight * envelope(it.envelope, dx, dy) *
+                       std::sin(2 * std::numbers::pi * (turns + impulse.phase));
+            }
+    return sum;
+}
+
+Place random_place(std::uint32_t instance, std::uint32_t noise_seed, std::uint32_t place_seed) {
+    const std::uint32_t x = mix(instance * spread, place_seed);
+    const std::uint32_t y = mix(x, place_seed ^ 0x85ebca6bu);
+    return {(x >> 8) * 0x1p-24, (y >> 8) * 0x1p-24, mix(instance * spread + noise_seed, noise_seed)};
+}
+
+} // namespace gabor::test

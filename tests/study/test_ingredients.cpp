@@ -1,0 +1,42 @@
+// Every combination of ingredients, on the device, against the double-precision reference.
+
+#include "ingredients_reference.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+using namespace gabor;
+
+TEST_CASE("every combination of ingredients agrees with the reference", "[ingredients]") {
+    const vulkan::Device device;
+    const study::Wave wave{4, 0.7};
+    double largest = 0;
+    std::string where;
+    std::uint32_t seed = 11;
+    for (const study::Points points : study::all_points)
+        for (const study::Weights weights : study::all_weights)
+            for (const study::Kernel kernel : study::all_kernels)
+                for (const study::Envelope envelope : study::all_envelopes) {
+                    constexpr int counts[]{1, 2, 3, 4, 7, 13, 29};
+                    const int n = counts[seed % 7];
+                    const study::Ingredients it{points, weights, kernel, envelope, n, seed % 5 == 0 ? 3 : 0};
+                    study::Noise noise(device, it, wave);
+                    std::vector<float> values(64);
+                    noise.fill(values, {}, 5, ++seed, 99);
+                    const double amplitude = 1 / std::sqrt(study::variance(it, wave));
+                    for (std::uint32_t i = 0; i < values.size(); ++i) {
+                        const test::Place p = test::random_place(5 + i, seed, 99);
+                        const double expected = amplitude * test::ingredients_sum(it, wave, p.x, p.y, p.seed);
+                        const double difference = std::abs(values[i] - expected);
+                        if (difference <= largest)
+                            continue;
+                        largest = difference;
+                        where = fmt::format("{}, value {}: {} instead of {}", study::key(it), i, values[i],
+                                            expected);
+                    }
+                }
+    fmt::print("ingredients: largest difference {:.2g} at {}\n", largest, where);
+    CHECK(largest < 1e-5);
+}

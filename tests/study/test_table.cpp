@@ -1,0 +1,92 @@
+// What needs no device: spreads, spectra, and tables that go on where they were.
+
+#include "../image/scratch_folder.hpp"
+#include "error.hpp"
+#include "study/convergence.hpp"
+#include "study/purity.hpp"
+#include "study/spread.hpp"
+#include "study/table.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numeric>
+
+using namespace gabor;
+using namespace gabor::study;
+
+TEST_CASE("quantiles and spreads", "[spread]") {
+    std::vector<double> values(101);
+    std::iota(values.rbegin(), values.rend(), 50.0);
+    CHECK(quantile(values, 0.25) == Approx(75));
+    CHECK(quantile({1, 2}, 0.5) == Approx(1.5));
+    CHECK(spread(values).median == Approx(100));
+    CHECK(spread(values).interdecile == Approx(0.8));
+    CHECK_THROWS_AS(quantile({}, 0.5), std::invalid_argument);
+}
+
+TEST_CASE("spectral purity of known windows", "[purity]") {
+    // (1 - x^2)^2 has the spectrum j_2(a) / a^2, whose largest sidelobe is at a = 6.988.
+    const double a = 6.9879;
+    const double side = std::sph_bessel(2, a) / (a * a) * 15;
+    CHECK(purity({"", Shape::separable, {1, 0, 0}}).sidelobe ==
+          Approx(20 * std::log10(std::abs(side))).margin(0.01));
+    // (1 - r^2)^2 has J_3(a) / a^3, with its largest at a = 7.588.
+    const double b = 7.5883;
+    CHECK(purity({"", Shape::radial, {1, 0, 0}}).sidelobe ==
+          Approx(20 * std::log10(std::abs(std::cyl_bessel_j(3.0, b)) / (b * b * b) * 48)).margin(0.01));
+    for (const Shape shape : {Shape::separable, Shape::radial, Shape::gaussian}) {
+        const double outside = purity({"", shape, {1, 0, 0}}).outside;
+        CHECK(outside > 1e-4);
+        CHECK(outside < 4e-3);
+    }
+}
+
+TEST_CASE("the seminal curve, inverted", "[convergence]") {
+    SeminalCurve curve;
+    curve.add(4, 39.3);
+    curve.add(10, 5.83);
+    curve.add(30, 0.5);
+    CHECK(curve.equivalent(5.83) == Approx(10));
+    CHECK(curve.equivalent(20) > 4);
+    CHECK(curve.equivalent(20) < 10);
+    CHECK(curve.equivalent(0.125) == Approx(60).epsilon(0.05)); // 2.7 / N by theory
+    CHECK(std::isinf(curve.equivalent(-0.01)));
+}
+
+TEST_CASE("an interrupted table goes on where it was, and ends with the same bits", "[table]") {
+    int measured = 0;
+    const auto measure = [&](std::uint32_t seed) -> Numbers {
+        ++measured;
+        return {seed / 3.0, std::sqrt(2.0)};
+    };
+    const auto derive = [](std::vector<Numbers>& rows) {
+        for (Numbers& row : rows)
+            row.push_back(row[0] - rows[0][0]);
+    };
+    const Table table{
+        "numbers", "name,a,b", {{"x", 1, measure}, {"y", 1, measure}, {"z", 1, measure}}, "c", derive};
+    const ScratchFolder whole;
+    const ScratchFolder broken;
+    {
+        Journal journal(whole.path(), "study");
+        write_table(table, whole.path(), journal, [](double) {});
+        journal.remove();
+    }
+    CHECK(whole.count() == 1);
+    REQUIRE(measured == 3);
+
+    Journal begun(broken.path(), "study");
+    CHECK_THROWS_AS(write_table(table, broken.path(), begun, [](double) { throw 7; }), int);
+    REQUIRE(measured == 4);
+    std::ofstream(broken / "study.part", std::ios::app) << "a line without its e";
+    Journal journal(broken.path(), "study");
+    write_table(table, broken.path(), journal, [](double) {});
+    CHECK(measured == 6);
+    CHECK(read_file(broken / "numbers.csv") == read_file(whole / "numbers.csv"));
+
+    // Another study in the same folder begins anew.
+    Journal other(broken.path(), "another study");
+    CHECK_FALSE(other.find(table, table.rows[0]));
+    CHECK_THROWS_AS(Journal(broken / "nowhere", "study"), RequestError);
+}
