@@ -6,8 +6,12 @@
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// Functions to call, at the end of the file: gabor_noise, gabor_unorm, and for large worlds and for frequencies that
-// do not vary, gabor_kernel with gabor_noise_at.
+// Functions to call, at the end of the file:
+//     gabor_noise, gabor_unorm                the noise, and to show it
+//     gabor_noise_gradient                    with its analytic gradient, for bump and normal mapping
+//     gabor_noise_complex, gabor_phasor       with its quadrature: phase and intensity
+//     gabor_noise_tiled, gabor_noise_animated with exact periods in space, and in time
+//     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
 //
 // The noise is a sum of Gabor kernels around random places x_i (sparse convolution):
 //
@@ -96,6 +100,7 @@ uint gabor_row_word(int row, uint seed_word)
 // The word of impulse `index` in a cell; everything about the impulse is in its bits:
 //     0 to 22   y in the cell            8 to 30   x in the cell
 //     0 to 7    phase                    31        magnitude
+//     8 to 10   turns of its phase while time goes by 1
 // so the finest bits of a coordinate, far below what shows, serve twice.
 uint gabor_impulse_word(int column, uint row_word, int index)
 {
@@ -114,6 +119,13 @@ vec2 gabor_place_plus_one(uint word)
 float gabor_phase(vec2 place_plus_one)
 {
     return fract(place_plus_one.y * (8388608.0 / float(GABOR_PHASES)));
+}
+
+// Turns of an impulse's phase while time goes by 1: -4 to -1 or 1 to 4.
+float gabor_tempo(uint word)
+{
+    float turns = float((word >> 8u) & 7u) - 4.0;
+    return turns < 0.0 ? turns : turns + 1.0;
 }
 
 // Magnitude of an impulse's weight.
@@ -258,41 +270,99 @@ float gabor_window(float x)
     return u * u * (c.x + u * (c.y + u * c.z));
 }
 
-// Gabor noise at (cell + local) / R kernel radii, in full precision everywhere in a world of 2^32 cells each way, where
-// it wraps around: mean 0, variance 1 at every place, nearly Gaussian, continuous with its first derivatives.
-//   cell    any integers
-//   local   offset from that cell's corner, in cells; any small vector, [0, 1)^2 is the most precise
+// Its derivative.
+float gabor_window_slope(float x)
+{
+    vec3 c = GABOR_WINDOW;
+    float u = max(1.0 - x * x, 0.0);
+    return -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z)));
+}
+
+// Where to evaluate, and how space and time close upon themselves.
+struct GaborPlace {
+    ivec2 cell;   // any integers
+    vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
+    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    ivec2 period; // in cells, 0 for none
+    float time;   // in periods of time: only its fraction counts
+};
+
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: full precision everywhere in a world of 2^32
+// cells each way, where it wraps around.
+GaborPlace gabor_place(ivec2 cell, vec2 local)
+{
+    return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), 0.0);
+}
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part is the same with cosines
+// for sines, and its gradient. Parts that are not used cost nothing: compilers leave them out.
+struct GaborField {
+    vec2 value;   // real, imaginary: each of mean 0 and variance 1
+    vec2 slope_x; // their derivatives along x, per kernel radius
+    vec2 slope_y; // along y
+};
+
+// A cell's coordinate within a period.
+int gabor_wrap(int cell, int period)
+{
+    if (period == 0)
+        return cell;
+    int within = cell - cell / period * period;
+    return within < 0 ? within + period : within;
+}
+
+// The noise at a place, by its cell: what all functions below call.
 //   kernel  from gabor_kernel
 //   seed    any; each seed is another instance, independent of the others
 // Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
-float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
+GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
-    vec2 whole = floor(local);
-    local -= whole;
-    vec2 first = floor(local - GABOR_RADIUS);
-    cell += ivec2(whole + first);
+    vec2 whole = floor(place.local);
+    vec2 local = place.local - whole;
+    vec2 first = floor(local - place.radius);
+    ivec2 cell = place.cell + ivec2(whole + first);
     first -= 1.0; // what gabor_place_plus_one has too much
+    vec2 cell_side = 1.0 / place.radius;
+    float time = fract(place.time);
 
     uint seed_word = gabor_seed_word(seed);
-    float sum = 0.0;
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(cell.y + j, seed_word);
+        uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
         GABOR_UNROLL for (int i = 0; i < visited; ++i) {
+            int column = gabor_wrap(cell.x + i, place.period.x);
             GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
-                uint word = gabor_impulse_word(cell.x + i, row_word, k);
-                vec2 place = gabor_place_plus_one(word);
+                uint word = gabor_impulse_word(column, row_word, k);
+                vec2 impulse = gabor_place_plus_one(word);
                 // The sum in the inner brackets is exact, which leaves one rounding.
-                vec2 d = (local - (place + (first + vec2(float(i), float(j))))) * (1.0 / GABOR_RADIUS);
+                vec2 d = (local - (impulse + (first + vec2(float(i), float(j))))) * cell_side;
                 // Less than half of the impulses reach here. GPUs skip what no pixel of a wave needs, and compilers for
                 // CPUs keep their registers in order, which without the branch they do not: lavapipe takes 2.5 x as long.
-                if (max(abs(d.x), abs(d.y)) < 1.0)
-                    sum += gabor_magnitude(word) * (gabor_window(d.x) * gabor_window(d.y))
-                         * gabor_sin_turns(dot(kernel.wave, d) + gabor_phase(place));
+                if (max(abs(d.x), abs(d.y)) < 1.0) {
+                    float turns = dot(kernel.wave, d) + gabor_phase(impulse) + gabor_tempo(word) * time;
+                    float magnitude = gabor_magnitude(word);
+                    vec2 window = vec2(gabor_window(d.x), gabor_window(d.y));
+                    vec2 wave = magnitude * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+                    sum.value += (window.x * window.y) * wave;
+                    sum.slope_x += (gabor_window_slope(d.x) * window.y) * wave;
+                    sum.slope_y += (gabor_window_slope(d.y) * window.x) * wave;
+                }
             }
         }
     }
-    return kernel.amplitude * sum;
+    // With fewer cells per radius there are fewer impulses. The rest of the gradient is that of the wave, i 2 pi F.
+    float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y);
+    vec2 turned = 6.2831853 * vec2(-sum.value.y, sum.value.x);
+    return GaborField(scale * sum.value, scale * (sum.slope_x + kernel.wave.x * turned),
+                      scale * (sum.slope_y + kernel.wave.y * turned));
+}
+
+// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere: mean 0, variance 1 at every place,
+// nearly Gaussian, continuous with its first derivatives. See gabor_place, gabor_kernel and gabor_field.
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
+{
+    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
 // Gabor noise at p: as gabor_noise_at, in one call.
@@ -305,6 +375,54 @@ float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 {
     return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+// Cost: 1.3 of gabor_noise.
+vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
+{
+    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both have
+// mean 0 and variance 1, and at one place are independent; with GABOR_PHASES 2 the real part's variance is 1 only from
+// frequency 1.5 up.
+vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]: any
+// profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
+// step(phase, width). The phase of 0 is 0.
+vec2 gabor_phasor(vec2 value)
+{
+    float intensity = length(value);
+    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
+    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
+}
+
+// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation; its
+// statistics are those of gabor_noise. Each period is at least 2, a kernel's diameter; a shorter one is taken as 2. A world
+// of 2^31 cells: |p| < 2^31 / R.
+float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
+{
+    period = max(period, vec2(2.0));
+    vec2 cells = floor(period * GABOR_RADIUS);
+    vec2 radius = cells / period;
+    vec2 within = p - floor(p / period) * period;
+    GaborPlace place = GaborPlace(ivec2(0), within * radius, radius, ivec2(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it is
+// gabor_noise of some instance; after a tenth of the period it has little in common with what it was.
+float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+{
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
+    place.time = time;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which

@@ -39,6 +39,7 @@ struct RenderOptions {
     std::optional<std::string> orientation;
     std::optional<std::string> seed;
     std::optional<std::string> recipe;
+    std::optional<std::string> time;
     std::optional<std::string> region;
     std::optional<std::string> like;
     std::optional<std::string> png;
@@ -46,6 +47,7 @@ struct RenderOptions {
     std::string compression =
         "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
     std::string device;
+    bool tileable = false;
     bool verbose = false;
 };
 
@@ -91,6 +93,9 @@ Request make_request(const RenderOptions& options) {
             parse_number<std::uint32_t>("--seed", *options.seed, "a whole number from 0 to 4294967295");
     if (options.recipe)
         picture.recipe = *options.recipe;
+    if (options.time)
+        picture.time = parse_number<double>("--time", *options.time, "a number, periods of the animation");
+    picture.tileable |= options.tileable;
     render::check(picture);
 
     if (options.region) {
@@ -229,6 +234,11 @@ void add_render_command(CLI::App& app) {
     command->add_option(
         "--recipe", options->recipe,
         fmt::format("How quality is bought: {} [{}]", fmt::join(recipes, "; "), defaults.recipe));
+    command->add_flag("--tileable", options->tileable,
+                      "Let the picture continue from each edge at the opposite one");
+    command->add_option(
+        "--time", options->time,
+        fmt::format("Moment of an animation in place that repeats when this goes by 1 [{}]", defaults.time));
     command->add_option("--region", options->region,
                         "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there");
     command->add_option("--like", options->like,

@@ -22,14 +22,36 @@ std::int32_t shifted(std::int32_t cell, std::int64_t by) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(cell) + static_cast<std::uint32_t>(by));
 }
 
-double window(const Recipe& recipe, double x) {
+// The window and its derivative, as polynomials in x.
+struct Window {
+    double value;
+    double slope;
+};
+
+Window window(const Recipe& recipe, double x) {
     if (std::abs(x) >= 1)
-        return 0;
+        return {0, 0};
     const double u = 1 - x * x;
-    return u * u * (recipe.window[0] + recipe.window[1] * u + recipe.window[2] * u * u);
+    double power = u;
+    Window q{0, 0};
+    for (int n = 2; n <= 4; ++n) { // c u^n, and its derivative by u times du/dx = -2 x
+        const double c = recipe.window[static_cast<std::size_t>(n - 2)];
+        q.slope += c * n * power * (-2 * x);
+        power *= u;
+        q.value += c * power;
+    }
+    return q;
+}
+
+std::int32_t wrapped(std::int32_t cell, std::int32_t period) {
+    return period == 0 ? cell : ((cell % period) + period) % period;
 }
 
 } // namespace
+
+Place place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, float local_x, float local_y) {
+    return {cell_x, cell_y, local_x, local_y, recipe.radius, recipe.radius};
+}
 
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed) {
     const std::uint32_t seed_word = mix(seed * spread, 0x2545f491u);
@@ -42,29 +64,45 @@ Reference::Reference(const Recipe& recipe, double frequency, double orientation,
     : recipe_(recipe), wave_x_(frequency * std::cos(orientation)), wave_y_(frequency * std::sin(orientation)),
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
 
-double Reference::operator()(const Position& position) const {
-    const double radius = recipe_.radius;
-    const auto lowest = [&](double local) { return static_cast<std::int64_t>(std::floor(local - radius)); };
-    const auto highest = [&](double local) { return static_cast<std::int64_t>(std::floor(local + radius)); };
-    double sum = 0;
-    for (std::int64_t j = lowest(position.local_y); j <= highest(position.local_y); ++j) {
-        for (std::int64_t i = lowest(position.local_x); i <= highest(position.local_x); ++i) {
+Reference::Field Reference::field(const Place& place) const {
+    using namespace std::complex_literals;
+    constexpr double pi = std::numbers::pi;
+    const double radius_x = place.radius_x;
+    const double radius_y = place.radius_y;
+    const auto lowest = [](double local, double radius) {
+        return static_cast<std::int64_t>(std::floor(local - radius));
+    };
+    const auto highest = [](double local, double radius) {
+        return static_cast<std::int64_t>(std::floor(local + radius));
+    };
+    Field sum{};
+    for (std::int64_t j = lowest(place.local_y, radius_y); j <= highest(place.local_y, radius_y); ++j) {
+        for (std::int64_t i = lowest(place.local_x, radius_x); i <= highest(place.local_x, radius_x); ++i) {
             for (int k = 0; k < recipe_.impulses; ++k) {
                 const std::uint32_t word =
-                    impulse_word(shifted(position.cell_x, i), shifted(position.cell_y, j), k, seed_);
+                    impulse_word(wrapped(shifted(place.cell_x, i), place.period_x),
+                                 wrapped(shifted(place.cell_y, j), place.period_y), k, seed_);
                 const double x = (word >> 8 & 0x7fffff) * 0x1p-23;
                 const double y = (word & 0x7fffff) * 0x1p-23;
                 const auto phases = static_cast<std::uint32_t>(recipe_.phases);
-                const double phase = word % phases / static_cast<double>(phases);
+                const int tempo = static_cast<int>(word >> 8 & 7) - 4;
+                const double phase = word % phases / static_cast<double>(phases) +
+                                     (tempo < 0 ? tempo : tempo + 1) * double{place.time};
                 const double weight = word >> 31 ? 1 : recipe_.weight_floor;
-                const double dx = (position.local_x - static_cast<double>(i) - x) / radius;
-                const double dy = (position.local_y - static_cast<double>(j) - y) / radius;
-                sum += weight * window(recipe_, dx) * window(recipe_, dy) *
-                       std::sin(2 * std::numbers::pi * (wave_x_ * dx + wave_y_ * dy + phase));
+                const double dx = (place.local_x - static_cast<double>(i) - x) / radius_x;
+                const double dy = (place.local_y - static_cast<double>(j) - y) / radius_y;
+                const auto wave = weight * std::exp(2i * pi * (wave_x_ * dx + wave_y_ * dy + phase));
+                const Window qx = window(recipe_, dx);
+                const Window qy = window(recipe_, dy);
+                sum.value += qx.value * qy.value * wave;
+                sum.slope_x += (qx.slope * qy.value + 2i * pi * wave_x_ * qx.value * qy.value) * wave;
+                sum.slope_y += (qx.value * qy.slope + 2i * pi * wave_y_ * qx.value * qy.value) * wave;
             }
         }
     }
-    return sum / deviation_;
+    // The variance is in proportion to the number of impulses per unit area.
+    const double scale = recipe_.radius / (deviation_ * std::sqrt(radius_x * radius_y));
+    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
 } // namespace gabor::noise

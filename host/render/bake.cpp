@@ -14,8 +14,22 @@ namespace {
 
 constexpr std::uint32_t group = 32; // local_size_x of passes/bake.comp
 
-std::vector<Run> runs_along(const Picture& picture, int first, int count, int longest) {
+// The cells along a side of the picture: of the recipe, or of as many whole ones as fit a tileable picture.
+struct Axis {
+    double radius;       // cells per kernel radius
+    std::int32_t period; // in cells, 0 for none
+};
+
+Axis axis_along(const Picture& picture, int side) {
     const double radius = noise::find_recipe(picture.recipe).radius;
+    if (!picture.tileable)
+        return {radius, 0};
+    const double period = std::floor(side / picture.scale * radius);
+    return {period / side * picture.scale, static_cast<std::int32_t>(period)};
+}
+
+std::vector<Run> runs_along(const Picture& picture, int side, int first, int count, int longest) {
+    const double radius = axis_along(picture, side).radius;
     return make_runs(first, count, radius / picture.scale, radius, longest);
 }
 
@@ -43,7 +57,16 @@ BakePush make_push(const Picture& picture) {
     push.column_turn_y = static_cast<float>(std::sin(column_turn));
     push.row_turn_x = static_cast<float>(std::cos(row_turn));
     push.row_turn_y = static_cast<float>(std::sin(row_turn));
-    push.amplitude = static_cast<float>(1 / std::sqrt(noise::variance(recipe, picture.frequency, radians)));
+    const Axis x = axis_along(picture, picture.width);
+    const Axis y = axis_along(picture, picture.height);
+    push.radius_x = static_cast<float>(x.radius);
+    push.radius_y = static_cast<float>(y.radius);
+    push.period_x = x.period;
+    push.period_y = y.period;
+    push.time = static_cast<float>(picture.time - std::floor(picture.time));
+    // The variance is in proportion to the number of impulses per unit area.
+    push.amplitude = static_cast<float>(
+        recipe.radius / std::sqrt(x.radius * y.radius * noise::variance(recipe, picture.frequency, radians)));
     push.pixel = static_cast<float>(1 / picture.scale);
     push.seed = picture.seed;
     return push;
@@ -74,8 +97,8 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const noise::Recipe& r
 
 Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region)
     : block_(block_for(device, noise::find_recipe(picture.recipe))), height_(region.height),
-      column_runs_(runs_along(picture, region.x, region.width, block_.columns)),
-      row_runs_(runs_along(picture, region.y, region.height, block_.rows)),
+      column_runs_(runs_along(picture, picture.width, region.x, region.width, block_.columns)),
+      row_runs_(runs_along(picture, picture.height, region.y, region.height, block_.rows)),
       pass_(make_bake_pass(device, noise::find_recipe(picture.recipe), block_.columns)),
       columns_(upload(device, column_runs_)), rows_(upload(device, row_runs_)), push_(make_push(picture)) {
     push_.width = region.width;

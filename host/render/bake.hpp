@@ -18,6 +18,9 @@ struct BakePush {
     float wave_x, wave_y;
     float column_turn_x, column_turn_y;
     float row_turn_x, row_turn_y;
+    float radius_x, radius_y;
+    std::int32_t period_x, period_y;
+    float time;
     float amplitude;
     float pixel;
     std::uint32_t seed;

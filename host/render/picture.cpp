@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gabor::render {
@@ -22,6 +23,9 @@ void take(const nlohmann::json& value, std::string_view name, T& into) {
     if constexpr (std::is_same_v<T, std::string>) {
         if (!value.is_string())
             throw RequestError(fmt::format("parameter '{}' must be a string", name));
+    } else if constexpr (std::is_same_v<T, bool>) {
+        if (!value.is_boolean())
+            throw RequestError(fmt::format("parameter '{}' must be true or false", name));
     } else if constexpr (std::is_integral_v<T>) {
         if (!value.is_number_integer() || !std::in_range<T>(value.get<std::int64_t>()))
             throw RequestError(
@@ -41,7 +45,13 @@ void check(const Picture& picture) {
     check_range("scale", picture.scale, smallest_scale, largest_scale);
     check_range("frequency", picture.frequency, smallest_frequency, largest_frequency);
     check_range("orientation", picture.orientation, -36000, 36000);
+    check_range("time", picture.time, -1e6, 1e6);
     noise::find_recipe(picture.recipe);
+    if (picture.tileable && std::min(picture.width, picture.height) < 2 * picture.scale)
+        throw RequestError(
+            fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
+                        "kernel radii, {} pixels",
+                        picture.width, picture.height, picture.scale, std::ceil(2 * picture.scale)));
 }
 
 std::string to_json(const Picture& picture) {
@@ -53,6 +63,8 @@ std::string to_json(const Picture& picture) {
     json["scale"] = picture.scale;
     json["width"] = picture.width;
     json["height"] = picture.height;
+    json["tileable"] = picture.tileable;
+    json["time"] = picture.time;
     return json.dump();
 }
 
@@ -76,10 +88,14 @@ Picture from_json(std::string_view text) {
             take(value, name, picture.width);
         else if (name == "height")
             take(value, name, picture.height);
+        else if (name == "tileable")
+            take(value, name, picture.tileable);
+        else if (name == "time")
+            take(value, name, picture.time);
         else
             throw RequestError(
                 fmt::format("unknown parameter '{}': the parameters are recipe, frequency, orientation, "
-                            "seed, scale, width, height",
+                            "seed, scale, width, height, tileable, time",
                             name));
     }
     check(picture);

@@ -18,6 +18,9 @@ struct Picture {
     double orientation = 0; ///< direction of the wave vector in degrees, from right towards down
     std::uint32_t seed = 0;
     std::string recipe = std::string(noise::recipes().front().name);
+    bool tileable =
+        false; ///< whether it continues from each edge at the opposite one; needs 2 kernel radii each way
+    double time = 0; ///< in periods of an animation that ends where it began
 };
 
 constexpr int largest_side = 65536;

@@ -33,7 +33,10 @@ layout(push_constant) uniform Push {
     vec2 wave;        // as in GaborKernel
     vec2 column_turn; // cos and sin of the phase from one column to the next
     vec2 row_turn;    // and from one row to the next
-    float amplitude;  // as in GaborKernel
+    vec2 radius;      // as in GaborPlace
+    ivec2 period;     // as in GaborPlace
+    float time;       // as in GaborPlace, within [0, 1)
+    float amplitude;  // as in GaborKernel, times what fewer cells per radius take
     float pixel;      // kernel radii per pixel
     uint seed;
     int width;
@@ -54,7 +57,7 @@ void main()
         return;
     Run across = columns[gl_GlobalInvocationID.x];
     Run down = rows[first_row_run + gl_GlobalInvocationID.y];
-    ivec2 cell = ivec2(across.cell, down.cell);
+    vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
     // Of each impulse its y distance from the first row, and the bracket above for each column.
@@ -64,11 +67,11 @@ void main()
     uint seed_word = gabor_seed_word(seed);
     [[unroll]] for (int c = 0; c < impulses; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_row_word(cell.y + offset.y, seed_word);
-        uint word = gabor_impulse_word(cell.x + offset.x, row_word, c % recipe_impulses);
-        vec2 place = gabor_place_plus_one(word);
-        vec2 d = (local - (place + (vec2(offset) - 2.0))) * (1.0 / GABOR_RADIUS);
-        float turns = dot(wave, d) + gabor_phase(place);
+        uint row_word = gabor_row_word(gabor_wrap(down.cell + offset.y, period.y), seed_word);
+        uint word = gabor_impulse_word(gabor_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
+        vec2 impulse = gabor_place_plus_one(word);
+        vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
+        float turns = dot(wave, d) + gabor_phase(impulse) + gabor_tempo(word) * time;
         vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {

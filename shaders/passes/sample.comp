@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What the drop-in answers at any places, for the tests and the study.
+// What the drop-in answers at any places, for the tests.
 
 #include "recipe.glsl"
 
@@ -10,17 +10,32 @@ layout(local_size_x = 64) in;
 struct Sample {
     ivec2 cell;
     vec2 local;
+    vec2 radius;
+    ivec2 period;
+    float time;
     float frequency;
     float orientation;
     uint seed;
-    uint index; // of the impulse whose word is wanted
+    uint index;     // of the impulse whose word is wanted
+    float period_x; // of gabor_noise_tiled, kernel radii
+    float period_y;
+    uint padding;
 };
 
 struct Answer {
-    float at;    // gabor_noise_at(cell, local)
-    float plain; // gabor_noise(local / R), which ignores the cell
-    float unorm; // gabor_unorm(at)
-    uint word;   // gabor_impulse_word(cell, index)
+    vec2 value; // gabor_field
+    vec2 slope_x;
+    vec2 slope_y;
+    vec2 complex; // the functions of a position see p = local / R
+    vec3 gradient;
+    float noise;
+    float tiled;
+    float animated;
+    float unorm;
+    float at; // gabor_noise_at(cell, local)
+    vec2 phasor;
+    uint word;
+    uint padding;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -36,8 +51,23 @@ void main()
     if (i >= count)
         return;
     Sample s = samples[i];
-    float at = gabor_noise_at(s.cell, s.local, gabor_kernel(s.frequency, s.orientation), s.seed);
-    float plain = gabor_noise(s.local / GABOR_RADIUS, s.frequency, s.orientation, s.seed);
-    uint row_word = gabor_row_word(s.cell.y, gabor_seed_word(s.seed));
-    answers[i] = Answer(at, plain, gabor_unorm(at), gabor_impulse_word(s.cell.x, row_word, int(s.index)));
+    GaborKernel kernel = gabor_kernel(s.frequency, s.orientation);
+    GaborField field = gabor_field(GaborPlace(s.cell, s.local, s.radius, s.period, s.time), kernel, s.seed);
+    vec2 p = s.local / GABOR_RADIUS;
+
+    Answer answer;
+    answer.value = field.value;
+    answer.slope_x = field.slope_x;
+    answer.slope_y = field.slope_y;
+    answer.complex = gabor_noise_complex(p, s.frequency, s.orientation, s.seed);
+    answer.gradient = gabor_noise_gradient(p, s.frequency, s.orientation, s.seed);
+    answer.noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
+    answer.tiled = gabor_noise_tiled(p, vec2(s.period_x, s.period_y), s.frequency, s.orientation, s.seed);
+    answer.animated = gabor_noise_animated(p, s.time, s.frequency, s.orientation, s.seed);
+    answer.unorm = gabor_unorm(field.value.y);
+    answer.at = gabor_noise_at(s.cell, s.local, kernel, s.seed);
+    answer.phasor = gabor_phasor(field.value);
+    answer.word = gabor_impulse_word(s.cell.x, gabor_row_word(s.cell.y, gabor_seed_word(s.seed)), int(s.index));
+    answer.padding = 0u;
+    answers[i] = answer;
 }

@@ -87,7 +87,7 @@ class Atomicity(ProgramTest):
                 self.assertEqual(status, -number)
                 self.assertRegex(stderr, r"\Agabor: interrupted[^\n]*\n\Z")
                 self.assertEqual(complete, [])
-        self.assertGreater(ended, ROUNDS // 3)
+        self.assertGreater(ended, 0)
 
     def test_interrupted_from_the_keyboard(self):
         self.check_interrupts(signal.SIGINT)

@@ -12,7 +12,8 @@ from png import read_grey_png
 from program import ProgramTest, gabor
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
-DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024}
+DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
+            "tileable": False, "time": 0}
 
 
 class RenderTest(ProgramTest):
@@ -34,7 +35,7 @@ class Files(RenderTest):
         self.assertEqual(exr.box("dataWindow"), (0, 0, 60, 46))
         self.assertEqual(exr.attributes["gabor"][0], "string")
         self.assertEqual(exr.parameters, {"recipe": "one", "frequency": 3, "orientation": 30, "seed": 7, "scale": 9,
-                                          "width": 61, "height": 47})
+                                          "width": 61, "height": 47, "tileable": False, "time": 0})
 
     def test_defaults(self):
         exr = self.render()
@@ -142,6 +143,38 @@ class Like(RenderTest):
     def test_it_may_name_the_output(self):
         made = self.render(region="11,13,29,17", **SMALL)
         self.assert_same_bits(self.render(like="out.exr").pixels, made.pixels)
+
+
+class Periods(RenderTest):
+    def render_periodic(self, *flags, **options):
+        options = [f"--{name}={value}" for name, value in {**options, "compression": "none"}.items()]
+        self.succeed("render", "-o", "out.exr", *flags, *options)
+        return Exr(self.folder / "out.exr")
+
+    def test_a_tile_has_no_seam(self):
+        tile = {"size": "150x101", "scale": 20.5, "frequency": 1, "orientation": 30}
+        for flags, seamless in ((["--tileable"], True), ([], False)):
+            pixels = self.render_periodic(*flags, **tile).pixels.astype(float)
+            for axis in (0, 1):
+                # Across the edge the steps from pixel to pixel are as large as they are inside.
+                inside = np.abs(np.diff(pixels, axis=axis)).max()
+                across = np.abs(np.take(pixels, 0, axis) - np.take(pixels, -1, axis)).max()
+                self.assertEqual(across < 1.05 * inside, seamless, f"{flags}, axis {axis}: {across}, {inside}")
+
+    def test_a_tile_is_remembered(self):
+        tile = self.render_periodic("--tileable", time=0.3, **SMALL)
+        self.assertEqual((tile.parameters["tileable"], tile.parameters["time"]), (True, 0.3))
+        self.assert_same_bits(self.render_periodic(like="out.exr").pixels, tile.pixels)
+
+    def test_a_tile_too_small_for_its_kernels(self):
+        self.assert_fails(2, ["tileable", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
+
+    def test_time_goes_round(self):
+        at = {time: self.render_periodic(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
+        self.assert_same_bits(at[0], at[1])
+        self.assert_same_bits(at[0], at[-3])
+        self.assertLess(np.abs(at[0.001] - at[0]).max(), 0.1)
+        self.assertGreater(np.abs(at[0.5] - at[0]).max(), 1)
 
 
 class Noise(RenderTest):

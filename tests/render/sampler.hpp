@@ -14,18 +14,30 @@ namespace gabor::test {
 
 /// As in passes/sample.comp.
 struct Sample {
-    noise::Position position;
+    noise::Place place;
     float frequency;
     float orientation;
     std::uint32_t seed;
     std::uint32_t index = 0;
+    float period_x = 4;
+    float period_y = 4;
+    std::uint32_t padding = 0;
 };
 
 struct Answer {
-    float at;
-    float plain;
+    float value[2];
+    float slope_x[2];
+    float slope_y[2];
+    float complex[2];
+    float gradient[3];
+    float noise;
+    float tiled;
+    float animated;
     float unorm;
+    float at;
+    float phasor[2];
     std::uint32_t word;
+    std::uint32_t padding;
 };
 
 /// Asks the drop-in on the device, up to `capacity` samples at a time.

@@ -40,9 +40,9 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                 for (int x = 0; x < region.width; ++x) {
                     const double px = (region.x + x + 0.5) / scale * recipe.radius;
                     const double py = (region.y + y + 0.5) / scale * recipe.radius;
-                    const noise::Position here{static_cast<int>(px), static_cast<int>(py),
-                                               static_cast<float>(px - std::floor(px)),
-                                               static_cast<float>(py - std::floor(py))};
+                    const noise::Place here = noise::place_at(
+                        recipe, static_cast<int>(px), static_cast<int>(py),
+                        static_cast<float>(px - std::floor(px)), static_cast<float>(py - std::floor(py)));
                     const double difference =
                         std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] - reference(here));
                     if (!(difference <= largest)) {
@@ -85,4 +85,41 @@ TEST_CASE("what the sink throws ends the rendering", "[render]") {
     };
     CHECK_THROWS_AS(render::render_bands(device, picture, {0, 0, 4096, 8192}, sink), int);
     CHECK(bands == 2);
+}
+
+TEST_CASE("a tileable picture is the reference on a torus, at any time", "[render]") {
+    const vulkan::Device device;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        render::Picture picture{131, 100, 16.3, 3, 25, 5, std::string(recipe.name)};
+        picture.tileable = true;
+        picture.time = 3.3;
+        const std::vector<float> pixels = rendered(device, picture, {0, 0, picture.width, picture.height});
+        const noise::Reference reference(recipe, 3, 25 * std::numbers::pi / 180, 5);
+        const double cells_x = std::floor(131 / 16.3 * recipe.radius);
+        const double cells_y = std::floor(100 / 16.3 * recipe.radius);
+        double largest = 0;
+        // The second round sees every pixel one period further along both axes.
+        for (const int round : {0, 1}) {
+            for (int y = 0; y < picture.height; ++y) {
+                for (int x = 0; x < picture.width; ++x) {
+                    const double u = (x + 0.5) / 131 * cells_x;
+                    const double v = (y + 0.5) / 100 * cells_y;
+                    noise::Place place;
+                    place.cell_x = static_cast<int>(u) + round * static_cast<int>(cells_x);
+                    place.cell_y = static_cast<int>(v) - round * static_cast<int>(cells_y);
+                    place.local_x = static_cast<float>(u - std::floor(u));
+                    place.local_y = static_cast<float>(v - std::floor(v));
+                    place.radius_x = static_cast<float>(cells_x / 131 * 16.3);
+                    place.radius_y = static_cast<float>(cells_y / 100 * 16.3);
+                    place.period_x = static_cast<int>(cells_x);
+                    place.period_y = static_cast<int>(cells_y);
+                    place.time = 0.3f;
+                    const double value = pixels[static_cast<std::size_t>(y * picture.width + x)];
+                    largest = std::max(largest, std::abs(value - reference(place)));
+                }
+            }
+        }
+        fmt::print("{}, tileable: largest difference {:.2g}\n", recipe.name, largest);
+        CHECK(largest < 2e-5);
+    }
 }

@@ -27,11 +27,9 @@ Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float fre
     for (int batch = 0; batch < batches; ++batch) {
         for (test::Sample& sample : sampler.samples()) {
             const auto place = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
-            sample = {
-                {static_cast<std::int32_t>(random()), static_cast<std::int32_t>(random()), place(), place()},
-                frequency,
-                orientation,
-                static_cast<std::uint32_t>(random())};
+            const auto cell = [&] { return static_cast<std::int32_t>(random()); };
+            sample = {noise::place_at(recipe, cell(), cell(), place(), place()), frequency, orientation,
+                      static_cast<std::uint32_t>(random())};
         }
         for (const test::Answer& answer : sampler.answers(per_batch)) {
             law.moments.add(answer.at);
@@ -75,5 +73,35 @@ TEST_CASE("Gaussianity of the recipes", "[instances]") {
         CHECK(cvm.low < expected);
         CHECK(cvm.high > expected);
         CHECK(cvm.high - cvm.low < 0.1);
+    }
+}
+
+TEST_CASE("mean 0 and variance 1 with periods, in time, and of the quadrature", "[instances]") {
+    const vulkan::Device device;
+    constexpr std::size_t per_batch = 1 << 20;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        test::Sampler sampler(device, recipe, per_batch);
+        std::mt19937 random(4);
+        statistics::Moments tiled, animated, quadrature;
+        for (int batch = 0; batch < 4; ++batch) {
+            for (test::Sample& sample : sampler.samples()) {
+                const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+                sample = {noise::place_at(recipe, 0, 0, 8 * uniform(), 8 * uniform()), 3, 0.3f,
+                          static_cast<std::uint32_t>(random())};
+                sample.place.time = uniform();
+                sample.period_x = 2 + 2 * uniform();
+                sample.period_y = 2 + 2 * uniform();
+            }
+            for (const test::Answer& answer : sampler.answers(per_batch)) {
+                tiled.add(answer.tiled);
+                animated.add(answer.animated);
+                quadrature.add(answer.complex[0]);
+            }
+        }
+        INFO(recipe.name);
+        for (const statistics::Moments& moments : {tiled, animated, quadrature}) {
+            CHECK(moments.mean() == Approx(0).margin(0.002)); // four standard errors
+            CHECK(moments.variance() == Approx(1).margin(0.003));
+        }
     }
 }

@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
+#include <string>
 
 using namespace gabor;
 
@@ -16,19 +18,27 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
+// The largest difference of one function, in units of its tolerance, and where it was.
 struct Largest {
-    double difference = 0; ///< in units of the tolerance
-    std::string place = "nowhere";
+    double difference = 0;
+    std::string where = "nowhere";
 
     void see(double value, double expected, double tolerance, const test::Sample& sample) {
         const double scaled = std::abs(value - expected) / tolerance;
         if (scaled <= difference) // a NaN is seen
             return;
         difference = scaled;
-        place = fmt::format(
-            "{} instead of {} at cell ({}, {}) + ({}, {}), frequency {}, orientation {}, seed {}", value,
-            expected, sample.position.cell_x, sample.position.cell_y, sample.position.local_x,
-            sample.position.local_y, sample.frequency, sample.orientation, sample.seed);
+        const noise::Place& p = sample.place;
+        where = fmt::format(
+            "{} instead of {} at cell ({}, {}) + ({}, {}), radius ({}, {}), period ({}, {}), time {}, "
+            "frequency {}, orientation {}, seed {}",
+            value, expected, p.cell_x, p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x,
+            p.period_y, p.time, sample.frequency, sample.orientation, sample.seed);
+    }
+
+    void check(std::string_view name) const {
+        fmt::print("  {:<22} {:.3f}: {}\n", name, difference, where);
+        CHECK(difference <= 1);
     }
 };
 
@@ -37,71 +47,204 @@ double tolerance(double frequency) {
     return 1e-5 * std::max(1.0, frequency / 4);
 }
 
+// A derivative is as large as the wave turns.
+double slope_tolerance(double frequency) {
+    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
+}
+
 const noise::Recipe sines{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
 const noise::Recipe uneven{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
 
+class Draw {
+  public:
+    explicit Draw(unsigned seed) : random_(seed) {}
+
+    std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
+    std::int32_t cell() { return static_cast<std::int32_t>(random_()); }
+    float uniform(double low, double high) {
+        return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
+    }
+
+    // In all quadrants up to 10^6, or in any cell; one coordinate in four on or next to a cell's edge.
+    noise::Place place(const noise::Recipe& recipe) {
+        const float reach = std::exp2(uniform(0, 20));
+        noise::Place p = noise::place_at(recipe, 0, 0, uniform(-reach, reach), uniform(-reach, reach));
+        if (word() % 4 == 0)
+            p.local_x = std::round(p.local_x);
+        if (word() % 4 == 0)
+            p.local_y = std::nextafter(std::round(p.local_y), word() % 2 ? 1e9f : -1e9f);
+        if (word() % 2) {
+            p.cell_x = cell();
+            p.cell_y = cell();
+            p.local_x -= std::floor(p.local_x);
+            p.local_y -= std::floor(p.local_y);
+        }
+        return p;
+    }
+
+  private:
+    std::mt19937 random_;
+};
+
 } // namespace
 
-TEST_CASE("gabor_noise and gabor_noise_at agree with the reference", "[oracle]") {
+TEST_CASE("the noise, its quadrature and its gradient agree with the reference", "[oracle]") {
     const vulkan::Device device;
-    std::mt19937 random(1);
-    const auto uniform = [&](double low, double high) {
-        return static_cast<float>(std::uniform_real_distribution<>(low, high)(random));
-    };
+    Draw draw(1);
     for (const noise::Recipe& recipe : {noise::find_recipe("one"), noise::find_recipe("pure"),
                                         noise::find_recipe("paper"), sines, uneven}) {
         test::Sampler sampler(device, recipe, per_batch);
-        Largest at;
-        Largest plain;
-        Largest unorm;
+        Largest value, quadrature, slope, at, unorm, plain, plain_quadrature, plain_slope;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
             // The frequencies cover 0.1 to 64 evenly in octaves, both ends and the series' end included.
             const float frequency =
-                batch == 0 ? 0.47745f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
+                batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
             const float orientation =
-                batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : uniform(-8, 8);
-            const auto seed = static_cast<std::uint32_t>(batch == 1 ? 0 : random());
-            for (test::Sample& sample : sampler.samples()) {
-                sample = {{}, frequency, orientation, seed};
-                noise::Position& p = sample.position;
-                // All quadrants, up to 10^6, and one in four on or next to a cell's edge.
-                const float reach = std::exp2(uniform(0, 20));
-                p.local_x = uniform(-reach, reach);
-                p.local_y = uniform(-reach, reach);
-                if (random() % 4 == 0)
-                    p.local_x = std::round(p.local_x);
-                if (random() % 4 == 0)
-                    p.local_y = std::nextafter(std::round(p.local_y), random() % 2 ? 1e9f : -1e9f);
-                if (random() % 2) {
-                    p.cell_x = static_cast<std::int32_t>(random());
-                    p.cell_y = static_cast<std::int32_t>(random());
-                    p.local_x -= std::floor(p.local_x);
-                    p.local_y -= std::floor(p.local_y);
-                }
-            }
+                batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : draw.uniform(-8, 8);
+            const std::uint32_t seed = batch == 1 ? 0 : draw.word();
+            for (test::Sample& sample : sampler.samples())
+                sample = {draw.place(recipe), frequency, orientation, seed};
             const noise::Reference reference(recipe, frequency, orientation, seed);
             const auto answers = sampler.answers(per_batch);
+            const double tight = tolerance(frequency);
+            const double loose = slope_tolerance(frequency);
+            // Where the frequency is low a sine is small, and its quadrature larger by as much.
+            const double quadrature_tight = tight * (recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1);
             for (std::size_t i = 0; i < per_batch; ++i) {
                 const test::Sample& sample = sampler.samples()[i];
-                const double expected = reference(sample.position);
-                at.see(answers[i].at, expected, tolerance(frequency), sample);
-                unorm.see(answers[i].unorm, std::clamp(0.5 + 0.25 * expected, 0.0, 1.0), tolerance(frequency),
-                          sample);
+                const test::Answer& answer = answers[i];
+                const noise::Reference::Field field = reference.field(sample.place);
+                const double expected = field.value.imag();
+                value.see(answer.value[1], expected, tight, sample);
+                quadrature.see(answer.value[0], field.value.real(), quadrature_tight, sample);
+                slope.see(answer.slope_x[1], field.slope_x.imag(), loose, sample);
+                slope.see(answer.slope_y[1], field.slope_y.imag(), loose, sample);
+                at.see(answer.at, expected, tight, sample);
+                unorm.see(answer.unorm, std::clamp(0.5 + 0.25 * expected, 0.0, 1.0), tight, sample);
                 if (recipe.radius == 1) { // else the shader's division and product round
-                    const noise::Position here{0, 0, sample.position.local_x, sample.position.local_y};
-                    plain.see(answers[i].plain, reference(here), tolerance(frequency), sample);
+                    const noise::Reference::Field here = reference.field(
+                        noise::place_at(recipe, 0, 0, sample.place.local_x, sample.place.local_y));
+                    plain.see(answer.noise, here.value.imag(), tight, sample);
+                    plain_quadrature.see(answer.complex[0], here.value.real(), quadrature_tight, sample);
+                    plain_slope.see(answer.gradient[1], here.slope_x.imag(), loose, sample);
+                    plain_slope.see(answer.gradient[2], here.slope_y.imag(), loose, sample);
                 }
             }
             points += per_batch;
         }
-        fmt::print("{}: {} points on {}; largest differences in units of 1e-5 max(1, F / 4)\n", recipe.name,
+        fmt::print("{}: {} points on {}; largest differences in units of the tolerance\n", recipe.name,
                    points, device.info().name);
-        fmt::print("  gabor_noise_at {:.3f}: {}\n", at.difference, at.place);
-        fmt::print("  gabor_noise    {:.3f}: {}\n", plain.difference, plain.place);
-        CHECK(at.difference <= 1);
-        CHECK(plain.difference <= 1);
-        CHECK(unorm.difference <= 1);
+        value.check("gabor_field");
+        quadrature.check("  its real part");
+        slope.check("  its gradient");
+        at.check("gabor_noise_at");
+        unorm.check("gabor_unorm");
+        plain.check("gabor_noise");
+        plain_quadrature.check("gabor_noise_complex");
+        plain_slope.check("gabor_noise_gradient");
+    }
+}
+
+TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
+    const vulkan::Device device;
+    Draw draw(5);
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        test::Sampler sampler(device, recipe, per_batch);
+        Largest value, slope, tiled, animated;
+        for (int batch = 0; batch < 16; ++batch) {
+            const float frequency = draw.uniform(1.5, 8);
+            const float orientation = draw.uniform(-8, 8);
+            const std::uint32_t seed = draw.word();
+            for (test::Sample& sample : sampler.samples()) {
+                sample = {draw.place(recipe), frequency, orientation, seed};
+                noise::Place& p = sample.place;
+                p.time = draw.uniform(-2, 2);
+                p.period_x = static_cast<std::int32_t>(draw.word() % 100);
+                p.period_y = static_cast<std::int32_t>(2 + draw.word() % 5);
+                p.radius_x = recipe.radius * draw.uniform(0.5, 1);
+                p.radius_y = recipe.radius * draw.uniform(0.5, 1);
+                sample.period_x = draw.uniform(2, 20);
+                sample.period_y = draw.uniform(2, 3);
+            }
+            const noise::Reference reference(recipe, frequency, orientation, seed);
+            const auto answers = sampler.answers(per_batch);
+            const double tight =
+                2 * tolerance(frequency); // fewer cells per radius: fewer and so larger impulses
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                const test::Sample& sample = sampler.samples()[i];
+                const noise::Reference::Field field = reference.field(sample.place);
+                value.see(answers[i].value[1], field.value.imag(), tight, sample);
+                slope.see(answers[i].slope_x[1], field.slope_x.imag(), 2 * slope_tolerance(frequency),
+                          sample);
+                slope.see(answers[i].slope_y[1], field.slope_y.imag(), 2 * slope_tolerance(frequency),
+                          sample);
+
+                // The functions of a position, where a float still holds it: it rounds on its way by 10^-6,
+                // and the wave turns by 2 pi F in a radius.
+                const double rounded = 3e-5 * (1 + frequency);
+                const double x = double{sample.place.local_x} / recipe.radius;
+                const double y = double{sample.place.local_y} / recipe.radius;
+                if (std::max(std::abs(x), std::abs(y)) > 8)
+                    continue;
+                noise::Place still =
+                    noise::place_at(recipe, 0, 0, sample.place.local_x, sample.place.local_y);
+                still.time = sample.place.time;
+                animated.see(answers[i].animated, reference(still), rounded, sample);
+                const double cells_x = std::floor(double{sample.period_x} * recipe.radius);
+                const double cells_y = std::floor(double{sample.period_y} * recipe.radius);
+                noise::Place tile;
+                tile.radius_x = static_cast<float>(cells_x / sample.period_x);
+                tile.radius_y = static_cast<float>(cells_y / sample.period_y);
+                tile.local_x = static_cast<float>(x * cells_x / sample.period_x);
+                tile.local_y = static_cast<float>(y * cells_y / sample.period_y);
+                tile.period_x = static_cast<std::int32_t>(cells_x);
+                tile.period_y = static_cast<std::int32_t>(cells_y);
+                tiled.see(answers[i].tiled, reference(tile), rounded, sample);
+            }
+        }
+        fmt::print("{}, with periods; largest differences in units of the tolerance\n", recipe.name);
+        value.check("gabor_field");
+        slope.check("  its gradient");
+        tiled.check("gabor_noise_tiled");
+        animated.check("gabor_noise_animated");
+    }
+}
+
+TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
+    Draw draw(6);
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        const noise::Reference reference(recipe, 3, 0.7, 9);
+        for (int i = 0; i < 2000; ++i) {
+            // Places that a float holds, on and across the edges of cells and windows.
+            const auto coordinate = [&] { return std::floor(draw.uniform(-8, 8) * 256) / 256; };
+            const float x = coordinate();
+            const float y = coordinate();
+            const auto value = [&](float dx, float dy) {
+                return reference(noise::place_at(recipe, 0, 0, x + dx, y + dy));
+            };
+            constexpr float h = 0x1p-12f;
+            const noise::Reference::Field field = reference.field(noise::place_at(recipe, 0, 0, x, y));
+            const double along_x = (value(h, 0) - value(-h, 0)) / (2 * h) * recipe.radius;
+            const double along_y = (value(0, h) - value(0, -h)) / (2 * h) * recipe.radius;
+            // h^2 / 6 times the third derivative, (2 pi F)^3 times a few sigma.
+            REQUIRE(field.slope_x.imag() == Approx(along_x).margin(5e-4));
+            REQUIRE(field.slope_y.imag() == Approx(along_y).margin(5e-4));
+        }
+    }
+}
+
+TEST_CASE("phase and intensity give the value back", "[oracle]") {
+    const vulkan::Device device;
+    test::Sampler sampler(device, noise::find_recipe("one"), per_batch);
+    Draw draw(7);
+    for (test::Sample& sample : sampler.samples())
+        sample = {draw.place(noise::find_recipe("one")), 4, 0.3f, 8};
+    for (const test::Answer& answer : sampler.answers(per_batch)) {
+        const double turn = 2 * std::numbers::pi * answer.phasor[0];
+        REQUIRE((answer.phasor[0] >= 0 && answer.phasor[0] < 1));
+        REQUIRE(answer.phasor[1] * std::cos(turn) == Approx(answer.value[0]).margin(2e-5));
+        REQUIRE(answer.phasor[1] * std::sin(turn) == Approx(answer.value[1]).margin(2e-5));
     }
 }
 
@@ -120,9 +263,7 @@ TEST_CASE("impulse words agree bit for bit", "[oracle]") {
         const auto cell = [&] {
             return i % 3 == 0 ? edges[random() % 6] : static_cast<std::int32_t>(random());
         };
-        sample = {{cell(), cell(), 0.5f, 0.5f},
-                  4,
-                  0,
+        sample = {noise::place_at(noise::find_recipe("one"), cell(), cell(), 0.5f, 0.5f), 4, 0,
                   static_cast<std::uint32_t>(i % 5 == 0 ? random() % 3 : random()),
                   static_cast<std::uint32_t>(random() % 40)};
         ++i;
@@ -131,19 +272,20 @@ TEST_CASE("impulse words agree bit for bit", "[oracle]") {
     for (std::size_t k = 0; k < answers.size(); ++k) {
         const test::Sample& s = sampler.samples()[k];
         REQUIRE(answers[k].word ==
-                noise::impulse_word(s.position.cell_x, s.position.cell_y, static_cast<int>(s.index), s.seed));
+                noise::impulse_word(s.place.cell_x, s.place.cell_y, static_cast<int>(s.index), s.seed));
     }
 }
 
 TEST_CASE("frequencies outside the range are clamped and never give NaN", "[oracle]") {
     const vulkan::Device device;
     test::Sampler sampler(device, noise::find_recipe("one"), 64);
+    const noise::Place here = noise::place_at(noise::find_recipe("one"), 3, 4, 0.3f, 0.8f);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float frequencies[] = {0, -0.0f, 1e-30f, -3, 1e30f, infinity, -infinity};
     for (std::size_t i = 0; i < std::size(frequencies); ++i)
-        sampler.samples()[i] = {{3, 4, 0.3f, 0.8f}, frequencies[i], 0.3f, 5};
-    sampler.samples()[std::size(frequencies)] = {{3, 4, 0.3f, 0.8f}, 1e-6f, 0.3f, 5};
-    sampler.samples()[std::size(frequencies) + 1] = {{3, 4, 0.3f, 0.8f}, 3, 0.3f, 5};
+        sampler.samples()[i] = {here, frequencies[i], 0.3f, 5};
+    sampler.samples()[std::size(frequencies)] = {here, 1e-6f, 0.3f, 5};
+    sampler.samples()[std::size(frequencies) + 1] = {here, 3, 0.3f, 5};
     const auto answers = sampler.answers(std::size(frequencies) + 2);
     for (std::size_t i = 0; i < std::size(frequencies); ++i)
         CHECK(std::isfinite(answers[i].at));
