@@ -1,0 +1,73 @@
+"""`gabor study` and `tools/plot` from outside."""
+
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
+from program import ProgramTest, start  # noqa: E402
+
+PLOT = pathlib.Path(__file__).parents[2] / "tools" / "plot"
+POINTS = {"poisson", "stratified", "jittered", "jittered_hex", "sobol", "scrambled_sobol"}
+
+
+class StudyTest(ProgramTest):
+    def table(self, name):
+        with open(self.folder / f"{name}.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_tables_have_the_promised_columns_and_the_papers_numbers(self):
+        self.succeed("study", "figure3", "--quick", "-o", ".")
+        rows = self.table("figure3")
+        self.assertLessEqual({"points", "weights", "kernel", "envelope", "N", "samples", "cvm", "cvm_low", "cvm_high",
+                              "n_star"}, set(rows[0]))
+        self.assertEqual({row["points"] for row in rows}, POINTS)
+        self.assertEqual({row["weights"] for row in rows}, {"uniform", "bernoulli"})
+        seminal = {int(row["N"]): row for row in rows if (row["points"], row["weights"]) == ("poisson", "uniform")}
+        self.assertLess(float(seminal[4]["cvm_low"]), 39.3)
+        self.assertGreater(float(seminal[4]["cvm_high"]), 39.3)
+        self.assertAlmostEqual(float(seminal[10]["n_star"]), 10, places=4)
+        self.assertEqual(set(self.files()), {"figure3.csv"})
+
+    def test_pictures_and_plots(self):
+        for name in ("figure1", "figure6"):
+            self.succeed("study", name, "--quick", "-o", ".")
+        self.assertEqual(set(self.files()), {"figure1.csv", "figure6.csv", "figure6_pair.png", "figure6_seminal.exr",
+                                             "figure6_recommended.exr"})
+        subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
+        for name in ("figure1.png", "figure6.png"):
+            self.assertGreater((self.folder / name).stat().st_size, 10000)
+
+    def test_an_interrupted_study_goes_on_where_it_was(self):
+        self.succeed("study", "figure4", "--quick", "-o", "whole")
+        process = start("study", "figure4", "--quick", "-o", "broken", cwd=self.folder)
+        part = self.folder / "broken" / "study.part"
+        while not part.exists() or part.read_text().count("\n") < 4:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        self.assertFalse((self.folder / "broken" / "figure4.csv").exists())
+        kept = part.read_text()
+        self.succeed("study", "figure4", "--quick", "-o", "broken")
+        files = self.files()
+        self.assertGreater(kept.count("\n"), 3)
+        self.assertEqual(files[os.path.join("broken", "figure4.csv")], files[os.path.join("whole", "figure4.csv")])
+        self.assertNotIn(os.path.join("broken", "study.part"), files)
+
+    def test_wrong_requests(self):
+        self.assert_refused(["figure7", "figure1", "future", "all"], "study", "figure7", "-o", ".")
+        self.assert_refused(["--output"], "study", "figure1")
+        (self.folder / "file").write_text("")
+        self.assert_refused(["'file/below'"], "study", "figure1", "-o", "file/below")
+        plot = subprocess.run([PLOT, self.folder], stderr=subprocess.PIPE, text=True, timeout=120)
+        self.assertEqual((plot.returncode, plot.stderr.count("\n")), (2, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()
