@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace gabor::study {
 
@@ -22,11 +21,6 @@ constexpr std::array windows{
     Window{"gaussian", Shape::gaussian},
 };
 constexpr double most_visited = 20;
-
-// The floor that makes the noise mesokurtic, to three digits.
-double best_floor(const Variant& variant) {
-    return std::round(1000 * mesokurtic_floor(variant)) / 1000;
-}
 
 // Columns of `recipe_columns` that are measured.
 enum Column : std::size_t {

@@ -5,31 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 namespace gabor::study {
 
 namespace {
 
-double second_moment(Law law, double floor) {
+// E[magnitude^power], for powers 2, 4 and 6.
+double magnitude_moment(Law law, double floor, int power) {
     switch (law) {
-    case Law::uniform:
-        return (1 + floor + floor * floor) / 3;
-    case Law::two_point:
-        return (1 + floor * floor) / 2;
-    default:
-        return 2;
+    case Law::uniform: {
+        double sum = 0;
+        for (int k = 0; k <= power; ++k)
+            sum += std::pow(floor, k);
+        return sum / (power + 1);
     }
-}
-
-double fourth_moment(Law law, double floor) {
-    switch (law) {
-    case Law::uniform:
-        return (1 + floor + floor * floor + std::pow(floor, 3) + std::pow(floor, 4)) / 5;
     case Law::two_point:
-        return (1 + std::pow(floor, 4)) / 2;
+        return (1 + std::pow(floor, power)) / 2;
     default:
-        return 8;
+        return std::pow(2, power / 2) * std::tgamma(1 + power / 2);
     }
 }
 
@@ -92,48 +87,74 @@ std::vector<std::uint32_t> constants(const Variant& variant) {
 double variance(const Variant& variant) {
     const double energy =
         4 * mean_over_cell(512, [&](double x, double y) { return std::pow(value(variant.window, x, y), 2); });
-    return variant.impulses * variant.radius * variant.radius * second_moment(variant.law, variant.floor) *
-           energy / 2;
+    return variant.impulses * variant.radius * variant.radius *
+           magnitude_moment(variant.law, variant.floor, 2) * energy / 2;
 }
 
 double visited(const Variant& variant) {
     return variant.impulses * std::pow(2 * variant.radius + 1, 2);
 }
 
-// With a2 and a4 the second and fourth moments of the window over one cell, seen from a place, the fourth
-// cumulant is the sum over cells of N (3/8 E[w^4] a4 - 3 (E[w^2] a2 / 2)^2), and 0 on average over the places
-// where E[w^4] / E[w^2]^2 = 2 sum a2^2 / sum a4.
-double mesokurtic_floor(const Variant& variant) {
+// With a_k the moments of the window over one cell, seen from a place, one impulse has the moments m2 =
+// E[w^2] a2 / 2, m4 = E[w^4] a4 3/8, m6 = E[w^6] a6 5/16 and the cumulants m4 - 3 m2^2 and m6 - 15 m4 m2 + 30
+// m2^3, which add up. By Edgeworth's series F - Phi = -phi (k4 He3 / 24 + k6 He5 / 720), and for x of
+// variance 1/3 (phi^3 is such a density) E[He3^2] = 14/9, E[He3 He5] = -160/27, E[He5^2] = 680/27.
+double best_floor(const Variant& variant) {
     const int reach = static_cast<int>(std::ceil(variant.radius)) + 1;
-    double squares = 0;
-    double fourths = 0;
-    mean_over_cell(4, [&](double px, double py) {
+    double a2 = 0;
+    double a4 = 0;
+    double a6 = 0;
+    double a2a2 = 0;
+    double a4a2 = 0;
+    double a2a2a2 = 0;
+    constexpr int places = 4;
+    for (int place = 0; place < places * places; ++place) {
+        const double px = (place % places + 0.5) / places;
+        const double py = (place / places + 0.5) / places;
         for (int row = -reach; row <= reach; ++row) {
             const double shift = variant.lattice == Lattice::brick && row % 2 != 0 ? 0.5 : 0;
             for (int column = -reach; column <= reach; ++column) {
                 const auto moment = [&](int power) {
-                    return mean_over_cell(16, [&](double x, double y) {
-                        return std::pow(value(variant.window, (px - column - shift - x) / variant.radius,
-                                              (py - row - y) / variant.radius),
-                                        power);
-                    });
+                    return mean_over_cell(16,
+                                          [&](double x, double y) {
+                                              return std::pow(
+                                                  value(variant.window,
+                                                        (px - column - shift - x) / variant.radius,
+                                                        (py - row - y) / variant.radius),
+                                                  power);
+                                          }) /
+                           (places * places);
                 };
-                squares += std::pow(moment(2), 2);
-                fourths += moment(4);
+                const double second = moment(2);
+                const double fourth = moment(4);
+                a2 += second;
+                a4 += fourth;
+                a6 += moment(6);
+                a2a2 += second * second * (places * places);
+                a4a2 += fourth * second * (places * places);
+                a2a2a2 += std::pow(second * (places * places), 3) / (places * places);
             }
         }
-        return 0.0;
-    });
-    const double wanted = 2 * squares / fourths;
-    double low = 0;
-    double high = 1;
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (low + high) / 2;
-        const double ratio =
-            fourth_moment(variant.law, middle) / std::pow(second_moment(variant.law, middle), 2);
-        (ratio > wanted ? low : high) = middle;
     }
-    return low;
+    double best = 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (int thousandth = 1000; thousandth >= 0; --thousandth) {
+        const double floor = thousandth / 1000.0;
+        const double w2 = magnitude_moment(variant.law, floor, 2) / 2;
+        const double w4 = magnitude_moment(variant.law, floor, 4) * 3 / 8;
+        const double w6 = magnitude_moment(variant.law, floor, 6) * 5 / 16;
+        const double n = variant.impulses;
+        const double power = n * w2 * a2;
+        const double k4 = n * (w4 * a4 - 3 * w2 * w2 * a2a2) / (power * power) / 24;
+        const double k6 =
+            n * (w6 * a6 - 15 * w4 * w2 * a4a2 + 30 * std::pow(w2, 3) * a2a2a2) / std::pow(power, 3) / 720;
+        const double index = k4 * k4 * 14 / 9 - 2 * k4 * k6 * 160 / 27 + k6 * k6 * 680 / 27;
+        if (index < least) {
+            least = index;
+            best = floor;
+        }
+    }
+    return best;
 }
 
 } // namespace gabor::study
