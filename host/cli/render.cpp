@@ -27,6 +27,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int most_frames = 9999;
+constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
+
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -47,7 +50,10 @@ struct RenderOptions {
     std::string compression =
         "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
     std::string device;
+    std::optional<std::string> frames;
     bool tileable = false;
+    bool quadrature = false;
+    bool gradient = false;
     bool verbose = false;
 };
 
@@ -96,6 +102,8 @@ Request make_request(const RenderOptions& options) {
     if (options.time)
         picture.time = parse_number<double>("--time", *options.time, "a number, periods of the animation");
     picture.tileable |= options.tileable;
+    picture.quadrature |= options.quadrature;
+    picture.gradient |= options.gradient;
     render::check(picture);
 
     if (options.region) {
@@ -134,70 +142,109 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-void render_picture(const RenderOptions& options, Clock::time_point start) {
-    const Request request = make_request(options);
-    const render::Picture& picture = request.picture;
-    const image::Window& region = request.region;
-    if (options.png && same_file(*options.png, options.output))
-        throw RequestError(
-            fmt::format("--png and -o both name '{}': they take two different files", options.output));
-    warn_above_nyquist(picture);
-
-    note_interrupts();
-    image::ExrWriter exr(options.output, {.picture = {0, 0, picture.width, picture.height},
-                                          .window = region,
-                                          .channels = {"Y"},
-                                          .compression = options.compression,
-                                          .parameters = render::to_json(picture)});
-    std::optional<image::PngWriter> png;
-    if (options.png)
-        png.emplace(*options.png, region.width, region.height, 1);
-
-    const vulkan::Device device(options.device);
-    const double device_ready = seconds_since(start);
-
+// Where the time of one file went, in seconds.
+struct FileTimes {
+    render::Times rendering;
     double writing = 0;
-    render::Times times;
-    {
-        Progress progress("rendering", static_cast<std::uint64_t>(region.width) *
-                                           static_cast<std::uint64_t>(region.height));
-        std::vector<float> shown;
-        times = render::render_bands(device, picture, region, [&](std::span<const float> rows) {
-            check_interrupt();
-            const Clock::time_point before = Clock::now();
-            exr.write_rows(rows);
-            if (png) {
-                shown.resize(rows.size());
-                std::ranges::transform(rows, shown.begin(), [](float noise) { return 0.5f + 0.25f * noise; });
-                png->write_rows(shown);
-            }
-            writing += seconds_since(before);
-            progress.advance(rows.size());
-        });
-    }
+    double closing = 0;
+};
+
+FileTimes render_file(const vulkan::Device& device, const render::Picture& picture,
+                      const image::Window& region, const std::filesystem::path& output,
+                      const std::optional<std::filesystem::path>& shown_as, std::string_view compression,
+                      Progress& progress) {
+    const std::vector<std::string> channels = render::channels(picture);
+    image::ExrWriter exr(output, {.picture = {0, 0, picture.width, picture.height},
+                                  .window = region,
+                                  .channels = channels,
+                                  .compression = compression,
+                                  .parameters = render::to_json(picture)});
+    std::optional<image::PngWriter> png;
+    if (shown_as)
+        png.emplace(*shown_as, region.width, region.height, 1);
+
+    FileTimes times;
+    std::vector<float> shown;
+    times.rendering = render::render_bands(device, picture, region, [&](std::span<const float> values) {
+        check_interrupt();
+        const Clock::time_point before = Clock::now();
+        exr.write_rows(values);
+        if (png) {
+            shown.clear();
+            for (std::size_t i = 0; i < values.size(); i += channels.size())
+                shown.push_back(0.5f + 0.25f * values[i]);
+            png->write_rows(shown);
+        }
+        times.writing += seconds_since(before);
+        progress.advance(values.size() / channels.size());
+    });
     check_interrupt();
     const Clock::time_point before = Clock::now();
     exr.commit();
     if (png)
         png->commit();
-    const double closing = seconds_since(before);
+    times.closing = seconds_since(before);
+    return times;
+}
 
-    fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", options.output, region.width, region.height,
-               picture.recipe, device.info().name);
-    if (options.verbose) {
-        const double wall = seconds_since(start);
-        const double pixels = static_cast<double>(region.width) * region.height;
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        fmt::print("  driver                  {}\n", device.info().driver);
-        fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
-        fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", times.gpu,
-                   times.gpu / pixels * 1e9);
-        fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", writing,
-                   closing);
-        fmt::print("  everything              {:8.3f} s\n", wall);
-        fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - writing - closing);
-        fmt::print("  resident memory         {:8} MiB at most\n", usage.ru_maxrss / 1024);
+// name.exr becomes name.0001.exr for the first of several frames.
+std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames) {
+    if (frames == 1)
+        return path;
+    return path.parent_path() /
+           fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
+}
+
+void print_times(const FileTimes& times, const vulkan::Device& device, const image::Window& region,
+                 double device_ready, double wall) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const double gpu = times.rendering.gpu;
+    fmt::print("  driver                  {}\n", device.info().driver);
+    fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.rendering.first_dispatch);
+    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu,
+               gpu / region.width / region.height * 1e9);
+    fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", times.writing,
+               times.closing);
+    fmt::print("  everything              {:8.3f} s\n", wall);
+    fmt::print("  host overhead           {:8.3f} s\n",
+               wall - times.rendering.waiting - times.writing - times.closing);
+    fmt::print("  resident memory         {:8} MiB at most\n", usage.ru_maxrss / 1024);
+}
+
+void render_picture(const RenderOptions& options, Clock::time_point start) {
+    note_interrupts();
+    const Request request = make_request(options);
+    const image::Window& region = request.region;
+    if (options.png && same_file(*options.png, options.output))
+        throw RequestError(
+            fmt::format("--png and -o both name '{}': they take two different files", options.output));
+    const int frames = options.frames ? parse_number<int>("--frames", *options.frames, frames_accepted) : 1;
+    if (frames < 1 || frames > most_frames)
+        throw RequestError(fmt::format("--frames '{}': it takes {}", frames, frames_accepted));
+    warn_above_nyquist(request.picture);
+
+    const vulkan::Device device(options.device);
+    const double device_ready = seconds_since(start);
+    std::optional<Progress> progress(std::in_place, "rendering",
+                                     static_cast<std::uint64_t>(region.width) *
+                                         static_cast<std::uint64_t>(region.height) *
+                                         static_cast<std::uint64_t>(frames));
+    for (int frame = 0; frame < frames; ++frame) {
+        render::Picture picture = request.picture;
+        picture.time += static_cast<double>(frame) / frames;
+        const std::filesystem::path output = frame_path(options.output, frame, frames);
+        std::optional<std::filesystem::path> png;
+        if (options.png)
+            png = frame_path(*options.png, frame, frames);
+        const FileTimes times =
+            render_file(device, picture, region, output, png, options.compression, *progress);
+        if (frame + 1 == frames)
+            progress.reset();
+        fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", output.string(), region.width, region.height,
+                   picture.recipe, device.info().name);
+        if (options.verbose)
+            print_times(times, device, region, device_ready, seconds_since(start));
     }
 }
 
@@ -239,6 +286,13 @@ void add_render_command(CLI::App& app) {
     command->add_option(
         "--time", options->time,
         fmt::format("Moment of an animation in place that repeats when this goes by 1 [{}]", defaults.time));
+    command->add_option(
+        "--frames", options->frames,
+        fmt::format("Render one period of that animation as NAME.0001.exr and on: {}", frames_accepted));
+    command->add_flag("--quadrature", options->quadrature, "Add a channel `quadrature`: cosines for sines");
+    command->add_flag(
+        "--gradient", options->gradient,
+        "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel radius");
     command->add_option("--region", options->region,
                         "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there");
     command->add_option("--like", options->like,

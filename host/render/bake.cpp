@@ -85,13 +85,16 @@ Block gpu_block(const noise::Recipe& recipe) {
     return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
 }
 
-vulkan::Pass make_bake_pass(const vulkan::Device& device, const noise::Recipe& recipe, int block_columns,
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture, int block_columns,
                             int fixed_rows) {
+    const noise::Recipe& recipe = noise::find_recipe(picture.recipe);
     const auto of_recipe = recipe_constants(recipe);
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
     constants.push_back(vulkan::constant(static_cast<int>(std::ceil(2 * recipe.radius)) + 1));
     constants.push_back(vulkan::constant(block_columns));
     constants.push_back(vulkan::constant(fixed_rows));
+    constants.push_back(picture.quadrature);
+    constants.push_back(picture.gradient);
     return {device, bake_spirv, {3, sizeof(BakePush), fixed_rows > 0}, constants};
 }
 
@@ -99,8 +102,8 @@ Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Wi
     : block_(block_for(device, noise::find_recipe(picture.recipe))), height_(region.height),
       column_runs_(runs_along(picture, picture.width, region.x, region.width, block_.columns)),
       row_runs_(runs_along(picture, picture.height, region.y, region.height, block_.rows)),
-      pass_(make_bake_pass(device, noise::find_recipe(picture.recipe), block_.columns)),
-      columns_(upload(device, column_runs_)), rows_(upload(device, row_runs_)), push_(make_push(picture)) {
+      pass_(make_bake_pass(device, picture, block_.columns)), columns_(upload(device, column_runs_)),
+      rows_(upload(device, row_runs_)), push_(make_push(picture)) {
     push_.width = region.width;
     push_.column_runs = static_cast<std::uint32_t>(column_runs_.size());
 }

@@ -42,8 +42,9 @@ struct Block {
 constexpr Block cpu_block{8, 32};
 Block gpu_block(const noise::Recipe& recipe);
 
-/// The pipeline of passes/bake.comp. `fixed_rows`: see there, with statistics asked for; 0 to fill pictures.
-vulkan::Pass make_bake_pass(const vulkan::Device& device, const noise::Recipe& recipe, int block_columns,
+/// The pipeline of passes/bake.comp for a picture's recipe and channels. `fixed_rows`: see there, with
+/// statistics asked for; 0 to fill pictures.
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture, int block_columns,
                             int fixed_rows = 0);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
@@ -64,7 +65,8 @@ class Bake {
     /// top to bottom.
     std::vector<Band> bands(int most_rows) const;
 
-    /// A job that writes to `result`, which holds a band's pixels row by row.
+    /// A job that writes to `result`, which holds a band's pixels row by row, the channels of each side by
+    /// side.
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const;
 
     /// Has `job` fill a band.

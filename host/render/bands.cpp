@@ -23,24 +23,24 @@ class BandBuffer {
             staging_.emplace(device, bytes, vulkan::Memory::readback);
     }
 
-    void submit(const Bake& bake, const Bake::Band& band, std::size_t pixels) {
-        pixels_ = pixels;
+    void submit(const Bake& bake, const Bake::Band& band, std::size_t values) {
+        values_ = values;
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
-            copy.emplace(vulkan::Job::Copy{result_, *staging_, pixels * sizeof(float)});
+            copy.emplace(vulkan::Job::Copy{result_, *staging_, values * sizeof(float)});
         bake.submit(job_, band, copy);
     }
 
     double wait() { return job_.wait(); }
-    std::span<const float> pixels() const {
-        return (staging_ ? *staging_ : result_).as<float>().first(pixels_);
+    std::span<const float> values() const {
+        return (staging_ ? *staging_ : result_).as<float>().first(values_);
     }
 
   private:
     vulkan::Buffer result_;
     std::optional<vulkan::Buffer> staging_; // where the host cannot read the device's memory
     vulkan::Job job_;
-    std::size_t pixels_ = 0;
+    std::size_t values_ = 0;
 };
 
 } // namespace
@@ -54,25 +54,27 @@ Times render_bands(const vulkan::Device& device, const Picture& picture, const i
     const Clock::time_point start = Clock::now();
 
     const Bake bake(device, picture, region);
-    const auto width = static_cast<std::size_t>(region.width);
+    const std::size_t row_values = static_cast<std::size_t>(region.width) * channels(picture).size();
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
-    const int fitting = static_cast<int>(limit / (width * sizeof(float)));
+    const int fitting = static_cast<int>(limit / (row_values * sizeof(float)));
     const std::vector<Bake::Band> bands = bake.bands(fitting);
-    const auto pixels = [&](const Bake::Band& band) { return static_cast<std::size_t>(band.rows) * width; };
+    const auto values = [&](const Bake::Band& band) {
+        return static_cast<std::size_t>(band.rows) * row_values;
+    };
     const int most_rows = std::ranges::max(bands, {}, &Bake::Band::rows).rows;
-    const std::size_t bytes = static_cast<std::size_t>(most_rows) * width * sizeof(float);
+    const std::size_t bytes = static_cast<std::size_t>(most_rows) * row_values * sizeof(float);
     std::array<BandBuffer, 2> buffers{BandBuffer(device, bake, bytes), BandBuffer(device, bake, bytes)};
 
     Times times;
-    buffers[0].submit(bake, bands[0], pixels(bands[0]));
+    buffers[0].submit(bake, bands[0], values(bands[0]));
     times.first_dispatch = seconds_since(start);
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const Clock::time_point before = Clock::now();
         times.gpu += buffers[i % 2].wait();
         times.waiting += seconds_since(before);
         if (i + 1 < bands.size())
-            buffers[(i + 1) % 2].submit(bake, bands[i + 1], pixels(bands[i + 1]));
-        sink(buffers[i % 2].pixels());
+            buffers[(i + 1) % 2].submit(bake, bands[i + 1], values(bands[i + 1]));
+        sink(buffers[i % 2].values());
     }
     return times;
 }

@@ -3,6 +3,7 @@
 #include "error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -15,6 +16,22 @@ namespace {
 void check_range(std::string_view name, double value, double low, double high) {
     if (!(value >= low && value <= high))
         throw RequestError(fmt::format("{} is {}: it must be from {} to {}", name, value, low, high));
+}
+
+// Calls `use` with the name and the value of each, in the order in which files list them.
+template <typename AnyPicture, typename Use>
+void for_each_parameter(AnyPicture& picture, Use use) {
+    use("recipe", picture.recipe);
+    use("frequency", picture.frequency);
+    use("orientation", picture.orientation);
+    use("seed", picture.seed);
+    use("scale", picture.scale);
+    use("width", picture.width);
+    use("height", picture.height);
+    use("tileable", picture.tileable);
+    use("time", picture.time);
+    use("quadrature", picture.quadrature);
+    use("gradient", picture.gradient);
 }
 
 template <typename T>
@@ -54,17 +71,19 @@ void check(const Picture& picture) {
                         picture.width, picture.height, picture.scale, std::ceil(2 * picture.scale)));
 }
 
+std::vector<std::string> channels(const Picture& picture) {
+    std::vector<std::string> names{"Y"};
+    if (picture.quadrature)
+        names.push_back("quadrature");
+    if (picture.gradient)
+        names.insert(names.end(), {"gradient.x", "gradient.y"});
+    return names;
+}
+
 std::string to_json(const Picture& picture) {
     nlohmann::ordered_json json;
-    json["recipe"] = picture.recipe;
-    json["frequency"] = picture.frequency;
-    json["orientation"] = picture.orientation;
-    json["seed"] = picture.seed;
-    json["scale"] = picture.scale;
-    json["width"] = picture.width;
-    json["height"] = picture.height;
-    json["tileable"] = picture.tileable;
-    json["time"] = picture.time;
+    for_each_parameter(picture,
+                       [&](std::string_view name, const auto& value) { json[std::string(name)] = value; });
     return json.dump();
 }
 
@@ -73,31 +92,16 @@ Picture from_json(std::string_view text) {
     if (!json.is_object())
         throw RequestError("the parameters are not a JSON object");
     Picture picture;
-    for (const auto& [name, value] : json.items()) {
-        if (name == "recipe")
-            take(value, name, picture.recipe);
-        else if (name == "frequency")
-            take(value, name, picture.frequency);
-        else if (name == "orientation")
-            take(value, name, picture.orientation);
-        else if (name == "seed")
-            take(value, name, picture.seed);
-        else if (name == "scale")
-            take(value, name, picture.scale);
-        else if (name == "width")
-            take(value, name, picture.width);
-        else if (name == "height")
-            take(value, name, picture.height);
-        else if (name == "tileable")
-            take(value, name, picture.tileable);
-        else if (name == "time")
-            take(value, name, picture.time);
-        else
+    std::vector<std::string_view> known;
+    for_each_parameter(picture, [&](std::string_view name, auto& into) {
+        known.push_back(name);
+        if (const auto found = json.find(name); found != json.end())
+            take(*found, name, into);
+    });
+    for (const auto& [name, value] : json.items())
+        if (std::ranges::find(known, name) == known.end())
             throw RequestError(
-                fmt::format("unknown parameter '{}': the parameters are recipe, frequency, orientation, "
-                            "seed, scale, width, height, tileable, time",
-                            name));
-    }
+                fmt::format("unknown parameter '{}': the parameters are {}", name, fmt::join(known, ", ")));
     check(picture);
     return picture;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gabor::render {
 
@@ -20,8 +21,13 @@ struct Picture {
     std::string recipe = std::string(noise::recipes().front().name);
     bool tileable =
         false; ///< whether it continues from each edge at the opposite one; needs 2 kernel radii each way
-    double time = 0; ///< in periods of an animation that ends where it began
+    double time = 0;         ///< in periods of an animation that ends where it began
+    bool quadrature = false; ///< whether the noise with cosines for sines stands beside it
+    bool gradient = false;   ///< and its derivatives, per kernel radius
 };
+
+/// The channels of a picture's pixels, in the order of their values, as EXR names them: `Y` is the noise.
+std::vector<std::string> channels(const Picture& picture);
 
 constexpr int largest_side = 65536;
 constexpr double smallest_scale = 2;

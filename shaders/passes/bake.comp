@@ -5,7 +5,7 @@
 //
 //     n(x, y) = Im sum_c  [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))]  q(y - y_c)  e^(2 pi i F.y (y - y_0))
 //
-// The bracket is made once for each column of the block, q(y - y_c) once for each row, and the last factor, which all
+// (and its derivatives follow, with q' for q and by the factor 2 pi i F). The bracket is made once for each column of the block, q(y - y_c) once for each row, and the last factor, which all
 // impulses share, once for each pixel. Exponentials at even distances follow from the first by rotation.
 
 #include "recipe.glsl"
@@ -13,7 +13,11 @@
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = 8) const int block_columns = 8;
 layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
+layout(constant_id = 10) const bool with_quadrature = false; // the real part beside the noise
+layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 const int impulses = visited * visited * recipe_impulses;
+
+const int channels = 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0);
 
 layout(local_size_x = 32) in;
 
@@ -63,6 +67,7 @@ void main()
     // Of each impulse its y distance from the first row, and the bracket above for each column.
     float distance_y[impulses];
     vec2 bracket[impulses * block_columns];
+    vec2 bracket_slope[impulses * block_columns]; // with q' for q
 
     uint seed_word = gabor_seed_word(seed);
     [[unroll]] for (int c = 0; c < impulses; ++c) {
@@ -76,6 +81,8 @@ void main()
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
             bracket[c * block_columns + k] = z * gabor_window(d.x + float(k) * pixel);
+            if (with_gradient)
+                bracket_slope[c * block_columns + k] = z * gabor_window_slope(d.x + float(k) * pixel);
             z = rotated(z, column_turn);
         }
     }
@@ -84,19 +91,43 @@ void main()
     int row = down.first - first_row;
     int row_count = fixed_rows > 0 ? fixed_rows : down.count;
     [[unroll]] for (int r = 0; r < row_count; ++r) {
+        // All but the last factor, of the noise and of what its derivatives add to those of the wave.
         vec2 envelope[block_columns];
-        [[unroll]] for (int k = 0; k < block_columns; ++k)
+        vec2 slope_x[block_columns];
+        vec2 slope_y[block_columns];
+        [[unroll]] for (int k = 0; k < block_columns; ++k) {
             envelope[k] = vec2(0.0);
+            slope_x[k] = vec2(0.0);
+            slope_y[k] = vec2(0.0);
+        }
         [[unroll]] for (int c = 0; c < impulses; ++c) {
-            float q = gabor_window(distance_y[c] + float(r) * pixel);
-            [[unroll]] for (int k = 0; k < block_columns; ++k)
+            float y = distance_y[c] + float(r) * pixel;
+            float q = gabor_window(y);
+            [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 envelope[k] += q * bracket[c * block_columns + k];
+                if (with_gradient) {
+                    slope_x[k] += q * bracket_slope[c * block_columns + k];
+                    slope_y[k] += gabor_window_slope(y) * bracket[c * block_columns + k];
+                }
+            }
         }
         if (row >= 0 && row < height) {
             int start = row * width + across.first;
-            [[unroll]] for (int k = 0; k < block_columns; ++k)
-                if (k < across.count && across.first + k >= 0 && across.first + k < width)
-                    picture[start + k] = envelope[k].y * carrier.x + envelope[k].x * carrier.y;
+            [[unroll]] for (int k = 0; k < block_columns; ++k) {
+                if (k >= across.count || across.first + k < 0 || across.first + k >= width)
+                    continue;
+                vec2 value = rotated(envelope[k], carrier);
+                int at = (start + k) * channels;
+                picture[at] = value.y;
+                if (with_quadrature)
+                    picture[at + 1] = value.x;
+                if (with_gradient) {
+                    vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
+                                + 6.2831853 * wave * value.x;
+                    picture[at + channels - 2] = slopes.x;
+                    picture[at + channels - 1] = slopes.y;
+                }
+            }
         }
         carrier = rotated(carrier, row_turn);
         ++row;

@@ -13,7 +13,7 @@ from program import ProgramTest, gabor
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
-            "tileable": False, "time": 0}
+            "tileable": False, "time": 0, "quadrature": False, "gradient": False}
 
 
 class RenderTest(ProgramTest):
@@ -35,7 +35,8 @@ class Files(RenderTest):
         self.assertEqual(exr.box("dataWindow"), (0, 0, 60, 46))
         self.assertEqual(exr.attributes["gabor"][0], "string")
         self.assertEqual(exr.parameters, {"recipe": "one", "frequency": 3, "orientation": 30, "seed": 7, "scale": 9,
-                                          "width": 61, "height": 47, "tileable": False, "time": 0})
+                                          "width": 61, "height": 47, "tileable": False, "time": 0,
+                                          "quadrature": False, "gradient": False})
 
     def test_defaults(self):
         exr = self.render()
@@ -145,6 +146,26 @@ class Like(RenderTest):
         self.assert_same_bits(self.render(like="out.exr").pixels, made.pixels)
 
 
+class Channels(RenderTest):
+    def test_the_gradient_is_the_slope_of_the_noise(self):
+        self.succeed("render", "-o", "out.exr", "--gradient", "--quadrature", "--size=97x75", "--scale=64",
+                     "--frequency=2", "--orientation=25", "--compression=none")
+        exr = Exr(self.folder / "out.exr")
+        self.assertEqual(sorted(exr.channels), ["Y", "gradient.x", "gradient.y", "quadrature"])
+        noise = exr.pixels.astype(float)
+        for name, axis in (("gradient.x", 1), ("gradient.y", 0)):
+            differences = np.gradient(noise, axis=axis)[1:-1, 1:-1] * 64  # per kernel radius
+            slopes = exr.channels[name].astype(float)[1:-1, 1:-1]
+            self.assertLess(np.abs(differences - slopes).max(), 0.02 * np.abs(slopes).max())
+        # A quarter of a wave apart, and as strong.
+        quadrature = exr.channels["quadrature"].astype(float)
+        self.assertLess(abs(np.mean(noise * quadrature)), 0.1)
+        self.assertAlmostEqual(np.mean(quadrature**2), np.mean(noise**2), delta=0.1)
+        # Asking for more leaves the noise as it was.
+        alone = self.render(size="97x75", scale=64, frequency=2, orientation=25)
+        self.assert_same_bits(alone.pixels, exr.pixels)
+
+
 class Periods(RenderTest):
     def render_periodic(self, *flags, **options):
         options = [f"--{name}={value}" for name, value in {**options, "compression": "none"}.items()]
@@ -168,6 +189,16 @@ class Periods(RenderTest):
 
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
+
+    def test_frames_go_round(self):
+        self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--compression=none")
+        self.assertEqual(sorted(self.files()), [f"out.000{i}.{kind}" for i in (1, 2, 3) for kind in ("exr", "png")])
+        for frame in (1, 2, 3):
+            exr = Exr(self.folder / f"out.000{frame}.exr")
+            self.assertAlmostEqual(exr.parameters["time"], (frame - 1) / 3)
+            self.assert_same_bits(self.render(output="one.exr", like=f"out.000{frame}.exr").pixels, exr.pixels)
+        for count in ("0", "-1", "10000", "two", "1.5"):
+            self.assert_fails(2, ["--frames", count, "1 to 9999"], "render", "-o", "out.exr", "--frames", count)
 
     def test_time_goes_round(self):
         at = {time: self.render_periodic(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}

@@ -123,3 +123,38 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
         CHECK(largest < 2e-5);
     }
 }
+
+TEST_CASE("quadrature and gradient are those of the reference", "[render]") {
+    const vulkan::Device device;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        for (const bool with_quadrature : {true, false}) {
+            render::Picture picture{90, 70, 21.3, 4, 70, 5, std::string(recipe.name)};
+            picture.quadrature = with_quadrature;
+            picture.gradient = true;
+            const std::size_t channels = render::channels(picture).size();
+            REQUIRE(channels == (with_quadrature ? 4 : 3));
+            const std::vector<float> values = rendered(device, picture, {0, 0, 90, 70});
+            REQUIRE(values.size() == 90 * 70 * channels);
+            const noise::Reference reference(recipe, 4, 70 * std::numbers::pi / 180, 5);
+            double largest = 0;
+            double largest_slope = 0;
+            for (int i = 0; i < 90 * 70; ++i) {
+                const double u = (i % 90 + 0.5) / 21.3 * recipe.radius;
+                const double v = (i / 90 + 0.5) / 21.3 * recipe.radius;
+                const noise::Reference::Field field = reference.field(noise::place_at(
+                    recipe, static_cast<int>(u), static_cast<int>(v), static_cast<float>(u - std::floor(u)),
+                    static_cast<float>(v - std::floor(v))));
+                const float* pixel = &values[static_cast<std::size_t>(i) * channels];
+                largest = std::max(largest, std::abs(pixel[0] - field.value.imag()));
+                if (with_quadrature)
+                    largest = std::max(largest, std::abs(pixel[1] - field.value.real()));
+                largest_slope = std::max(largest_slope, std::abs(pixel[channels - 2] - field.slope_x.imag()));
+                largest_slope = std::max(largest_slope, std::abs(pixel[channels - 1] - field.slope_y.imag()));
+            }
+            fmt::print("{}: largest differences {:.2g}, of the gradient {:.2g}\n", recipe.name, largest,
+                       largest_slope);
+            CHECK(largest < 1.5e-5);
+            CHECK(largest_slope < 1.5e-5 * (2 * std::numbers::pi * 4 + 2));
+        }
+    }
+}
