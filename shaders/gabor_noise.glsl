@@ -10,6 +10,7 @@
 //     gabor_noise, gabor_unorm                the noise, and to show it
 //     gabor_noise_gradient                    with its analytic gradient, for bump and normal mapping
 //     gabor_noise_complex, gabor_phasor       with its quadrature: phase and intensity
+//     gabor_noise_four                        four uncorrelated ones at once
 //     gabor_noise_tiled, gabor_noise_animated with exact periods in space, and in time
 //     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
 //
@@ -126,6 +127,16 @@ float gabor_tempo(uint word)
 {
     float turns = float((word >> 8u) & 7u) - 4.0;
     return turns < 0.0 ? turns : turns + 1.0;
+}
+
+// The wave, as (cos, sin), in four channels, each shifted by its own number of quarter turns.
+vec4 gabor_four(vec2 wave, uint word)
+{
+    uint quarters = gabor_mix(word, GABOR_SPREAD_IMPULSES);
+    vec4 shifted = vec4((quarters & 1u) == 0u ? wave.y : wave.x, (quarters & 2u) == 0u ? wave.y : wave.x,
+                        (quarters & 4u) == 0u ? wave.y : wave.x, (quarters & 8u) == 0u ? wave.y : wave.x);
+    return shifted * vec4((quarters & 16u) == 0u ? 1.0 : -1.0, (quarters & 32u) == 0u ? 1.0 : -1.0,
+                          (quarters & 64u) == 0u ? 1.0 : -1.0, (quarters & 128u) == 0u ? 1.0 : -1.0);
 }
 
 // Magnitude of an impulse's weight.
@@ -300,6 +311,7 @@ struct GaborField {
     vec2 value;   // real, imaginary: each of mean 0 and variance 1
     vec2 slope_x; // their derivatives along x, per kernel radius
     vec2 slope_y; // along y
+    vec4 four;    // four noises of the same spectrum, uncorrelated with each other wherever they are compared
 };
 
 // A cell's coordinate within a period.
@@ -327,7 +339,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     float time = fract(place.time);
 
     uint seed_word = gabor_seed_word(seed);
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
         GABOR_UNROLL for (int i = 0; i < visited; ++i) {
@@ -347,6 +359,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
                     sum.value += (window.x * window.y) * wave;
                     sum.slope_x += (gabor_window_slope(d.x) * window.y) * wave;
                     sum.slope_y += (gabor_window_slope(d.y) * window.x) * wave;
+                    sum.four += (window.x * window.y) * gabor_four(wave, word);
                 }
             }
         }
@@ -355,7 +368,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y);
     vec2 turned = 6.2831853 * vec2(-sum.value.y, sum.value.x);
     return GaborField(scale * sum.value, scale * (sum.slope_x + kernel.wave.x * turned),
-                      scale * (sum.slope_y + kernel.wave.y * turned));
+                      scale * (sum.slope_y + kernel.wave.y * turned), scale * sum.four);
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere: mean 0, variance 1 at every place,
@@ -372,6 +385,8 @@ float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //                distinct lobe; above 64 the places of impulses are too coarse for the exact variance.
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
 //   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave turns
+// about its own impulse. A slope of theirs adds to that of the noise.
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 {
     return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
@@ -391,6 +406,13 @@ vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
 {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+// Four noises at p from one traversal, for colours and for displacement along vectors: each as gabor_noise, uncorrelated with
+// each other. Two or three of them cost less. With GABOR_PHASES 2 their variance is 1 only from frequency 1.5 up.
+vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]: any

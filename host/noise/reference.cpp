@@ -94,6 +94,11 @@ Reference::Field Reference::field(const Place& place) const {
                 const auto wave = weight * std::exp(2i * pi * (wave_x_ * dx + wave_y_ * dy + phase));
                 const Window qx = window(recipe_, dx);
                 const Window qy = window(recipe_, dy);
+                const std::uint32_t quarters = mix(word, 0x85ebca6bu);
+                for (unsigned c = 0; c < 4; ++c) {
+                    const double shifted = quarters >> c & 1 ? wave.real() : wave.imag();
+                    sum.four[c] += qx.value * qy.value * (quarters >> (c + 4) & 1 ? -shifted : shifted);
+                }
                 sum.value += qx.value * qy.value * wave;
                 sum.slope_x += (qx.slope * qy.value + 2i * pi * wave_x_ * qx.value * qy.value) * wave;
                 sum.slope_y += (qx.value * qy.slope + 2i * pi * wave_y_ * qx.value * qy.value) * wave;
@@ -102,7 +107,9 @@ Reference::Field Reference::field(const Place& place) const {
     }
     // The variance is in proportion to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation_ * std::sqrt(radius_x * radius_y));
-    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+    for (double& channel : sum.four)
+        channel *= scale;
+    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, sum.four};
 }
 
 } // namespace gabor::noise

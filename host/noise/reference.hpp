@@ -2,6 +2,7 @@
 
 #include "noise/recipe.hpp"
 
+#include <array>
 #include <complex>
 #include <cstdint>
 
@@ -39,6 +40,7 @@ class Reference {
         std::complex<double> value;
         std::complex<double> slope_x;
         std::complex<double> slope_y;
+        std::array<double, 4> four; ///< as in GaborField
     };
 
     Field field(const Place& place) const;

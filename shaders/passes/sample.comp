@@ -36,6 +36,7 @@ struct Answer {
     vec2 phasor;
     uint word;
     uint padding;
+    vec4 four;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -69,5 +70,6 @@ void main()
     answer.phasor = gabor_phasor(field.value);
     answer.word = gabor_impulse_word(s.cell.x, gabor_row_word(s.cell.y, gabor_seed_word(s.seed)), int(s.index));
     answer.padding = 0u;
+    answer.four = gabor_noise_four(p, s.frequency, s.orientation, s.seed);
     answers[i] = answer;
 }

@@ -38,6 +38,7 @@ struct Answer {
     float phasor[2];
     std::uint32_t word;
     std::uint32_t padding;
+    float four[4];
 };
 
 /// Asks the drop-in on the device, up to `capacity` samples at a time.

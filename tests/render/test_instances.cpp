@@ -105,3 +105,41 @@ TEST_CASE("mean 0 and variance 1 with periods, in time, and of the quadrature", 
         }
     }
 }
+
+TEST_CASE("the four noises have variance 1 and do not correlate", "[instances]") {
+    const vulkan::Device device;
+    constexpr std::size_t per_batch = 1 << 19;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        test::Sampler sampler(device, recipe, 2 * per_batch);
+        std::mt19937 random(6);
+        statistics::Moments each[4];
+        statistics::Moments products[4][4]; // of one channel here with another a quarter of a wave further on
+        for (int batch = 0; batch < 8; ++batch) {
+            const std::span<test::Sample> samples = sampler.samples();
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+                const float x = 8 * uniform();
+                const float y = 8 * uniform();
+                const auto seed = static_cast<std::uint32_t>(random());
+                samples[2 * i] = {noise::place_at(recipe, 0, 0, x, y), 3, 0, seed};
+                samples[2 * i + 1] = {noise::place_at(recipe, 0, 0, x + recipe.radius / 12, y), 3, 0, seed};
+            }
+            const auto answers = sampler.answers(2 * per_batch);
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                for (std::size_t a = 0; a < 4; ++a) {
+                    each[a].add(answers[2 * i].four[a]);
+                    for (std::size_t b = 0; b < 4; ++b)
+                        products[a][b].add(double{answers[2 * i].four[a]} *
+                                           double{answers[2 * i + 1].four[b]});
+                }
+            }
+        }
+        for (std::size_t a = 0; a < 4; ++a) {
+            INFO(recipe.name << ", channel " << a);
+            CHECK(each[a].mean() == Approx(0).margin(0.002));
+            CHECK(each[a].variance() == Approx(1).margin(0.003));
+            for (std::size_t b = 0; b < 4; ++b)
+                CHECK(products[a][b].mean() == Approx(0).margin(0.0025)); // five standard errors
+        }
+    }
+}

@@ -94,7 +94,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
     for (const noise::Recipe& recipe : {noise::find_recipe("one"), noise::find_recipe("pure"),
                                         noise::find_recipe("paper"), sines, uneven}) {
         test::Sampler sampler(device, recipe, per_batch);
-        Largest value, quadrature, slope, at, unorm, plain, plain_quadrature, plain_slope;
+        Largest value, quadrature, slope, at, unorm, plain, plain_quadrature, plain_slope, four;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
             // The frequencies cover 0.1 to 64 evenly in octaves, both ends and the series' end included.
@@ -127,6 +127,8 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
                         noise::place_at(recipe, 0, 0, sample.place.local_x, sample.place.local_y));
                     plain.see(answer.noise, here.value.imag(), tight, sample);
                     plain_quadrature.see(answer.complex[0], here.value.real(), quadrature_tight, sample);
+                    for (std::size_t c = 0; c < 4; ++c)
+                        four.see(answer.four[c], here.four[c], quadrature_tight, sample);
                     plain_slope.see(answer.gradient[1], here.slope_x.imag(), loose, sample);
                     plain_slope.see(answer.gradient[2], here.slope_y.imag(), loose, sample);
                 }
@@ -143,6 +145,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
         plain.check("gabor_noise");
         plain_quadrature.check("gabor_noise_complex");
         plain_slope.check("gabor_noise_gradient");
+        four.check("gabor_noise_four");
     }
 }
 
