@@ -7,6 +7,7 @@
 //     gabor_noise, gabor_unorm                the noise, and to show it
 //     gabor_noise_gradient                    with its analytic gradient, for bump and normal mapping
 //     gabor_noise_complex, gabor_phasor       with its quadrature: phase and intensity
+//     gabor_noise_four                        four uncorrelated ones at once
 //     gabor_noise_tiled, gabor_noise_animated with exact periods in space, and in time
 //     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
 //
@@ -39,16 +40,16 @@ uint gabor_mix(uint word, uint salt)
 uint gabor_seed_word(uint seed)
 {
     uint param = seed * 2654435761u;
-    uint _175 = gabor_mix(param, 625341585u);
-    return _175;
+    uint _187 = gabor_mix(param, 625341585u);
+    return _187;
 }
 
 // The word of a row of cells, from which those of its impulses follow.
 uint gabor_row_word(int row, uint seed_word)
 {
     uint param = (uint(row) * 2654435761u) + seed_word;
-    uint _182 = gabor_mix(param, seed_word);
-    return _182;
+    uint _194 = gabor_mix(param, seed_word);
+    return _194;
 }
 
 // The word of impulse `index` in a cell; everything about the impulse is in its bits:
@@ -60,8 +61,8 @@ uint gabor_impulse_word(int column, uint row_word, int index)
 {
     uint salt = row_word + (uint(index) * 2246822507u);
     uint param = (uint(column) * 2654435761u) + salt;
-    uint _196 = gabor_mix(param, salt);
-    return _196;
+    uint _208 = gabor_mix(param, salt);
+    return _208;
 }
 
 // Place of an impulse in its cell, plus 1: in [1, 2)^2.
@@ -80,16 +81,62 @@ float gabor_phase(float2 place_plus_one)
 float gabor_tempo(uint word)
 {
     float turns = float((word >> 8u) & 7u) - 4.0f;
-    float _230;
+    float _242;
     if (turns < 0.0f)
     {
-        _230 = turns;
+        _242 = turns;
     }
     else
     {
-        _230 = turns + 1.0f;
+        _242 = turns + 1.0f;
     }
-    return _230;
+    return _242;
+}
+
+// The wave, as (cos, sin), in four channels, each shifted by its own number of quarter turns.
+float4 gabor_four(float2 wave, uint word)
+{
+    uint param = word;
+    uint _255 = gabor_mix(param, 2246822507u);
+    uint quarters = _255;
+    float _262;
+    if ((quarters & 1u) == 0u)
+    {
+        _262 = wave.y;
+    }
+    else
+    {
+        _262 = wave.x;
+    }
+    float _273;
+    if ((quarters & 2u) == 0u)
+    {
+        _273 = wave.y;
+    }
+    else
+    {
+        _273 = wave.x;
+    }
+    float _284;
+    if ((quarters & 4u) == 0u)
+    {
+        _284 = wave.y;
+    }
+    else
+    {
+        _284 = wave.x;
+    }
+    float _294;
+    if ((quarters & 8u) == 0u)
+    {
+        _294 = wave.y;
+    }
+    else
+    {
+        _294 = wave.x;
+    }
+    float4 shifted = float4(_262, _273, _284, _294);
+    return shifted * float4(((quarters & 16u) == 0u) ? 1.0f : (-1.0f), ((quarters & 32u) == 0u) ? 1.0f : (-1.0f), ((quarters & 64u) == 0u) ? 1.0f : (-1.0f), ((quarters & 128u) == 0u) ? 1.0f : (-1.0f));
 }
 
 // Magnitude of an impulse's weight.
@@ -126,26 +173,26 @@ float2 gabor_direction(float angle)
     float s = r * r;
     float sine = r + ((r * s) * ((-0.1666665375232696533203125f) + (s * (0.00833216123282909393310546875f - (s * 0.00019515295571181923151016235351562f)))));
     float cosine = (1.0f - (0.5f * s)) + ((s * s) * (0.0416666455566883087158203125f + (s * ((-0.00138873164542019367218017578125f) + (s * 2.4433156795566901564598083496094e-05f)))));
-    float2 _358;
+    float2 _444;
     if (frac(0.5f * quarter) < 0.25f)
     {
-        _358 = float2(cosine, sine);
+        _444 = float2(cosine, sine);
     }
     else
     {
-        _358 = float2(-sine, cosine);
+        _444 = float2(-sine, cosine);
     }
-    float2 axis = _358;
-    float2 _375;
+    float2 axis = _444;
+    float2 _461;
     if (frac(0.25f * quarter) < 0.375f)
     {
-        _375 = axis;
+        _461 = axis;
     }
     else
     {
-        _375 = -axis;
+        _461 = -axis;
     }
-    return _375;
+    return _461;
 }
 
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
@@ -200,11 +247,11 @@ float gabor_deficit(float k, GaborEnergy energy)
     {
         float y = 1.0f / z;
         float param = 2.0f * k;
-        float _553 = gabor_sin_turns(param);
-        float l0 = _553 / a;
+        float _636 = gabor_sin_turns(param);
+        float l0 = _636 / a;
         float param_1 = (2.0f * k) + 0.25f;
-        float _563 = gabor_sin_turns(param_1);
-        float l1 = (3.0f * y) * (l0 - _563);
+        float _646 = gabor_sin_turns(param_1);
+        float l1 = (3.0f * y) * (l0 - _646);
         float l2 = (15.0f * y) * (l1 - l0);
         float l3 = (35.0f * y) * (l2 - l1);
         float l4 = (63.0f * y) * (l3 - l2);
@@ -232,16 +279,16 @@ struct GaborKernel
 GaborKernel gabor_kernel(float frequency, float orientation)
 {
     float magnitude = abs(frequency);
-    float _645;
+    float _728;
     if (magnitude > 9.9999999747524270787835121154785e-07f)
     {
-        _645 = min(magnitude, 1000000.0f);
+        _728 = min(magnitude, 1000000.0f);
     }
     else
     {
-        _645 = 9.9999999747524270787835121154785e-07f;
+        _728 = 9.9999999747524270787835121154785e-07f;
     }
-    magnitude = _645;
+    magnitude = _728;
     GaborKernel kernel;
     kernel.wave = gabor_direction(orientation) * magnitude;
     float density = 1.0f;
@@ -288,8 +335,8 @@ struct GaborPlace
 // cells each way, where it wraps around.
 GaborPlace gabor_place(int2 cell, float2 local)
 {
-    GaborPlace _754 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
-    return _754;
+    GaborPlace _837 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
+    return _837;
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part is the same with cosines
@@ -299,6 +346,7 @@ struct GaborField
     float2 value;
     float2 slope_x;
     float2 slope_y;
+    float4 four;
 };
 
 // A cell's coordinate within a period.
@@ -309,16 +357,16 @@ int gabor_wrap(int cell, int period)
         return cell;
     }
     int within = cell - ((cell / period) * period);
-    int _767;
+    int _850;
     if (within < 0)
     {
-        _767 = within + period;
+        _850 = within + period;
     }
     else
     {
-        _767 = within;
+        _850 = within;
     }
-    return _767;
+    return _850;
 }
 
 // The noise at a place, by its cell: what all functions below call.
@@ -327,7 +375,7 @@ int gabor_wrap(int cell, int period)
 // Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 {
-    static const GaborField _815 = { 0.0f.xx, 0.0f.xx, 0.0f.xx };
+    static const GaborField _899 = { 0.0f.xx, 0.0f.xx, 0.0f.xx, 0.0f.xxxx };
     int visited = 3;
     float2 whole = floor(place.local);
     float2 local = place.local - whole;
@@ -337,7 +385,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     float2 cell_side = 1.0f.xx / place.radius;
     float time = frac(place.time);
     uint seed_word = gabor_seed_word(seed);
-    GaborField sum = _815;
+    GaborField sum = _899;
     for (int j = 0; j < visited; j++)
     {
         uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
@@ -355,21 +403,22 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
                     float magnitude = gabor_magnitude(word);
                     float2 window = float2(gabor_window(d.x), gabor_window(d.y));
                     float param = turns + 0.25f;
-                    float _918 = gabor_sin_turns(param);
+                    float _1002 = gabor_sin_turns(param);
                     float param_1 = turns;
-                    float _921 = gabor_sin_turns(param_1);
-                    float2 wave = float2(_918, _921) * magnitude;
+                    float _1005 = gabor_sin_turns(param_1);
+                    float2 wave = float2(_1002, _1005) * magnitude;
                     sum.value += (wave * (window.x * window.y));
                     sum.slope_x += (wave * (gabor_window_slope(d.x) * window.y));
                     sum.slope_y += (wave * (gabor_window_slope(d.y) * window.x));
+                    sum.four += (gabor_four(wave, word) * (window.x * window.y));
                 }
             }
         }
     }
     float scale = (kernel.amplitude * 1.0f) * rsqrt(place.radius.x * place.radius.y);
     float2 turned = float2(-sum.value.y, sum.value.x) * 6.283185482025146484375f;
-    GaborField _1001 = { sum.value * scale, (sum.slope_x + (turned * kernel.wave.x)) * scale, (sum.slope_y + (turned * kernel.wave.y)) * scale };
-    return _1001;
+    GaborField _1102 = { sum.value * scale, (sum.slope_x + (turned * kernel.wave.x)) * scale, (sum.slope_y + (turned * kernel.wave.y)) * scale, sum.four * scale };
+    return _1102;
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere: mean 0, variance 1 at every place,
@@ -386,6 +435,8 @@ float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
 //                distinct lobe; above 64 the places of impulses are too coarse for the exact variance.
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
 //   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave turns
+// about its own impulse. A slope of theirs adds to that of the noise.
 float gabor_noise(float2 p, float frequency, float orientation, uint seed)
 {
     return gabor_noise_at(int2(0, 0), p * 1.0f, gabor_kernel(frequency, orientation), seed);
@@ -407,32 +458,39 @@ float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint se
     return gabor_field(gabor_place(int2(0, 0), p * 1.0f), gabor_kernel(frequency, orientation), seed).value;
 }
 
+// Four noises at p from one traversal, for colours and for displacement along vectors: each as gabor_noise, uncorrelated with
+// each other. Two or three of them cost less. With GABOR_PHASES 2 their variance is 1 only from frequency 1.5 up.
+float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_field(gabor_place(int2(0, 0), p * 1.0f), gabor_kernel(frequency, orientation), seed).four;
+}
+
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]: any
 // profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
 // step(phase, width). The phase of 0 is 0.
 float2 gabor_phasor(float2 value)
 {
     float intensity = length(value);
-    float _1040;
+    float _1148;
     if (intensity > 0.0f)
     {
-        _1040 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
+        _1148 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
     }
     else
     {
-        _1040 = 0.0f;
+        _1148 = 0.0f;
     }
-    float phase = _1040;
-    float _1052;
+    float phase = _1148;
+    float _1160;
     if (phase < 0.0f)
     {
-        _1052 = min(phase + 1.0f, 0.999999940395355224609375f);
+        _1160 = min(phase + 1.0f, 0.999999940395355224609375f);
     }
     else
     {
-        _1052 = phase;
+        _1160 = phase;
     }
-    return float2(_1052, intensity);
+    return float2(_1160, intensity);
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation; its
@@ -444,8 +502,8 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
     float2 cells = floor(period * 1.0f);
     float2 radius = cells / period;
     float2 within = p - (floor(p / period) * period);
-    GaborPlace _1092 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
-    GaborPlace place = _1092;
+    GaborPlace _1200 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
+    GaborPlace place = _1200;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -139,6 +139,10 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 
+    def test_no_comment_behind_code_has_a_semicolon(self):
+        # Babylon.js splits lines at semicolons before it looks for comments.
+        self.assertEqual(re.findall(r"^\s*[^/\s][^\n]*//[^\n]*;[^\n]*", SOURCE, re.MULTILINE), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,18 @@
+// The drop-in's translation to Metal, as C++ on the CPU: scene_metal VALUES.raw
+
+#include "gabor_noise.metal"
+
+#include <fstream>
+
+int main(int, char** argv) {
+    std::ofstream file(argv[1], std::ios::binary);
+    for (int y = 0; y < 257; ++y) {
+        for (int x = 0; x < 256; ++x) {
+            const float2 p = (float2(x, y) + 0.5f) / 32.0f;
+            const float value =
+                y < 256 ? gabor_noise(p, 4.0f, 0.7854f, 7u)
+                        : gabor_noise_at(int2(1000000000, -1000000000), p, gabor_kernel(4.0f, 0.7854f), 7u);
+            file.write(reinterpret_cast<const char*>(&value), sizeof value);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+"""The reference of tests/engines against the program, which is tested against a reference of its own."""
+
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "engines"))
+import reference  # noqa: E402
+
+
+class Reference(unittest.TestCase):
+    def test_it_is_what_the_program_renders(self):
+        side = reference.WIDTH
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            picture = pathlib.Path(folder) / "noise.exr"
+            subprocess.run([os.environ["GABOR_PROGRAM"], "render", "-o", picture, f"--size={side}x{side}", "--scale=32",
+                            f"--frequency={reference.FREQUENCY}", f"--seed={reference.SEED}", "--compression=none",
+                            f"--orientation={math.degrees(reference.ORIENTATION)}"], check=True, timeout=50)
+            # Uncompressed, a row is its number, its size and its pixels; the rows are the end of the file.
+            rows = picture.read_bytes()[-side * (8 + 4 * side):]
+        pixels = np.frombuffer(rows, "<f4").reshape(side, 2 + side)[:, 2:]
+        difference = np.abs(pixels - reference.scene()[:side])
+        place = np.unravel_index(difference.argmax(), difference.shape)
+        print(f"largest difference {difference.max():.2g} at row and column {place}")
+        self.assertLess(difference.max(), 1e-5)
+
+    def test_a_wrong_value_is_found(self):
+        values = reference.scene()
+        values[256, 3] += 1e-4
+        error, place = reference.largest_difference(values)
+        self.assertAlmostEqual(error, 1e-4)
+        self.assertEqual(place, (256, 3))
+
+
+if __name__ == "__main__":
+    unittest.main()

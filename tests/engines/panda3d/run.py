@@ -1,0 +1,56 @@
+"""Panda3D: the drop-in in a fragment shader of GLSL 330, drawn without a window: run.py VALUES.raw"""
+
+import json
+import os
+import pathlib
+import sys
+
+import panda3d
+from direct.showbase.ShowBase import ShowBase
+from panda3d.core import CardMaker, FrameBufferProperties, GraphicsOutput, GraphicsPipe, NodePath, OrthographicLens
+from panda3d.core import Camera, Shader, Texture, WindowProperties, loadPrcFileData
+
+SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
+
+VERTEX = """#version 330
+in vec4 p3d_Vertex;
+uniform mat4 p3d_ModelViewProjectionMatrix;
+void main() { gl_Position = p3d_ModelViewProjectionMatrix * p3d_Vertex; }
+"""
+FRAGMENT = "#version 330\n" + (SHADERS / "gabor_noise.glsl").read_text() + """
+out vec4 value;
+void main()
+{
+    vec2 p = gl_FragCoord.xy / 32.0;
+    value = vec4(gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
+        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
+}
+"""
+
+os.environ.setdefault("EGL_PLATFORM", "surfaceless")
+loadPrcFileData("", "load-display p3headlessgl\nwindow-type offscreen\ngl-version 3 3\naudio-library-name null\n"
+                    "textures-power-2 none\n")
+base = ShowBase()
+wanted = FrameBufferProperties()
+wanted.set_rgba_bits(32, 32, 32, 32)
+wanted.set_float_color(True)
+target = base.graphicsEngine.make_output(base.pipe, "noise", 0, wanted,
+                                         WindowProperties.size(256, 257), GraphicsPipe.BF_refuse_window,
+                                         base.win.gsg, base.win)
+texture = Texture()
+target.add_render_texture(texture, GraphicsOutput.RTM_copy_ram, GraphicsOutput.RTP_color)
+
+card = CardMaker("card")
+card.set_frame(-1, 1, -1, 1)
+scene = NodePath("scene")
+scene.attach_new_node(card.generate()).set_shader(Shader.make(Shader.SL_GLSL, VERTEX, FRAGMENT))
+lens = OrthographicLens()
+lens.set_film_size(2, 2)
+lens.set_near_far(-1, 1)
+target.make_display_region().set_camera(scene.attach_new_node(Camera("camera", lens)))
+base.graphicsEngine.render_frame()
+
+# Rows from the lowest up, as gl_FragCoord counts them; channels as blue, green, red, alpha.
+pathlib.Path(sys.argv[1]).write_bytes(bytes(texture.get_ram_image_as("R")))
+print(json.dumps({"engine": "Panda3D", "version": panda3d.__version__, "dialect": "GLSL 330",
+                  "driver": target.gsg.driver_renderer}))

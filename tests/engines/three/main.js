@@ -1,0 +1,36 @@
+import * as THREE from "three";
+
+const noise = await (await fetch("../../../shaders/gabor_noise.glsl")).text();
+
+async function draw() {
+    const renderer = new THREE.WebGLRenderer();
+    const material = new THREE.ShaderMaterial({
+        glslVersion: THREE.GLSL3,
+        vertexShader: "void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }",
+        fragmentShader: noise + `
+            out vec4 value;
+            void main()
+            {
+                vec2 p = gl_FragCoord.xy / 32.0;
+                value = vec4(gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
+                    : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
+            }`,
+    });
+    const scene = new THREE.Scene();
+    scene.add(new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material));
+
+    const target = new THREE.WebGLRenderTarget(256, 257, { type: THREE.FloatType, depthBuffer: false });
+    renderer.setRenderTarget(target);
+    renderer.render(scene, new THREE.Camera());
+    const pixels = new Float32Array(4 * 256 * 257);
+    renderer.readRenderTargetPixels(target, 0, 0, 256, 257, pixels);
+
+    const gl = renderer.getContext();
+    return {
+        engine: "three.js", version: THREE.REVISION, dialect: "GLSL 300 es",
+        driver: gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL),
+        values: pixels.filter((_, index) => index % 4 === 0),
+    };
+}
+
+globalThis.drawn = draw();

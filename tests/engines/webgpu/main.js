@@ -1,0 +1,43 @@
+const noise = await (await fetch("../../../shaders/translations/gabor_noise.wgsl")).text();
+
+async function draw() {
+    const adapter = await navigator.gpu.requestAdapter();
+    const device = await adapter.requestDevice();
+    const module = device.createShaderModule({ code: noise + `
+        @vertex fn cover(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+            return vec4f(f32(index & 1) * 4.0 - 1.0, f32(index & 2) * 2.0 - 1.0, 0.0, 1.0);
+        }
+
+        @fragment fn draw(@builtin(position) position: vec4f) -> @location(0) f32 {
+            let p = position.xy / 32.0;
+            if position.y < 256.0 {
+                return gabor_noise(p, 4.0, 0.7854, 7u);
+            }
+            return gabor_noise_at(vec2i(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+        }` });
+    const pipeline = device.createRenderPipeline({
+        layout: "auto", vertex: { module }, fragment: { module, targets: [{ format: "r32float" }] },
+    });
+    const target = device.createTexture({
+        size: [256, 257], format: "r32float", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
+    });
+    const values = device.createBuffer({
+        size: 4 * 256 * 257, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
+    });
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginRenderPass({
+        colorAttachments: [{ view: target.createView(), loadOp: "clear", storeOp: "store" }],
+    });
+    pass.setPipeline(pipeline);
+    pass.draw(3);
+    pass.end();
+    encoder.copyTextureToBuffer({ texture: target }, { buffer: values, bytesPerRow: 4 * 256 }, [256, 257]);
+    device.queue.submit([encoder.finish()]);
+    await values.mapAsync(GPUMapMode.READ);
+    return {
+        engine: "Chromium WebGPU", dialect: "WGSL", driver: `${adapter.info.vendor} ${adapter.info.architecture}`,
+        values: new Float32Array(values.getMappedRange()),
+    };
+}
+
+globalThis.drawn = draw();

@@ -1,0 +1,59 @@
+"""wgpu, with naga inside: the drop-in in a compute shader of GLSL 450, or its translation to WGSL:
+run.py VALUES.raw [wgsl]"""
+
+import json
+import pathlib
+import sys
+
+import wgpu
+
+SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
+
+GLSL = "#version 450\n" + (SHADERS / "gabor_noise.glsl").read_text() + """
+layout(local_size_x = 8) in;
+layout(set = 0, binding = 0) buffer Values { float values[]; }; // naga knows no writeonly here
+
+void main()
+{
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    vec2 p = (vec2(pixel) + 0.5) / 32.0;
+    values[pixel.y * 256u + pixel.x] = pixel.y < 256u ? gabor_noise(p, 4.0, 0.7854, 7u)
+        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+}
+"""
+WGSL = (SHADERS / "translations" / "gabor_noise.wgsl").read_text() + """
+@group(0) @binding(0) var<storage, read_write> values: array<f32>;
+
+@compute @workgroup_size(8)
+fn main(@builtin(global_invocation_id) pixel: vec3u) {
+    let p = (vec2f(pixel.xy) + 0.5) / 32.0;
+    if pixel.y < 256u {
+        values[pixel.y * 256u + pixel.x] = gabor_noise(p, 4.0, 0.7854, 7u);
+    } else {
+        let kernel = gabor_kernel(4.0, 0.7854);
+        values[pixel.y * 256u + pixel.x] = gabor_noise_at(vec2i(1000000000, -1000000000), p, kernel, 7u);
+    }
+}
+"""
+
+wgsl = sys.argv[2:] == ["wgsl"]
+adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
+device = adapter.request_device_sync()
+size = 256 * 257 * 4
+values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
+# For GLSL the label tells the stage: it must contain comp, vert or frag.
+module = device.create_shader_module(label="comp", code=WGSL if wgsl else GLSL)
+pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
+group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0),
+                                 entries=[{"binding": 0, "resource": {"buffer": values, "offset": 0, "size": size}}])
+encoder = device.create_command_encoder()
+compute = encoder.begin_compute_pass()
+compute.set_pipeline(pipeline)
+compute.set_bind_group(0, group)
+compute.dispatch_workgroups(256 // 8, 257)
+compute.end()
+device.queue.submit([encoder.finish()])
+
+pathlib.Path(sys.argv[1]).write_bytes(device.queue.read_buffer(values))
+print(json.dumps({"engine": "wgpu", "version": wgpu.__version__, "dialect": "WGSL" if wgsl else "GLSL 450 by naga",
+                  "driver": adapter.info["device"]}))
