@@ -297,3 +297,25 @@ TEST_CASE("frequencies outside the range are clamped and never give NaN", "[orac
         CHECK(answers[i].at == lowest);
     CHECK(answers[3].at == answers[std::size(frequencies) + 1].at);
 }
+
+TEST_CASE("painted frequency and orientation leave no seam", "[oracle]") {
+    const vulkan::Device device;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        test::Sampler sampler(device, recipe, per_batch);
+        const std::span<test::Sample> samples = sampler.samples();
+        constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells, and their edges
+        for (std::size_t i = 0; i < per_batch; ++i) {
+            const double x = static_cast<double>(i) * step;
+            samples[i] = {noise::place_at(recipe, 0, 0, static_cast<float>(x * recipe.radius), 0.37f),
+                          static_cast<float>(4 + std::sin(x)), static_cast<float>(std::sin(0.7 * x)), 3};
+        }
+        const auto answers = sampler.answers(per_batch);
+        double largest = 0;
+        for (std::size_t i = 1; i + 1 < per_batch; ++i)
+            largest = std::max(
+                largest, std::abs(double{answers[i - 1].at} - 2 * double{answers[i].at} + answers[i + 1].at));
+        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would add its whole height.
+        INFO(recipe.name);
+        CHECK(largest < std::pow(2 * std::numbers::pi * 5 * step, 2) * 5);
+    }
+}
