@@ -92,7 +92,7 @@ double variance(const Variant& variant) {
 }
 
 double visited(const Variant& variant) {
-    return variant.impulses * std::pow(2 * variant.radius + 1, 2);
+    return variant.impulses * std::pow(2 * variant.radius + variant.jitter, 2);
 }
 
 // With a_k the moments of the window over one cell, seen from a place, one impulse has the moments m2 =

@@ -43,8 +43,8 @@ std::vector<std::uint32_t> constants(const Variant& variant);
 /// N R^2 E[w^2] integral(window^2) / 2: the mean over all places, and at each place where jitter is 1.
 double variance(const Variant& variant);
 
-/// Mean number of impulses in the square of the kernel's diameter: N (2 R + 1)^2, what a sum over the cells
-/// that can be reached visits on average.
+/// How many impulses there are, on average, in the cells whose impulses can reach a place: N (2 R +
+/// jitter)^2.
 double visited(const Variant& variant);
 
 /// The floor, in steps of 1/1000, with which the noise is nearest to a normal law by its cumulants of orders
