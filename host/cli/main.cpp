@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const gabor::cli::Interrupted& interrupted) {
-        fail(1, "interrupted; nothing was written");
+        fail(1, "interrupted; nothing half-done was kept");
         // End as the signal would have, so that shells and queues see why.
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal);
