@@ -7,5 +7,5 @@
 
 int main(int argc, char** argv) {
     const int failed = Catch::Session().run(argc, argv);
-    return failed ? failed : gabor::vulkan::validation_messages();
+    return failed ? failed : gabor::vulkan::validation_messages() != 0;
 }

@@ -30,7 +30,7 @@ struct Setting {
 // Something that fills a picture, ready to be timed again and again.
 struct Contestant {
     Row row;
-    const noise::Recipe* recipe = nullptr; // of the drop-in
+    const noise::Recipe* baked = nullptr; // what a bake bakes
     std::function<double()> run;
     std::vector<double> seconds;
 };
@@ -65,7 +65,6 @@ Contestant per_pixel(const vulkan::Device& device, const Subject& subject, const
     Contestant contestant;
     contestant.row = {
         subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
-    contestant.recipe = subject.recipe;
     struct State {
         vulkan::Pass pass;
         vulkan::Job job;
@@ -92,7 +91,7 @@ Contestant bake(const vulkan::Device& device, const noise::Recipe& recipe, const
                       {},
                       0,
                       {}};
-    contestant.recipe = &recipe;
+    contestant.baked = &recipe;
     const render::Picture wanted{
         setting.side, setting.side, setting.scale, setting.frequency, degrees, 7, std::string(recipe.name)};
     struct State {
@@ -204,7 +203,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
         const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
         contestants[i].row.cvm = cvm;
         for (Contestant& other : contestants) // a bake gives the values of its recipe, to 5e-5
-            if (other.recipe && other.recipe == all[i].recipe)
+            if (other.baked && other.baked == all[i].recipe)
                 other.row.cvm = cvm;
     }
     Report report{rows(contestants), {}};

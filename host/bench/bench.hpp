@@ -38,7 +38,7 @@ struct Report {
 struct Effort {
     int repetitions = 21;
     int side = 1024;
-    int sample_batches = 16;///< of 2^20 samples for each law
+    int sample_batches = 16; ///< of 2^20 samples for each law
 };
 
 /// Runs everything in one process, interleaved, after a warm-up. `step` is called after each measurement, for

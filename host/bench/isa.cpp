@@ -45,7 +45,7 @@ std::vector<Code> measure_code(const vulkan::Device& device) {
         if (random_loops)
             continue;
         codes.push_back(whole(subject.name, make_pass(device, subject, Use::statistics).statistics(device)));
-        if (subject.recipe)
+        if (subject.recipe && subject.entry == 0)
             codes.push_back(whole(subject.name + ", native sine",
                                   make_pass(device, subject, Use::statistics, true).statistics(device)));
     }

@@ -22,6 +22,12 @@ std::vector<Subject> subjects() {
         all.push_back({fmt::format("gabor_noise, {}", recipe.name),
                        static_cast<double>(noise::visited_impulses(recipe)), recipe_spirv, &recipe, 0,
                        false});
+    const noise::Recipe& one = noise::recipes().front();
+    std::uint32_t entry = 0;
+    for (const char* function : {"gradient", "complex and phasor", "four", "tiled", "animated"})
+        all.push_back({fmt::format("gabor_noise_{}, {}", function, one.name),
+                       static_cast<double>(noise::visited_impulses(one)), recipe_spirv, &one, 0, false,
+                       ++entry});
     all.push_back({"gradient noise", 0, gradient_spirv, nullptr, 0, false});
     all.push_back({"writing alone", 0, write_spirv, nullptr, 0, false});
     return all;
@@ -35,6 +41,7 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     constants[7] = use == Use::samples;
     constants[8] = subject.mean_impulses;
     constants[9] = subject.advice;
+    constants[10] = subject.entry;
     constants[20] = native_sine;
     return {device, subject.spirv, {1, sizeof(Push), use == Use::statistics}, constants};
 }

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -90,12 +88,6 @@ ordered_json to_json(const std::vector<bench::Row>& rows) {
 
 void print_device(const vulkan::Device& device) {
     fmt::print("{}, {}\n", device.info().name, device.info().driver);
-}
-
-long peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024;
 }
 
 ordered_json time_all(const vulkan::Device& device, bool quick) {

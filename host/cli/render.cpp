@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -142,11 +140,18 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-// Where the time of one file went, in seconds.
+// Where the time of rendering files went, in seconds.
 struct FileTimes {
     render::Times rendering;
     double writing = 0;
     double closing = 0;
+
+    void operator+=(const FileTimes& other) {
+        rendering.waiting += other.rendering.waiting;
+        rendering.gpu += other.rendering.gpu;
+        writing += other.writing;
+        closing += other.closing;
+    }
 };
 
 FileTimes render_file(const vulkan::Device& device, const render::Picture& picture,
@@ -195,21 +200,18 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame, i
            fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
 }
 
-void print_times(const FileTimes& times, const vulkan::Device& device, const image::Window& region,
-                 double device_ready, double wall) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
+void print_times(const FileTimes& times, const vulkan::Device& device, double pixels, double device_ready,
+                 double wall) {
     const double gpu = times.rendering.gpu;
     fmt::print("  driver                  {}\n", device.info().driver);
     fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.rendering.first_dispatch);
-    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu,
-               gpu / region.width / region.height * 1e9);
+    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu, gpu / pixels * 1e9);
     fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", times.writing,
                times.closing);
     fmt::print("  everything              {:8.3f} s\n", wall);
     fmt::print("  host overhead           {:8.3f} s\n",
                wall - times.rendering.waiting - times.writing - times.closing);
-    fmt::print("  resident memory         {:8} MiB at most\n", usage.ru_maxrss / 1024);
+    fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
 
 void render_picture(const RenderOptions& options, Clock::time_point start) {
@@ -226,10 +228,10 @@ void render_picture(const RenderOptions& options, Clock::time_point start) {
 
     const vulkan::Device device(options.device);
     const double device_ready = seconds_since(start);
-    std::optional<Progress> progress(std::in_place, "rendering",
-                                     static_cast<std::uint64_t>(region.width) *
-                                         static_cast<std::uint64_t>(region.height) *
-                                         static_cast<std::uint64_t>(frames));
+    const auto pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) *
+                        static_cast<std::uint64_t>(frames);
+    std::optional<Progress> progress(std::in_place, "rendering", pixels);
+    FileTimes total;
     for (int frame = 0; frame < frames; ++frame) {
         render::Picture picture = request.picture;
         picture.time += static_cast<double>(frame) / frames;
@@ -239,13 +241,16 @@ void render_picture(const RenderOptions& options, Clock::time_point start) {
             png = frame_path(*options.png, frame, frames);
         const FileTimes times =
             render_file(device, picture, region, output, png, options.compression, *progress);
+        if (frame == 0)
+            total.rendering.first_dispatch = times.rendering.first_dispatch;
+        total += times;
         if (frame + 1 == frames)
             progress.reset();
         fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", output.string(), region.width, region.height,
                    picture.recipe, device.info().name);
-        if (options.verbose)
-            print_times(times, device, region, device_ready, seconds_since(start));
     }
+    if (options.verbose)
+        print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
 } // namespace
@@ -294,7 +299,8 @@ void add_render_command(CLI::App& app) {
         "--gradient", options->gradient,
         "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel radius");
     command->add_option("--region", options->region,
-                        "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there");
+                        "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there "
+                        "on the same driver");
     command->add_option("--like", options->like,
                         "Take what is not given from the header of an EXR rendered before");
     command->add_option("--png", options->png,

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace gabor::cli {
@@ -51,6 +52,12 @@ void note_interrupts() {
 void check_interrupt() {
     if (noted)
         throw Interrupted{noted};
+}
+
+long peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;
 }
 
 } // namespace gabor::cli

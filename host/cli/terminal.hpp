@@ -37,4 +37,7 @@ void note_interrupts();
 /// Throws Interrupted once a signal was noted. Long work calls it between its parts.
 void check_interrupt();
 
+/// The most memory that this process has had resident so far, bytes.
+long peak_memory();
+
 } // namespace gabor::cli

@@ -35,9 +35,12 @@ const Recipe& find_recipe(std::string_view name) {
     throw RequestError(fmt::format("unknown recipe '{}': the recipes are {}", name, fmt::join(names, ", ")));
 }
 
+int visited_cells(const Recipe& recipe) {
+    return static_cast<int>(std::ceil(2 * recipe.radius)) + 1;
+}
+
 int visited_impulses(const Recipe& recipe) {
-    const int cells = static_cast<int>(std::ceil(2 * recipe.radius)) + 1;
-    return cells * cells * recipe.impulses;
+    return visited_cells(recipe) * visited_cells(recipe) * recipe.impulses;
 }
 
 } // namespace gabor::noise

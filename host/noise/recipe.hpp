@@ -23,6 +23,9 @@ std::span<const Recipe> recipes();
 /// Throws RequestError, listing the known names, when there is no such recipe.
 const Recipe& find_recipe(std::string_view name);
 
+/// Cells visited along each axis: ceil(2 R) + 1.
+int visited_cells(const Recipe& recipe);
+
 /// Impulses visited for each evaluation of the noise: (ceil(2 R) + 1)^2 N.
 int visited_impulses(const Recipe& recipe);
 

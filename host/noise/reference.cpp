@@ -61,7 +61,9 @@ std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, 
 }
 
 Reference::Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed)
-    : recipe_(recipe), wave_x_(frequency * std::cos(orientation)), wave_y_(frequency * std::sin(orientation)),
+
+    : recipe_(recipe), frequency_(frequency), orientation_(orientation),
+      wave_x_(frequency * std::cos(orientation)), wave_y_(frequency * std::sin(orientation)),
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
 
 Reference::Field Reference::field(const Place& place) const {
@@ -105,8 +107,11 @@ Reference::Field Reference::field(const Place& place) const {
             }
         }
     }
+    const bool still = place.time == 0 || recipe_.phases != 2;
+    const double deviation =
+        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
     // The variance is in proportion to the number of impulses per unit area.
-    const double scale = recipe_.radius / (deviation_ * std::sqrt(radius_x * radius_y));
+    const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
     for (double& channel : sum.four)
         channel *= scale;
     return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, sum.four};

@@ -49,6 +49,8 @@ class Reference {
 
   private:
     Recipe recipe_;
+    double frequency_;
+    double orientation_;
     double wave_x_;
     double wave_y_;
     double deviation_;

@@ -34,15 +34,23 @@ double window_energy(const Recipe& recipe, double a) {
     return energy;
 }
 
-double variance(const Recipe& recipe, double frequency, double orientation) {
+double variance(const Recipe& recipe, double frequency, double orientation, double time) {
+    constexpr double pi = std::numbers::pi;
     const double density = recipe.impulses * double{recipe.radius} * recipe.radius;
     const double power = (1 + double{recipe.weight_floor} * recipe.weight_floor) / 2;
     const double whole = window_energy(recipe, 0);
-    // The mean of sin^2 over the phases is 1/2, but for two phases half a turn apart (1 - cos) / 2.
-    const double a = recipe.phases == 2 ? 4 * std::numbers::pi * frequency : 0;
-    const double oscillating = a == 0 ? 0
-                                      : window_energy(recipe, a * std::cos(orientation)) *
-                                            window_energy(recipe, a * std::sin(orientation));
+    // The mean of sin^2 over four or more phases is 1/2. Over two half a turn apart it is (1 - cos) / 2, and
+    // where time has turned them, the mean of that over the turns.
+    double oscillating = 0;
+    if (recipe.phases == 2) {
+        const double a = 4 * pi * frequency;
+        oscillating = window_energy(recipe, a * std::cos(orientation)) *
+                      window_energy(recipe, a * std::sin(orientation));
+        double turned = 0;
+        for (int tempo = 1; tempo <= 4; ++tempo)
+            turned += std::cos(4 * pi * tempo * time) / 4;
+        oscillating *= turned;
+    }
     return density * power * (whole * whole - oscillating) / 2;
 }
 

@@ -66,7 +66,8 @@ BakePush make_push(const Picture& picture) {
     push.time = static_cast<float>(picture.time - std::floor(picture.time));
     // The variance is in proportion to the number of impulses per unit area.
     push.amplitude = static_cast<float>(
-        recipe.radius / std::sqrt(x.radius * y.radius * noise::variance(recipe, picture.frequency, radians)));
+        recipe.radius /
+        std::sqrt(x.radius * y.radius * noise::variance(recipe, picture.frequency, radians, picture.time)));
     push.pixel = static_cast<float>(1 / picture.scale);
     push.seed = picture.seed;
     return push;
@@ -90,7 +91,7 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture
     const noise::Recipe& recipe = noise::find_recipe(picture.recipe);
     const auto of_recipe = recipe_constants(recipe);
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
-    constants.push_back(vulkan::constant(static_cast<int>(std::ceil(2 * recipe.radius)) + 1));
+    constants.push_back(vulkan::constant(noise::visited_cells(recipe)));
     constants.push_back(vulkan::constant(block_columns));
     constants.push_back(vulkan::constant(fixed_rows));
     constants.push_back(picture.quadrature);

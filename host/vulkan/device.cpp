@@ -99,7 +99,19 @@ struct Candidate {
     vk::raii::PhysicalDevice physical;
     DeviceInfo info;
     std::uint32_t family;
+    std::uint32_t timestamp_bits;
 };
+
+// Before Vulkan 1.2 a device need not tell more than a number.
+std::string driver_name(const vk::raii::PhysicalDevice& physical,
+                        const vk::PhysicalDeviceProperties& properties) {
+    if (properties.apiVersion < VK_API_VERSION_1_2)
+        return fmt::format("version {:#x}", properties.driverVersion);
+    const auto chain =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+    return fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+}
 
 std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
     std::vector<Candidate> found;
@@ -107,7 +119,7 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
     try {
         physicals = vk::raii::PhysicalDevices(instance);
     } catch (const vk::InitializationFailedError&) {
-        return found; // what the loader answers when no driver has a device
+        // what the loader answers when no driver has a device
     }
     for (vk::raii::PhysicalDevice& physical : physicals) {
         const auto families = physical.getQueueFamilyProperties();
@@ -117,15 +129,13 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
         if (family == families.end() || physical.getProperties().apiVersion < VK_API_VERSION_1_1)
             continue;
         const auto chain =
-            physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties,
-                                    vk::PhysicalDeviceDriverProperties>();
+            physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>();
         const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
-        const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
         DeviceInfo info;
         info.index = static_cast<std::uint32_t>(found.size());
         info.name = properties.deviceName.data();
         info.kind = kind_name(properties.deviceType);
-        info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+        info.driver = driver_name(physical, properties);
         info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion),
                                VK_API_VERSION_MINOR(properties.apiVersion),
                                VK_API_VERSION_PATCH(properties.apiVersion));
@@ -136,9 +146,12 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
         info.group_invocations = properties.limits.maxComputeWorkGroupInvocations;
         info.subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
         info.timestamps = family->timestampValidBits != 0 && properties.limits.timestampPeriod > 0;
-        found.push_back(
-            {std::move(physical), std::move(info), static_cast<std::uint32_t>(family - families.begin())});
+        found.push_back({std::move(physical), std::move(info),
+                         static_cast<std::uint32_t>(family - families.begin()), family->timestampValidBits});
     }
+    if (found.empty())
+        throw RequestError(
+            "no Vulkan 1.1 device found: install a driver (mesa-vulkan-drivers has one that needs no GPU)");
     return found;
 }
 
@@ -150,9 +163,6 @@ std::string lower(std::string_view text) {
 }
 
 Candidate choose(std::vector<Candidate> all, std::string_view selector) {
-    if (all.empty())
-        throw RequestError(
-            "no Vulkan 1.1 device found: install a driver (mesa-vulkan-drivers has one that needs no GPU)");
     if (selector.empty())
         return std::move(
             *std::ranges::min_element(all, {}, [](const Candidate& c) { return rank(c.info.kind); }));
@@ -211,6 +221,8 @@ std::unique_ptr<Device::State> make_state(std::string_view selector) {
     vk::raii::Queue queue(device, chosen.family, 0);
     vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, chosen.family});
     const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
+    const std::uint64_t mask =
+        chosen.timestamp_bits < 64 ? (std::uint64_t{1} << chosen.timestamp_bits) - 1 : ~std::uint64_t{0};
     bool unified = false;
     const vk::PhysicalDeviceMemoryProperties memory = chosen.physical.getMemoryProperties();
     for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
@@ -221,7 +233,7 @@ std::unique_ptr<Device::State> make_state(std::string_view selector) {
     return std::unique_ptr<Device::State>(
         new Device::State{std::move(context), std::move(instance), std::move(messenger),
                           std::move(chosen.physical), chosen.info, chosen.family, std::move(device),
-                          std::move(queue), std::move(pool), tick, unified, executable_properties});
+                          std::move(queue), std::move(pool), tick, mask, unified, executable_properties});
 }
 
 // The first allowed memory type with `required` and, if one exists, also with `preferred`.

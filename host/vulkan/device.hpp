@@ -23,7 +23,7 @@ struct DeviceInfo {
     bool timestamps = false;             ///< whether GPU time can be measured
 };
 
-/// Every Vulkan 1.1 device with a compute queue. Throws RequestError when there is no Vulkan loader.
+/// Every Vulkan 1.1 device with a compute queue. Throws RequestError when there is none, or no Vulkan loader.
 std::vector<DeviceInfo> devices();
 
 /// Messages of the validation layers so far. The layers are loaded, core and synchronization, when the

@@ -150,7 +150,8 @@ double Job::wait() {
         return std::numeric_limits<double>::quiet_NaN();
     const auto [result, ticks] = state_->queries.getResults<std::uint64_t>(
         0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), vk::QueryResultFlagBits::e64);
-    return static_cast<double>(ticks[1] - ticks[0]) * state_->device.timestamp_seconds;
+    return static_cast<double>((ticks[1] - ticks[0]) & state_->device.timestamp_mask) *
+           state_->device.timestamp_seconds;
 }
 
 } // namespace gabor::vulkan

@@ -19,7 +19,8 @@ struct Device::State {
     vk::raii::Device device;
     vk::raii::Queue queue;
     vk::raii::CommandPool pool;
-    double timestamp_seconds = 0; ///< length of a timestamp's tick
+    double timestamp_seconds = 0;     ///< length of a timestamp's tick
+    std::uint64_t timestamp_mask = 0; ///< the bits of it that count
     bool unified = false;
     bool executable_properties = false; ///< VK_KHR_pipeline_executable_properties is enabled
 };

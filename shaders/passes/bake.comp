@@ -1,12 +1,18 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A whole picture, faster than pixel by pixel: each invocation fills a block of pixels that visit the same cells. With impulse c at (x_c, y_c) a kernel is separable as a complex number:
+// A whole picture, faster than pixel by pixel: each invocation fills a block of pixels that visit the same cells.
 //
-//     n(x, y) = Im sum_c  [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))]  q(y - y_c)  e^(2 pi i F.y (y - y_0))
+// With impulse c at (x_c, y_c) the kernel is separable as a complex number, and n(x, y) is the imaginary part of
 //
-// (and its derivatives follow, with q' for q and by the factor 2 pi i F). The bracket is made once for each column of the block, q(y - y_c) once for each row, and the last factor, which all
-// impulses share, once for each pixel. Exponentials at even distances follow from the first by rotation.
+//     sum_c [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))] q(y - y_c) e^(2 pi i F.y (y - y_0))
+//
+// where y_0 is the block's first row. The bracket is made once for each column of the block, q(y - y_c) once for each
+// row, and the last factor, which all impulses share, once for each pixel; exponentials at even distances follow from
+// the first by rotation. Derivatives have q' for q and gain the factor 2 pi i F.
+//
+// To use it in an engine, cut columns and rows into runs as host/render/runs.cpp does, and set the push constants as
+// host/render/bake.cpp does.
 
 #include "recipe.glsl"
 

@@ -1,5 +1,7 @@
 // The drop-in with its recipe as specialization constants: one SPIR-V module serves every recipe.
 
+#extension GL_EXT_control_flow_attributes : require
+
 layout(constant_id = 0) const int recipe_impulses = 1;
 layout(constant_id = 1) const float recipe_radius = 1.0;
 layout(constant_id = 2) const float recipe_weight_floor = 1.0;
@@ -11,7 +13,6 @@ layout(constant_id = 6) const float recipe_window_z = 0.0;
 // 1 for the device's own sine; apart, because it is no part of a recipe.
 layout(constant_id = 20) const int native_sine = 0;
 
-#extension GL_EXT_control_flow_attributes : require
 #define GABOR_UNROLL [[unroll]]
 #define GABOR_NATIVE_SINE native_sine
 #define GABOR_IMPULSES recipe_impulses

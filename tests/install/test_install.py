@@ -16,6 +16,12 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config-version.cmake",
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "share/gabor-noise/shaders/gabor_noise.glsl",
+    "share/gabor-noise/shaders/passes/bake.comp",
+    "share/gabor-noise/shaders/passes/recipe.glsl",
+    "share/gabor-noise/shaders/translations/gabor_noise.gdshaderinc",
+    "share/gabor-noise/shaders/translations/gabor_noise.hlsl",
+    "share/gabor-noise/shaders/translations/gabor_noise.metal",
+    "share/gabor-noise/shaders/translations/gabor_noise.wgsl",
 }
 
 

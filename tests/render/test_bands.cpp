@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace gabor;
@@ -29,12 +30,16 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
     for (const noise::Recipe& recipe : noise::recipes()) {
         double largest = 0;
         std::string place;
-        for (const double scale : {2.0, 2.3, 7.77, 31.7, 32.0, 500.0, 4096.0}) {
+        // A frequency, as high as the pixels carry, for each scale.
+        for (const auto& [scale, frequency] :
+             {std::pair(2.0, 0.9), std::pair(2.3, 0.001), std::pair(7.77, 2.0), std::pair(31.7, 4.0),
+              std::pair(32.0, 0.1), std::pair(500.0, 64.0), std::pair(4096.0, 4.0),
+              std::pair(4096.0, 1000.0)}) {
             // The far corner of the largest picture, cut where it falls.
-            const render::Picture picture{65536, 65536, scale, 4, 123, 99, std::string(recipe.name)};
+            const render::Picture picture{65536, 65536, scale, frequency, 123, 99, std::string(recipe.name)};
             const image::Window region{65536 - 70, 65536 - 45, 70, 45};
             const std::vector<float> pixels = rendered(device, picture, region);
-            const noise::Reference reference(recipe, 4, 123 * std::numbers::pi / 180, 99);
+            const noise::Reference reference(recipe, frequency, 123 * std::numbers::pi / 180, 99);
             REQUIRE(pixels.size() == 70 * 45);
             for (int y = 0; y < region.height; ++y) {
                 for (int x = 0; x < region.width; ++x) {
@@ -43,11 +48,13 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                     const noise::Place here = noise::place_at(
                         recipe, static_cast<int>(px), static_cast<int>(py),
                         static_cast<float>(px - std::floor(px)), static_cast<float>(py - std::floor(py)));
+                    // In units of what single precision carries of the phase.
                     const double difference =
-                        std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] - reference(here));
+                        std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] - reference(here)) /
+                        std::max(1.0, frequency / 4);
                     if (!(difference <= largest)) {
                         largest = difference;
-                        place = fmt::format("scale {}, pixel {}, {}", scale, x, y);
+                        place = fmt::format("scale {}, frequency {}, pixel {}, {}", scale, frequency, x, y);
                     }
                 }
             }

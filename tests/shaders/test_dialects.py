@@ -24,6 +24,11 @@ HIGHP = "precision highp float; precision highp int;\n"
 USE = """
     GaborKernel once = gabor_kernel(p.x, p.y);
     float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
+    vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
+    vec2 phasor = gabor_phasor(gabor_noise_complex(p, 4.0, 0.7854, 7u));
+    vec4 four = gabor_noise_four(p, 4.0, 0.7854, 7u);
+    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y + four.x + four.y + four.z + four.w
+           + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
     float unorm = gabor_unorm(noise);
 """
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n" + USE + \

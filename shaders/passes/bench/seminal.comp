@@ -2,10 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
-// The seminal noise as its authors' published method goes: Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using
-// sparse Gabor convolution", 2009. A generator seeded for each cell and drawn from in sequence, a Poisson number of
-// impulses (Knuth's product), uniform weights, a Gaussian cut off at the kernel radius, a cosine.
-// With `advice` it is the paper's advice, written in the same plain way: a fixed number, Bernoulli weights, a sine.
+// The seminal noise as its authors' published method goes: Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise
+// using sparse Gabor convolution", 2009. A generator seeded for each cell and drawn from in sequence, a Poisson number
+// of impulses (Knuth's product), uniform weights, a Gaussian cut off at the kernel radius, a cosine. With `advice` it
+// is the paper's advice, written in the same plain way: a fixed number, Bernoulli weights, a sine.
 
 #include "bench.glsl"
 
