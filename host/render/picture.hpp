@@ -9,7 +9,9 @@
 
 namespace gabor::render {
 
-/// Everything that decides the pixels of a picture. Pixel (x, y), rows growing downwards, shows the noise at
+/// Everything that decides the pixels of a picture. They are within 2e-5 standard deviations of the exact
+/// noise up to frequency 4; above, and for the sine kernels of `paper` below 0.1, in proportion to the
+/// frequency and its inverse. Pixel (x, y), rows growing downwards, shows the noise at
 /// ((x + 0.5) / scale, (y + 0.5) / scale) kernel radii.
 struct Picture {
     int width = 1024;
