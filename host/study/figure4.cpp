@@ -24,8 +24,8 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
                      256.0 * n * static_cast<double>(windows),
                      [&device, ingredients, windows](std::uint32_t seed) -> Numbers {
                          Noise noise(device, ingredients);
-                         const Windows w = measure_windows(std::span(&noise, 1), windows, seed);
-                         return {w.contrast.median, w.contrast.interdecile, shown * w.deviation};
+                         const statistics::Windows w = measure_windows(std::span(&noise, 1), windows, seed);
+                         return {w.contrast().median, w.contrast().interdecile, shown * w.deviation()};
                      }});
             }
     return {table};

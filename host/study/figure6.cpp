@@ -66,7 +66,7 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
             numbers.insert(numbers.end(), {cvm.value, cvm.low, cvm.high});
         }
         for (const std::span<Noise> sum : halves)
-            numbers.push_back(measure_windows(sum, effort.windows, seed).contrast.interdecile);
+            numbers.push_back(measure_windows(sum, effort.windows, seed).contrast().interdecile);
         return numbers;
     };
     const double impulses = 3 * (seminal.impulses + recommended.impulses);

@@ -36,17 +36,17 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                              const statistics::Estimate cvm =
                                  measure_values(sum, effort.samples, seed, std::sqrt(variance))
                                      .gaussianity.index();
-                             const Places places = measure_places(sum, 1, effort.places, seed);
-                             const Windows windows = measure_windows(sum, effort.windows, seed);
+                             const statistics::Places places = measure_places(sum, 1, effort.places, seed);
+                             const statistics::Windows windows = measure_windows(sum, effort.windows, seed);
                              return {variance,
                                      cvm.value,
                                      cvm.low,
                                      cvm.high,
-                                     places.variance.interdecile,
-                                     places.variance_chance,
-                                     places.largest_mean,
-                                     places.mean_chance,
-                                     windows.contrast.interdecile};
+                                     places.variance().interdecile,
+                                     places.variance_chance(),
+                                     places.largest_mean(),
+                                     places.mean_chance(),
+                                     windows.contrast().interdecile};
                          }});
                 }
     return table;
@@ -86,7 +86,7 @@ Table kernels(const vulkan::Device& device, const Effort& effort) {
                          const statistics::Estimate cvm =
                              measure_values(sum, effort.samples, seed).gaussianity.index();
                          return {cvm.value, cvm.low, cvm.high,
-                                 measure_windows(sum, effort.windows, seed).contrast.interdecile};
+                                 measure_windows(sum, effort.windows, seed).contrast().interdecile};
                      }});
     return table;
 }

@@ -1,9 +1,6 @@
 #include "study/measures.hpp"
 
-#include "statistics/normal.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -44,49 +41,23 @@ OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32
     return result;
 }
 
-Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed) {
+statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed) {
     constexpr Grid grid{4, 2, true};
     constexpr std::size_t pixels = std::size_t{1} << 2 * grid.bits;
-    std::vector<double> contrasts;
-    std::vector<double> deviations;
-    std::vector<double> means;
+    statistics::Windows result;
     for_each_batch(sum, grid, windows, seed, [&](std::span<const float> values) {
-        for (; !values.empty(); values = values.subspan(pixels)) {
-            statistics::Moments moments;
-            moments.add(values.first(pixels));
-            contrasts.push_back(moments.variance());
-            deviations.push_back(std::sqrt(moments.variance()));
-            means.push_back(moments.mean());
-        }
+        for (; !values.empty(); values = values.subspan(pixels))
+            result.add(values.first(pixels));
     });
-    return {spread(contrasts), quantile(deviations, 0.5), quantile(means, 0.5),
-            quantile(means, 0.9) - quantile(means, 0.1)};
+    return result;
 }
 
-Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances, std::uint32_t seed) {
+statistics::Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                                  std::uint32_t seed) {
     const Grid grid{3, cell, false};
-    std::vector<statistics::Moments> places(std::size_t{1} << 2 * grid.bits);
-    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            places[i % places.size()].add(values[i]);
-    });
-    Places result;
-    statistics::Moments all;
-    std::vector<double> variances;
-    for (const statistics::Moments& place : places) {
-        variances.push_back(place.variance());
-        result.largest_mean = std::max(result.largest_mean, std::abs(place.mean()));
-        all.merge(place);
-    }
-    result.variance = spread(variances);
-    // A variance from n samples has the relative variance (excess kurtosis + 2) / n; its deciles are those of
-    // a normal law.
-    const double n = static_cast<double>(instances);
-    result.variance_chance =
-        2 * statistics::normal_quantile(0.9) * std::sqrt((all.excess_kurtosis() + 2) / n);
-    const double count = static_cast<double>(places.size());
-    result.mean_chance = statistics::normal_quantile(1 - 0.05 / (2 * count)) * std::sqrt(all.variance() / n);
-    return result;
+    statistics::Places places(std::size_t{1} << 2 * grid.bits);
+    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) { places.add(values); });
+    return places;
 }
 
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,

@@ -2,7 +2,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "study/spread.hpp"
+#include "statistics/spread.hpp"
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timin
             seconds[i].push_back(noises[i].fill(pixels, picture_grid(bits), 0, 1, 1));
     std::vector<double> medians;
     for (const std::vector<double>& times : seconds)
-        medians.push_back(quantile(times, 0.5));
+        medians.push_back(statistics::quantile(times, 0.5));
     return medians;
 }
 

@@ -16,17 +16,17 @@ Numbers criteria(Noise noise, const Window& window, double visits, double cell, 
     const std::span<Noise> sum(&noise, 1);
     const OneValue values = measure_values(sum, effort.samples, seed);
     const statistics::Estimate cvm = values.gaussianity.index();
-    const Places places = measure_places(sum, cell, effort.places, seed);
-    const Windows windows = measure_windows(sum, effort.windows, seed);
+    const statistics::Places places = measure_places(sum, cell, effort.places, seed);
+    const statistics::Windows windows = measure_windows(sum, effort.windows, seed);
     const Purity pure = purity(window);
     return {visits,
             cvm.value,
             cvm.low,
             cvm.high,
             values.moments.variance(),
-            places.variance.interdecile,
-            places.variance_chance,
-            windows.contrast.interdecile,
+            places.variance().interdecile,
+            places.variance_chance(),
+            windows.contrast().interdecile,
             pure.sidelobe,
             pure.outside};
 }

@@ -1,29 +1,17 @@
-// What needs no device: spreads, spectra, and tables that go on where they were.
+// What needs no device: spectra, and tables that go on where they were.
 
 #include "../image/scratch_folder.hpp"
 #include "error.hpp"
 #include "study/convergence.hpp"
 #include "study/purity.hpp"
-#include "study/spread.hpp"
 #include "study/table.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <numeric>
 
 using namespace gabor;
 using namespace gabor::study;
-
-TEST_CASE("quantiles and spreads", "[spread]") {
-    std::vector<double> values(101);
-    std::iota(values.rbegin(), values.rend(), 50.0);
-    CHECK(quantile(values, 0.25) == Approx(75));
-    CHECK(quantile({1, 2}, 0.5) == Approx(1.5));
-    CHECK(spread(values).median == Approx(100));
-    CHECK(spread(values).interdecile == Approx(0.8));
-    CHECK_THROWS_AS(quantile({}, 0.5), std::invalid_argument);
-}
 
 TEST_CASE("spectral purity of known windows", "[purity]") {
     // (1 - x^2)^2 has the spectrum j_2(a) / a^2, whose largest sidelobe is at a = 6.988.

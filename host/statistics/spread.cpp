@@ -1,10 +1,10 @@
-#include "study/spread.hpp"
+#include "statistics/spread.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace gabor::study {
+namespace gabor::statistics {
 
 double quantile(std::vector<double> values, double share) {
     if (values.empty())
@@ -21,4 +21,4 @@ Spread spread(const std::vector<double>& values) {
     return {median, (quantile(values, 0.9) - quantile(values, 0.1)) / median};
 }
 
-} // namespace gabor::study
+} // namespace gabor::statistics

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace gabor::study {
+namespace gabor::statistics {
 
 /// How much positive numbers differ: [TNVT19] has it as "median and relative interdecile".
 struct Spread {
@@ -16,4 +16,4 @@ double quantile(std::vector<double> values, double share);
 
 Spread spread(const std::vector<double>& values);
 
-} // namespace gabor::study
+} // namespace gabor::statistics
