@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "render/bake.hpp"
 #include "statistics/gaussianity.hpp"
+#include "statistics/spread.hpp"
 
 #include <fmt/format.h>
 
@@ -123,11 +124,7 @@ void interleave(Contestants& contestants, int repetitions, const std::function<v
         }
     }
     for (Contestant& contestant : contestants) {
-        std::ranges::sort(contestant.seconds);
-        const auto quantile = [&](double q) {
-            return contestant
-                .seconds[static_cast<std::size_t>(q * static_cast<double>(contestant.seconds.size() - 1))];
-        };
+        const auto quantile = [&](double share) { return statistics::quantile(contestant.seconds, share); };
         contestant.row.seconds = {quantile(0.5), quantile(0.25), quantile(0.75)};
     }
 }
