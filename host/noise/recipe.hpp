@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace gabor::noise {
@@ -20,8 +21,17 @@ struct Recipe {
 /// The known recipes; the first is the default.
 std::span<const Recipe> recipes();
 
-/// Throws RequestError, listing the known names, when there is no such recipe.
-const Recipe& find_recipe(std::string_view name);
+/// The recipe of that name, or the one that is `spelled_out`. Throws RequestError, saying what is accepted,
+/// for anything else.
+Recipe find_recipe(std::string_view text);
+
+/// A recipe of one's own as text: "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5", or its name where it has one.
+std::string spelled_out(const Recipe& recipe);
+
+/// Whether these are values that the drop-in takes, and within reason.
+bool acceptable(const Recipe& recipe);
+constexpr int most_impulses = 16;
+constexpr float largest_radius = 3;
 
 /// Cells visited along each axis: ceil(2 R) + 1.
 int visited_cells(const Recipe& recipe);

@@ -37,6 +37,8 @@ struct Ingredients {
     Envelope envelope = Envelope::gaussian;
     int impulses = 30; ///< N per cell; the mean for Poisson points, exact for all others
     int period = 0;    ///< in cells, at least 3; 0 for an instance that does not repeat
+
+    bool operator==(const Ingredients&) const = default;
 };
 
 /// The paper's advice: stratified points, Bernoulli weights, two impulses per cell.

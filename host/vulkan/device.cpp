@@ -41,20 +41,22 @@ vk::raii::Context load() {
     }
 }
 
-vk::raii::Instance make_instance(const vk::raii::Context& context) {
+vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation) {
     const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
     vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
-    const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    std::vector<const char*> extensions = presentation.instance_extensions;
     const std::array features{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
     if (validating()) {
-        chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers).setPEnabledExtensionNames(
-            extensions);
+        extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                                             VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+        chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
         chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
     } else {
         chain.unlink<vk::ValidationFeaturesEXT>();
     }
+    chain.get<vk::InstanceCreateInfo>().setPEnabledExtensionNames(extensions);
     try {
         return {context, chain.get<vk::InstanceCreateInfo>()};
     } catch (const vk::IncompatibleDriverError&) {
@@ -113,7 +115,14 @@ std::string driver_name(const vk::raii::PhysicalDevice& physical,
     return fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
 }
 
-std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
+bool has_extension(const vk::raii::PhysicalDevice& physical, std::string_view name) {
+    return std::ranges::any_of(physical.enumerateDeviceExtensionProperties(),
+                               [&](const vk::ExtensionProperties& extension) {
+                                   return name == extension.extensionName.data();
+                               });
+}
+
+std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Presentation& presentation) {
     std::vector<Candidate> found;
     vk::raii::PhysicalDevices physicals(nullptr);
     try {
@@ -123,10 +132,15 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
     }
     for (vk::raii::PhysicalDevice& physical : physicals) {
         const auto families = physical.getQueueFamilyProperties();
-        const auto family = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& properties) {
-            return static_cast<bool>(properties.queueFlags & vk::QueueFlagBits::eCompute);
+        const auto family = std::ranges::find_if(families, [&](const vk::QueueFamilyProperties& properties) {
+            const auto index = static_cast<std::uint32_t>(&properties - families.data());
+            const bool computes = static_cast<bool>(properties.queueFlags & vk::QueueFlagBits::eCompute);
+            return computes && (!presentation.can_present ||
+                                (properties.queueFlags & vk::QueueFlagBits::eGraphics &&
+                                 presentation.can_present(*instance, *physical, index)));
         });
-        if (family == families.end() || physical.getProperties().apiVersion < VK_API_VERSION_1_1)
+        if (family == families.end() || physical.getProperties().apiVersion < VK_API_VERSION_1_1 ||
+            (presentation.can_present && !has_extension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)))
             continue;
         const auto chain =
             physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>();
@@ -184,40 +198,35 @@ Candidate choose(std::vector<Candidate> all, std::string_view selector) {
     return std::move(*std::ranges::find_if(all, matches));
 }
 
-bool has_executable_properties(const vk::raii::PhysicalDevice& physical) {
-    return std::ranges::any_of(physical.enumerateDeviceExtensionProperties(),
-                               [](const vk::ExtensionProperties& extension) {
-                                   return std::string_view(extension.extensionName.data()) ==
-                                          VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
-                               });
-}
-
-vk::raii::Device make_device(const Candidate& candidate) {
+vk::raii::Device make_device(const Candidate& candidate, const Presentation& presentation) {
     const float priority = 1;
     const vk::DeviceQueueCreateInfo queue({}, candidate.family, 1, &priority);
     vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR> chain;
-    chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
-    constexpr std::array extensions{VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME};
-    if (has_executable_properties(candidate.physical)) {
-        chain.get<vk::DeviceCreateInfo>().setPEnabledExtensionNames(extensions);
+    std::vector<const char*> extensions;
+    if (presentation.can_present)
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (has_extension(candidate.physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) {
+        extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
         chain.get<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>().pipelineExecutableInfo =
             VK_TRUE;
     } else {
         chain.unlink<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>();
     }
+    chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(extensions);
     return {candidate.physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
 constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
-std::unique_ptr<Device::State> make_state(std::string_view selector) {
+std::unique_ptr<Device::State> make_state(std::string_view selector, const Presentation& presentation) {
     vk::raii::Context context = load();
-    vk::raii::Instance instance = make_instance(context);
+    vk::raii::Instance instance = make_instance(context, presentation);
     vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
-    Candidate chosen = choose(candidates(instance), selector);
-    const bool executable_properties = has_executable_properties(chosen.physical);
-    vk::raii::Device device = make_device(chosen);
+    Candidate chosen = choose(candidates(instance, presentation), selector);
+    const bool executable_properties =
+        has_extension(chosen.physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    vk::raii::Device device = make_device(chosen, presentation);
     vk::raii::Queue queue(device, chosen.family, 0);
     vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, chosen.family});
     const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
@@ -251,9 +260,9 @@ std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
 
 std::vector<DeviceInfo> devices() {
     const vk::raii::Context context = load();
-    const vk::raii::Instance instance = make_instance(context);
+    const vk::raii::Instance instance = make_instance(context, {});
     std::vector<DeviceInfo> result;
-    for (Candidate& candidate : candidates(instance))
+    for (Candidate& candidate : candidates(instance, {}))
         result.push_back(std::move(candidate.info));
     return result;
 }
@@ -262,7 +271,8 @@ int validation_messages() {
     return messages;
 }
 
-Device::Device(std::string_view selector) : state_(make_state(selector)) {}
+Device::Device(std::string_view selector, const Presentation& presentation)
+    : state_(make_state(selector, presentation)) {}
 Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;
 
@@ -296,6 +306,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(
 
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer& Buffer::operator=(Buffer&&) noexcept = default;
 
 std::size_t Buffer::size() const {
     return state_->bytes;

@@ -2,11 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+struct VkInstance_T;
+struct VkPhysicalDevice_T;
 
 namespace gabor::vulkan {
 
@@ -30,12 +34,20 @@ std::vector<DeviceInfo> devices();
 /// environment variable GABOR_VALIDATION is set and not 0; each message also goes to stderr.
 int validation_messages();
 
+/// What a device takes to show pictures in windows; the defaults ask for nothing.
+struct Presentation {
+    std::vector<const char*> instance_extensions;
+    /// Whether a queue family of a device can present. Where set, devices are those that can, with a
+    /// swapchain, from a family that also draws.
+    std::function<bool(VkInstance_T*, VkPhysicalDevice_T*, std::uint32_t family)> can_present;
+};
+
 /// A logical device with one compute queue.
 class Device {
   public:
     /// `selector`: an index, or a part of the name in any case; empty for the best one (a discrete GPU, then
     /// integrated, virtual, CPU). Throws RequestError when it matches none or several, or there is no device.
-    explicit Device(std::string_view selector = {});
+    explicit Device(std::string_view selector = {}, const Presentation& presentation = {});
     ~Device();
     Device(Device&&) noexcept;
 
@@ -62,6 +74,7 @@ class Buffer {
     Buffer(const Device& device, std::size_t bytes, Memory memory);
     ~Buffer();
     Buffer(Buffer&&) noexcept;
+    Buffer& operator=(Buffer&&) noexcept;
 
     std::size_t size() const;
 

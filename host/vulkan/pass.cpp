@@ -43,6 +43,7 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
 
 Pass::~Pass() = default;
 Pass::Pass(Pass&&) noexcept = default;
+Pass& Pass::operator=(Pass&&) noexcept = default;
 
 std::map<std::string, std::uint64_t> Pass::statistics(const Device& device) const {
     if (!device.state().executable_properties)

@@ -31,6 +31,7 @@ class Pass {
          std::span<const std::uint32_t> constants = {});
     ~Pass();
     Pass(Pass&&) noexcept;
+    Pass& operator=(Pass&&) noexcept;
 
     /// What the compiler says of its code, by the driver's own names, as "Instructions":
     /// VK_KHR_pipeline_executable_properties. Throws RequestError on a device without that extension.

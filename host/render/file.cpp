@@ -1,0 +1,58 @@
+#include "render/file.hpp"
+
+#include "image/exr.hpp"
+#include "image/png.hpp"
+
+#include <chrono>
+#include <vector>
+
+namespace gabor::render {
+
+FileTimes& FileTimes::operator+=(const FileTimes& other) {
+    rendering.waiting += other.rendering.waiting;
+    rendering.gpu += other.rendering.gpu;
+    writing += other.writing;
+    closing += other.closing;
+    return *this;
+}
+
+FileTimes render_file(const vulkan::Device& device, const Picture& picture, const image::Window& region,
+                      const Files& files, const std::function<void(std::uint64_t)>& advance) {
+    using Clock = std::chrono::steady_clock;
+    const auto seconds_since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const std::vector<std::string> names = channels(picture);
+    image::ExrWriter exr(files.exr, {.picture = {0, 0, picture.width, picture.height},
+                                     .window = region,
+                                     .channels = names,
+                                     .compression = files.compression,
+                                     .parameters = to_json(picture)});
+    std::optional<image::PngWriter> png;
+    if (files.png)
+        png.emplace(*files.png, region.width, region.height, 1);
+
+    FileTimes times;
+    std::vector<float> grey;
+    times.rendering = render_bands(device, picture, region, [&](std::span<const float> values) {
+        advance(values.size() / names.size());
+        const Clock::time_point before = Clock::now();
+        exr.write_rows(values);
+        if (png) {
+            grey.clear();
+            for (std::size_t i = 0; i < values.size(); i += names.size())
+                grey.push_back(shown(values[i]));
+            png->write_rows(grey);
+        }
+        times.writing += seconds_since(before);
+    });
+    advance(0);
+    const Clock::time_point before = Clock::now();
+    exr.commit();
+    if (png)
+        png->commit();
+    times.closing = seconds_since(before);
+    return times;
+}
+
+} // namespace gabor::render

@@ -1,0 +1,100 @@
+#include "viewer/session.hpp"
+#include "viewer/snippet.hpp"
+
+#include "error.hpp"
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace gabor::viewer {
+
+namespace {
+
+constexpr double note_seconds = 5;
+constexpr std::uintmax_t largest_preset = 1 << 20;
+
+} // namespace
+
+void say(Session& session, std::string note) {
+    session.note = std::move(note);
+    session.note_until = ImGui::GetTime() + note_seconds;
+}
+
+render::Picture read_preset(const std::string& path) {
+    if (path.ends_with(".exr")) {
+        const image::ExrReader file(path);
+        if (file.parameters().empty())
+            throw RequestError(
+                fmt::format("'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered", path));
+        return render::from_json(file.parameters());
+    }
+    std::error_code missing;
+    const std::uintmax_t size = std::filesystem::file_size(path, missing);
+    std::ifstream file(path, std::ios::binary);
+    if (missing || !file || size > largest_preset)
+        throw RequestError(fmt::format(
+            "cannot read '{}': it takes a JSON file of parameters, or an EXR that gabor rendered", path));
+    try {
+        return render::from_json(std::string(std::istreambuf_iterator<char>(file), {}));
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("'{}': {}", path, error.what()));
+    }
+}
+
+void open_preset(Session& session, const std::string& path) {
+    try {
+        Document opened = document_of(read_preset(path));
+        const Document& now = session.history.now;
+        opened.output = now.output;
+        opened.colours = now.colours;
+        opened.contrast = now.contrast;
+        opened.rival = now.rival;
+        session.history.now = opened;
+        session.preset = path;
+        say(session, fmt::format("opened {}", path));
+    } catch (const std::exception& error) {
+        say(session, error.what());
+    }
+}
+
+void save_preset(Session& session, const std::string& path) {
+    try {
+        const std::string text = render::to_json(session.document().picture) + "\n";
+        image::OutputFile file(path);
+        file.write(std::as_bytes(std::span(text)));
+        file.commit();
+        say(session, fmt::format("saved {}", path));
+    } catch (const std::exception& error) {
+        say(session, error.what());
+    }
+}
+
+void copy_glsl(Session& session) {
+    ImGui::SetClipboardText(snippet(session.document(), session.view).c_str());
+    say(session, "the GLSL of this view is on the clipboard");
+}
+
+void start_export(Session& session) {
+    if (session.exporter.running())
+        return;
+    try {
+        const std::filesystem::path exr = session.plan.path;
+        std::optional<std::filesystem::path> png;
+        if (session.plan.png)
+            png = std::filesystem::path(exr).replace_extension(".png");
+        session.exporter.start(session.document().picture, exr, png);
+    } catch (const std::exception& error) {
+        say(session, error.what());
+    }
+}
+
+void go_home(Session& session) {
+    session.document().camera = document_of(session.document().picture).camera;
+}
+
+} // namespace gabor::viewer

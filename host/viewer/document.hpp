@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/picture.hpp"
+#include "study/ingredients.hpp"
+#include "viewer/camera.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace gabor::viewer {
+
+enum class Output { value, gradient, phase, intensity, variance };
+
+/// What stands beside the picture in the split view: another recipe of the drop-in on the same parameters, or
+/// one of the noises that the paper compares.
+struct Rival {
+    std::string recipe; ///< empty for `ingredients`
+    study::Ingredients ingredients;
+    bool operator==(const Rival&) const = default;
+};
+
+/// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
+struct Document {
+    render::Picture picture;
+    Camera camera;
+    Output output = Output::value;
+    int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
+    float contrast = 2; ///< standard deviations from the mean to the ends
+    std::optional<Rival> rival;
+
+    bool operator==(const Document& other) const;
+};
+
+/// A document with the picture in the middle of the view.
+Document document_of(const render::Picture& picture);
+
+/// Where one has been. What is edited is `now`; `settle` makes a step of what has changed since the last one.
+class History {
+  public:
+    explicit History(Document document) : now(std::move(document)), steps_{now} {}
+
+    Document now;
+
+    /// Call while nothing is being dragged. Where the camera stands is no step of its own, nor is the time.
+    void settle();
+    bool can_undo() const { return at_ > 0; }
+    bool can_redo() const { return at_ + 1 < steps_.size(); }
+    void undo();
+    void redo();
+
+  private:
+    void go(std::size_t step);
+
+    std::vector<Document> steps_;
+    std::size_t at_ = 0;
+};
+
+} // namespace gabor::viewer

@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ source with the text of every one of FILES, for the viewer to fall back on where there is no
+# folder of shaders. FILES are relative to FOLDER.
+set(text "#include \"viewer/shaders.hpp\"\n\nnamespace gabor::viewer {\n\n")
+string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    static constexpr EmbeddedShader all[] = {\n")
+foreach(file ${FILES})
+    file(READ ${FOLDER}/${file} content)
+    string(APPEND text "{\"${file}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "    };\n    return all;\n}\n\n} // namespace gabor::viewer\n")
+file(WRITE ${OUTPUT} "${text}")

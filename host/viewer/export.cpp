@@ -1,0 +1,64 @@
+#include "viewer/export.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace gabor::viewer {
+
+namespace {
+
+struct Cancelled {};
+
+} // namespace
+
+Exporter::~Exporter() {
+    cancelled_ = true;
+    if (thread_.joinable())
+        thread_.join();
+}
+
+void Exporter::start(const render::Picture& picture, const std::filesystem::path& exr,
+                     const std::optional<std::filesystem::path>& png) {
+    render::check(picture);
+    if (exr.empty() || (png && *png == exr))
+        throw RequestError("an export takes the name of an EXR, and another one for a PNG");
+    if (thread_.joinable())
+        thread_.join();
+    cancelled_ = false;
+    done_ = 0;
+    total_ = static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
+    running_ = true;
+    thread_ = std::thread([this, picture, exr, png] {
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            const vulkan::Device device(selector_);
+            render::render_file(device, picture, {0, 0, picture.width, picture.height}, {exr, png, "none"},
+                                [this](std::uint64_t pixels) {
+                                    if (cancelled_)
+                                        throw Cancelled();
+                                    done_ += pixels;
+                                });
+            result_ = fmt::format(
+                "{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        } catch (const Cancelled&) {
+            result_ = "cancelled; no file was written";
+        } catch (const std::exception& error) {
+            result_ = error.what();
+        }
+        running_ = false;
+    });
+}
+
+double Exporter::progress() const {
+    return static_cast<double>(done_) / static_cast<double>(total_);
+}
+
+std::string Exporter::result() {
+    return running_ ? std::string() : result_;
+}
+
+} // namespace gabor::viewer

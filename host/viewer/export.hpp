@@ -1,0 +1,38 @@
+#pragma once
+
+#include "render/file.hpp"
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+namespace gabor::viewer {
+
+/// Renders files beside the window, on a thread and a logical device of its own.
+class Exporter {
+  public:
+    /// `selector`: as for vulkan::Device.
+    explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
+    ~Exporter();
+
+    /// Throws RequestError where the picture or a path will not do. Not while `running`.
+    void start(const render::Picture& picture, const std::filesystem::path& exr,
+               const std::optional<std::filesystem::path>& png);
+    void cancel() { cancelled_ = true; }
+
+    bool running() const { return running_; }
+    double progress() const; ///< from 0 to 1
+    /// What came of the last one: a line to show, empty at first.
+    std::string result();
+
+  private:
+    std::string selector_;
+    std::thread thread_;
+    std::atomic<bool> running_ = false;
+    std::atomic<bool> cancelled_ = false;
+    std::atomic<std::uint64_t> done_ = 0;
+    std::uint64_t total_ = 1;
+    std::string result_; ///< the thread's while it runs
+};
+
+} // namespace gabor::viewer

@@ -1,0 +1,133 @@
+#include "viewer/gui.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace gabor::viewer {
+
+namespace {
+
+void check_result(VkResult result) {
+    if (result < 0)
+        throw std::runtime_error(vk::to_string(static_cast<vk::Result>(result)));
+}
+
+// Dark and quiet: the picture is what one looks at.
+void set_style(float density) {
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 0;
+    style.FrameRounding = style.GrabRounding = style.PopupRounding = style.ScrollbarRounding = 3;
+    style.WindowBorderSize = 0;
+    style.FramePadding = {8, 4};
+    style.ItemSpacing = {8, 6};
+    style.WindowPadding = {14, 12};
+    style.IndentSpacing = 12;
+    style.ScrollbarSize = 11;
+    style.GrabMinSize = 9;
+    ImVec4* colour = style.Colors;
+    const ImVec4 accent{0.91f, 0.68f, 0.36f, 1};
+    const ImVec4 dim{accent.x, accent.y, accent.z, 0.55f};
+    colour[ImGuiCol_WindowBg] = {0.085f, 0.088f, 0.095f, 1};
+    colour[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.125f, 0.98f};
+    colour[ImGuiCol_Text] = {0.86f, 0.86f, 0.85f, 1};
+    colour[ImGuiCol_TextDisabled] = {0.52f, 0.53f, 0.54f, 1};
+    colour[ImGuiCol_FrameBg] = {0.15f, 0.155f, 0.165f, 1};
+    colour[ImGuiCol_FrameBgHovered] = {0.20f, 0.205f, 0.22f, 1};
+    colour[ImGuiCol_FrameBgActive] = {0.24f, 0.245f, 0.26f, 1};
+    colour[ImGuiCol_Header] = {0.13f, 0.135f, 0.145f, 1};
+    colour[ImGuiCol_HeaderHovered] = {0.18f, 0.185f, 0.2f, 1};
+    colour[ImGuiCol_HeaderActive] = {0.21f, 0.215f, 0.23f, 1};
+    colour[ImGuiCol_Button] = {0.18f, 0.185f, 0.2f, 1};
+    colour[ImGuiCol_ButtonHovered] = {0.25f, 0.255f, 0.27f, 1};
+    colour[ImGuiCol_ButtonActive] = dim;
+    colour[ImGuiCol_SliderGrab] = dim;
+    colour[ImGuiCol_SliderGrabActive] = accent;
+    colour[ImGuiCol_CheckMark] = accent;
+    colour[ImGuiCol_PlotHistogram] = dim;
+    colour[ImGuiCol_Separator] = {0.2f, 0.205f, 0.22f, 1};
+    colour[ImGuiCol_NavHighlight] = accent;
+    style.ScaleAllSizes(density);
+}
+
+void load_font(float density) {
+    // Whatever sans a desktop has; Dear ImGui's own pixel font where there is none.
+    ImGuiIO& io = ImGui::GetIO();
+    for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                             "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                             "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"})
+        if (std::filesystem::exists(path) && io.Fonts->AddFontFromFileTTF(path, 14.0f * density))
+            return;
+    ImFontConfig config;
+    config.SizePixels = 13.0f * density;
+    io.Fonts->AddFontDefault(&config);
+}
+
+void upload_font(const vulkan::Device& device) {
+    const vulkan::Device::State& state = device.state();
+    vk::raii::CommandBuffers commands(state.device, {*state.pool, vk::CommandBufferLevel::ePrimary, 1});
+    commands.front().begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    ImGui_ImplVulkan_CreateFontsTexture(*commands.front());
+    commands.front().end();
+    state.queue.submit(vk::SubmitInfo({}, {}, *commands.front()));
+    state.queue.waitIdle();
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 1);
+    return {device.state().device,
+            vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
+}
+
+} // namespace
+
+Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images)
+    : descriptors_(make_descriptors(device)) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // settings.hpp remembers
+    set_style(window.density());
+    load_font(window.density());
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+    const vulkan::Device::State& state = device.state();
+    ImGui_ImplVulkan_InitInfo info{};
+    info.Instance = *state.instance;
+    info.PhysicalDevice = *state.physical;
+    info.Device = *state.device;
+    info.QueueFamily = state.family;
+    info.Queue = *state.queue;
+    info.DescriptorPool = *descriptors_;
+    info.MinImageCount = 2;
+    info.ImageCount = std::max(images, 2u);
+    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    info.CheckVkResultFn = check_result;
+    ImGui_ImplVulkan_Init(&info, pass);
+    upload_font(device);
+}
+
+Gui::~Gui() {
+    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::begin() {
+    ImGui_ImplVulkan_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+}
+
+void Gui::end() {
+    ImGui::Render();
+}
+
+void Gui::draw(vk::CommandBuffer commands) const {
+    ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,117 @@
+#include "viewer/painter.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gabor::viewer {
+
+namespace {
+
+constexpr std::uint32_t most_canvases = 2;
+
+// As in shaders/viewer/show.frag.
+struct ShowPush {
+    float origin[2];
+    float extent[2];
+    std::int32_t grid[2];
+    float stride;
+    std::int32_t channels;
+    std::int32_t shown;
+    std::int32_t colours;
+    float contrast;
+    float slope;
+};
+
+vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
+    const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
+                                                 vk::ShaderStageFlagBits::eFragment);
+    return {device, vk::DescriptorSetLayoutCreateInfo({}, binding)};
+}
+
+vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, vk::DescriptorSetLayout set) {
+    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(ShowPush));
+    return {device, vk::PipelineLayoutCreateInfo({}, set, push)};
+}
+
+vk::raii::DescriptorPool make_pool(const vk::raii::Device& device) {
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, most_canvases);
+    return {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                                 most_canvases, size)};
+}
+
+vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout, vk::RenderPass pass,
+                                 const std::vector<std::uint32_t>& vertex,
+                                 const std::vector<std::uint32_t>& fragment) {
+    const vk::raii::ShaderModule vertex_module(device, {{}, vertex.size() * 4, vertex.data()});
+    const vk::raii::ShaderModule fragment_module(device, {{}, fragment.size() * 4, fragment.data()});
+    const std::array stages{
+        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex_module, "main"),
+        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment_module, "main")};
+    const vk::PipelineVertexInputStateCreateInfo no_input;
+    const vk::PipelineInputAssemblyStateCreateInfo triangles({}, vk::PrimitiveTopology::eTriangleList);
+    const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
+    vk::PipelineRasterizationStateCreateInfo raster;
+    raster.lineWidth = 1;
+    const vk::PipelineMultisampleStateCreateInfo single({}, vk::SampleCountFlagBits::e1);
+    using C = vk::ColorComponentFlagBits;
+    vk::PipelineColorBlendAttachmentState opaque;
+    opaque.colorWriteMask = C::eR | C::eG | C::eB | C::eA;
+    const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, opaque);
+    const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+    const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
+    return {device, nullptr,
+            vk::GraphicsPipelineCreateInfo({}, stages, &no_input, &triangles, nullptr, &viewport, &raster, &single,
+                                           nullptr, &blend, &dynamic, layout, pass, 0)};
+}
+
+} // namespace
+
+Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::vector<std::uint32_t>& vertex,
+                 const std::vector<std::uint32_t>& fragment)
+    : device_(device), set_layout_(make_set_layout(device.state().device)),
+      layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
+      pipeline_(make_pipeline(device.state().device, *layout_, pass, vertex, fragment)) {
+    const std::vector<vk::DescriptorSetLayout> layouts(most_canvases, *set_layout_);
+    vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
+    for (vk::raii::DescriptorSet& set : sets)
+        sets_.push_back(std::move(set));
+}
+
+void Painter::prepare(vk::CommandBuffer commands) const {
+    commands.pipelineBarrier(
+        vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eFragmentShader, {},
+        vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eShaderRead), {}, {});
+}
+
+void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
+                    std::size_t index) {
+    const vk::raii::DescriptorSet& set = sets_.at(index);
+    const vk::DescriptorBufferInfo values(*canvas.values().state().buffer, 0, VK_WHOLE_SIZE);
+    device_.state().device.updateDescriptorSets(
+        vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
+
+    ShowPush push{};
+    push.origin[0] = static_cast<float>(area.x);
+    push.origin[1] = static_cast<float>(area.y);
+    push.extent[0] = static_cast<float>(area.width);
+    push.extent[1] = static_cast<float>(area.height);
+    push.grid[0] = canvas.grid().width;
+    push.grid[1] = canvas.grid().height;
+    push.stride = static_cast<float>(canvas.stride());
+    push.channels = canvas.subject().channels;
+    // The noises that the paper compares have their value alone.
+    push.shown = push.channels > 1 ? static_cast<std::int32_t>(document.output) : 0;
+    push.colours = document.colours;
+    push.contrast = document.contrast;
+    push.slope = static_cast<float>(2 * std::numbers::pi * document.picture.frequency / std::numbers::sqrt2);
+
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
+    commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
+    commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], push.extent[0], push.extent[1], 0, 1));
+    commands.setScissor(0, vk::Rect2D({area.x, area.y}, {static_cast<std::uint32_t>(area.width),
+                                                         static_cast<std::uint32_t>(area.height)}));
+    commands.draw(3, 1, 0, 0);
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "viewer/canvas.hpp"
+
+namespace gabor::viewer {
+
+/// A rectangle of a framebuffer, in pixels.
+struct Area {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Shows canvases through a colour map: shaders/viewer/show.vert and show.frag.
+class Painter {
+  public:
+    Painter(const vulkan::Device& device, vk::RenderPass pass, const std::vector<std::uint32_t>& vertex,
+            const std::vector<std::uint32_t>& fragment);
+
+    /// Makes the values of `canvases` visible to `paint`; outside a render pass.
+    void prepare(vk::CommandBuffer commands) const;
+    /// Records the drawing of a canvas, inside a render pass. `index`: which of the canvases of this frame.
+    void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
+               std::size_t index);
+
+  private:
+    const vulkan::Device& device_;
+    vk::raii::DescriptorSetLayout set_layout_;
+    vk::raii::PipelineLayout layout_;
+    vk::raii::DescriptorPool pool_;
+    std::vector<vk::raii::DescriptorSet> sets_;
+    vk::raii::Pipeline pipeline_;
+};
+
+} // namespace gabor::viewer

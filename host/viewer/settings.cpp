@@ -1,0 +1,68 @@
+#include "viewer/settings.hpp"
+
+#include "image/output_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <span>
+
+namespace gabor::viewer {
+
+namespace {
+
+std::filesystem::path settings_path() {
+    if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder)
+        return std::filesystem::path(folder) / "gabor-noise" / "viewer.json";
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return std::filesystem::path(home) / ".config" / "gabor-noise" / "viewer.json";
+    return {};
+}
+
+} // namespace
+
+Settings load_settings() {
+    Settings settings;
+    std::ifstream file(settings_path());
+    const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+    try {
+        const auto number = [&](const char* name, int low, int high, int& into) {
+            into = std::clamp(json.at(name).get<int>(), low, high);
+        };
+        Settings read;
+        number("x", -1, 32767, read.placement.x);
+        number("y", -1, 32767, read.placement.y);
+        number("width", 480, 32767, read.placement.width);
+        number("height", 320, 32767, read.placement.height);
+        read.placement.maximized = json.at("maximized").get<bool>();
+        read.panels = json.at("panels").get<bool>();
+        settings = read;
+    } catch (const nlohmann::json::exception&) {
+        // no file, or one from another time
+    }
+    return settings;
+}
+
+void save_settings(const Settings& settings) {
+    const std::filesystem::path path = settings_path();
+    const nlohmann::ordered_json json{{"x", settings.placement.x},
+                                      {"y", settings.placement.y},
+                                      {"width", settings.placement.width},
+                                      {"height", settings.placement.height},
+                                      {"maximized", settings.placement.maximized},
+                                      {"panels", settings.panels}};
+    try {
+        std::filesystem::create_directories(path.parent_path());
+        const std::string text = json.dump(2) + "\n";
+        image::OutputFile file(path);
+        file.write(std::as_bytes(std::span(text)));
+        file.commit();
+    } catch (const std::exception&) {
+        // a home that cannot be written to forgets
+    }
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "viewer/document.hpp"
+#include "viewer/window.hpp"
+
+#include <string>
+
+namespace gabor::viewer {
+
+/// GLSL that draws what a view of `extent` pixels shows, with the drop-in: a function of the pixel's centre,
+/// counted from the upper left corner.
+std::string snippet(const Document& document, Extent extent);
+
+} // namespace gabor::viewer

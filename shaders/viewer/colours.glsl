@@ -1,0 +1,35 @@
+// Colour maps for t in [0, 1].
+
+vec3 viewer_ramp(float t, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e)
+{
+    t *= 4.0;
+    vec3 low = t < 1.0 ? mix(a, b, t) : mix(b, c, t - 1.0);
+    vec3 high = t < 3.0 ? mix(c, d, t - 2.0) : mix(d, e, t - 3.0);
+    return t < 2.0 ? low : high;
+}
+
+// 0 grey, 1 viridis, 2 blue to red through white, 3 ember, 4 sea. The second has the colours of van der Walt and Smith,
+// the third those of Moreland's "cool to warm", each through five of them.
+vec3 viewer_colour(int map, float t)
+{
+    t = clamp(t, 0.0, 1.0);
+    if (map == 1)
+        return viewer_ramp(t, vec3(0.267, 0.005, 0.329), vec3(0.229, 0.322, 0.546), vec3(0.128, 0.567, 0.551),
+                           vec3(0.369, 0.789, 0.383), vec3(0.993, 0.906, 0.144));
+    if (map == 2)
+        return viewer_ramp(t, vec3(0.230, 0.299, 0.754), vec3(0.552, 0.691, 0.996), vec3(0.865, 0.865, 0.865),
+                           vec3(0.957, 0.598, 0.477), vec3(0.706, 0.016, 0.150));
+    if (map == 3)
+        return viewer_ramp(t, vec3(0.03, 0.02, 0.05), vec3(0.34, 0.06, 0.14), vec3(0.78, 0.24, 0.09),
+                           vec3(0.98, 0.64, 0.25), vec3(1.0, 0.97, 0.84));
+    if (map == 4)
+        return viewer_ramp(t, vec3(0.02, 0.07, 0.16), vec3(0.05, 0.26, 0.38), vec3(0.14, 0.50, 0.55),
+                           vec3(0.55, 0.78, 0.70), vec3(0.96, 0.96, 0.86));
+    return vec3(t);
+}
+
+// All hues, and back to the first, alike in brightness.
+vec3 viewer_cycle(float t)
+{
+    return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));
+}
