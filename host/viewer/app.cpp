@@ -295,8 +295,13 @@ Script::Hands App::hands() {
             [this] { return !busy_ && !session_.exporter.running(); }};
 }
 
+static double t0[6]; static int fr=0;
+#define TICK(i) { double n=glfwGetTime(); t0[i]+=n-last; last=n; }
 bool App::frame() {
+    double last=glfwGetTime();
+    if (++fr%100==0) { for(double&t:t0){fprintf(stderr,"%.1f ",t*10); t=0;} fprintf(stderr,"\n"); }
     swapchain_.wait();
+    TICK(0)
     poll_shaders();
     gui_.begin();
     if (script_ && !script_->play(session_, hands()))
@@ -315,18 +320,23 @@ bool App::frame() {
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.settle();
     gui_.end();
+    TICK(1)
     if (closing)
         return false;
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
     busy_ = work(extent);
+    TICK(2)
     if (window_picture_) {
         save_window(*window_picture_);
         window_picture_.reset();
     }
-    if (const Target* target = swapchain_.acquire(extent))
+    const Target* target = swapchain_.acquire(extent);
+    TICK(3)
+    if (target)
         draw(*target);
+    TICK(4)
     return true;
 }
 

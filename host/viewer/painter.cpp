@@ -12,12 +12,8 @@ constexpr std::uint32_t most_canvases = 2;
 // As in shaders/viewer/show.frag.
 struct ShowPush {
     float origin[2];
-    float extent[2];
     std::int32_t grid[2];
     float stride;
-    std::int32_t channels;
-    std::int32_t shown;
-    std::int32_t colours;
     float contrast;
     float slope;
 };
@@ -39,14 +35,22 @@ vk::raii::DescriptorPool make_pool(const vk::raii::Device& device) {
                                                  most_canvases, size)};
 }
 
+vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::vector<std::uint32_t>& spirv) {
+    return {device, {{}, spirv.size() * sizeof(std::uint32_t), spirv.data()}};
+}
+
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout, vk::RenderPass pass,
-                                 const std::vector<std::uint32_t>& vertex,
-                                 const std::vector<std::uint32_t>& fragment) {
-    const vk::raii::ShaderModule vertex_module(device, {{}, vertex.size() * 4, vertex.data()});
-    const vk::raii::ShaderModule fragment_module(device, {{}, fragment.size() * 4, fragment.data()});
+                                 vk::ShaderModule vertex, vk::ShaderModule fragment,
+                                 const Painter::Constants& constants) {
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < constants.size(); ++i)
+        entries.emplace_back(i, i * 4, 4);
+    const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                                sizeof constants, constants.data());
     const std::array stages{
-        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex_module, "main"),
-        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment_module, "main")};
+        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, vertex, "main"),
+        vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, fragment, "main",
+                                          &specialization)};
     const vk::PipelineVertexInputStateCreateInfo no_input;
     const vk::PipelineInputAssemblyStateCreateInfo triangles({}, vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
@@ -70,11 +74,22 @@ Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::v
                  const std::vector<std::uint32_t>& fragment)
     : device_(device), set_layout_(make_set_layout(device.state().device)),
       layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
-      pipeline_(make_pipeline(device.state().device, *layout_, pass, vertex, fragment)) {
+      pass_(pass), vertex_(make_module(device.state().device, vertex)),
+      fragment_(make_module(device.state().device, fragment)) {
     const std::vector<vk::DescriptorSetLayout> layouts(most_canvases, *set_layout_);
     vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
     for (vk::raii::DescriptorSet& set : sets)
         sets_.push_back(std::move(set));
+}
+
+vk::Pipeline Painter::pipeline(const Constants& constants) {
+    const auto found = pipelines_.find(constants);
+    if (found != pipelines_.end())
+        return *found->second;
+    return *pipelines_
+                .emplace(constants, make_pipeline(device_.state().device, *layout_, pass_, *vertex_, *fragment_,
+                                                  constants))
+                .first->second;
 }
 
 void Painter::prepare(vk::CommandBuffer commands) const {
@@ -90,25 +105,25 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     device_.state().device.updateDescriptorSets(
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
 
+    // The noises that the paper compares have their value alone.
+    const int channels = canvas.subject().channels;
+    const auto shown = channels > 1 ? static_cast<std::int32_t>(document.output) : 0;
+    const vk::Pipeline pipeline = this->pipeline({shown, document.colours, channels, canvas.stride() > 1});
+
     ShowPush push{};
     push.origin[0] = static_cast<float>(area.x);
     push.origin[1] = static_cast<float>(area.y);
-    push.extent[0] = static_cast<float>(area.width);
-    push.extent[1] = static_cast<float>(area.height);
     push.grid[0] = canvas.grid().width;
     push.grid[1] = canvas.grid().height;
     push.stride = static_cast<float>(canvas.stride());
-    push.channels = canvas.subject().channels;
-    // The noises that the paper compares have their value alone.
-    push.shown = push.channels > 1 ? static_cast<std::int32_t>(document.output) : 0;
-    push.colours = document.colours;
     push.contrast = document.contrast;
     push.slope = static_cast<float>(2 * std::numbers::pi * document.picture.frequency / std::numbers::sqrt2);
 
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
     commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
-    commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], push.extent[0], push.extent[1], 0, 1));
+    commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], static_cast<float>(area.width),
+                                          static_cast<float>(area.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({area.x, area.y}, {static_cast<std::uint32_t>(area.width),
                                                          static_cast<std::uint32_t>(area.height)}));
     commands.draw(3, 1, 0, 0);

@@ -2,6 +2,8 @@
 
 #include "viewer/canvas.hpp"
 
+#include <map>
+
 namespace gabor::viewer {
 
 /// A rectangle of a framebuffer, in pixels.
@@ -24,13 +26,21 @@ class Painter {
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                std::size_t index);
 
+    /// The specialization constants of shaders/viewer/show.frag.
+    using Constants = std::array<std::int32_t, 4>;
+
   private:
+    vk::Pipeline pipeline(const Constants& constants);
+
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;
     vk::raii::PipelineLayout layout_;
     vk::raii::DescriptorPool pool_;
     std::vector<vk::raii::DescriptorSet> sets_;
-    vk::raii::Pipeline pipeline_;
+    vk::RenderPass pass_;
+    vk::raii::ShaderModule vertex_;
+    vk::raii::ShaderModule fragment_;
+    std::map<Constants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
 };
 
 } // namespace gabor::viewer

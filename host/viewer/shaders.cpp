@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <glslang/Include/ResourceLimits.h>
+#include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
@@ -12,10 +12,6 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-
-namespace glslang {
-extern const TBuiltInResource DefaultTBuiltInResource; // its header moved between releases
-}
 
 namespace gabor::viewer {
 
@@ -123,7 +119,7 @@ Compiled Shaders::compile(std::string_view path, Stage stage) {
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
     Includer includer(*this);
     constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    if (!shader.parse(&glslang::DefaultTBuiltInResource, 450, false, messages, includer))
+    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer))
         return {{}, first_error(shader.getInfoLog())};
     glslang::TProgram program;
     program.addShader(&shader);

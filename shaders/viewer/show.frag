@@ -7,16 +7,18 @@
 
 layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 
+// Constants, because a CPU would go through every branch.
+layout(constant_id = 0) const int shown = 0;    // 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance
+layout(constant_id = 1) const int colours = 0;  // the colour map
+layout(constant_id = 2) const int channels = 1;
+layout(constant_id = 3) const int coarse = 0;   // 1 where the grid is coarser than the pixels
+
 layout(push_constant) uniform Push {
-    vec2 origin;   // of the canvas in the framebuffer, pixels
-    vec2 extent;   // of the canvas, pixels
-    ivec2 grid;    // values each way
-    float stride;  // pixels per value
-    int channels;
-    int shown;     // 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance
-    int colours;   // the colour map
+    vec2 origin;    // of the canvas in the framebuffer, pixels
+    ivec2 grid;     // values each way
+    float stride;   // pixels per value
     float contrast; // standard deviations from the mean to the ends
-    float slope;   // standard deviation of a derivative, per kernel radius
+    float slope;    // standard deviation of a derivative, per kernel radius
 };
 
 layout(location = 0) out vec4 colour;
@@ -30,7 +32,7 @@ float value_at(ivec2 at, int channel)
 // Linear between the values of a coarse grid; exactly the value where there is one for each pixel.
 float value(vec2 pixel, int channel)
 {
-    if (stride == 1.0)
+    if (coarse == 0)
         return value_at(ivec2(pixel), channel);
     vec2 at = pixel / stride - 0.5;
     ivec2 corner = ivec2(floor(at));
