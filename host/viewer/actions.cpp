@@ -50,6 +50,10 @@ void open_preset(Session& session, const std::string& path) {
     try {
         Document opened = document_of(read_preset(path));
         const Document& now = session.history.now;
+        opened.view = now.view;
+        opened.waves = now.waves;
+        opened.pose = now.pose;
+        opened.filtered = now.filtered;
         opened.output = now.output;
         opened.colours = now.colours;
         opened.contrast = now.contrast;
@@ -95,6 +99,7 @@ void start_export(Session& session) {
 
 void go_home(Session& session) {
     session.document().camera = document_of(session.document().picture).camera;
+    session.document().pose = {};
 }
 
 } // namespace gabor::viewer

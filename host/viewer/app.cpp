@@ -17,8 +17,9 @@ namespace {
 
 constexpr double moving_budget = 0.022; // seconds of a frame for the noise, in which there must be time for the rest
 constexpr double still_budget = 0.030;
-constexpr double sampling_budget = 0.006;
-constexpr std::uint32_t most_samples = 1 << 23;
+constexpr double sampling_budget = 0.004;       // while time plays
+
+constexpr std::uint32_t most_samples = 1 << 21;
 constexpr double reload_interval = 0.25; // seconds
 constexpr float panel_width = 26;        // in heights of the font
 
@@ -28,6 +29,7 @@ struct ShaderFile {
 };
 constexpr std::array shader_files{ShaderFile{"viewer/noise.comp", Stage::compute},
                                   ShaderFile{"viewer/ingredients.comp", Stage::compute},
+                                  ShaderFile{"viewer/solid.comp", Stage::compute},
                                   ShaderFile{"viewer/show.vert", Stage::vertex},
                                   ShaderFile{"viewer/show.frag", Stage::fragment}};
 
@@ -118,14 +120,14 @@ const std::vector<std::uint32_t>& App::spirv(const Subject& subject) const {
 
 Canvas::Request App::request(const Subject& subject, Extent extent) const {
     const Document& document = session_.history.now;
-    return {make_push(subject, document.picture), document.camera, document.picture.scale, extent};
+    return {make_push(subject, document, extent), document.camera, document.picture.scale, extent};
 }
 
 std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.rival)
+    if (!session_.history.now.rival || on_body(session_.history.now.view))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
@@ -171,9 +173,11 @@ bool App::work(Extent window) {
 // While the view stands still: the spectrum of what it shows, and the law of the values, more of them with every frame.
 void App::measure(std::size_t side, const Canvas::Request& request) {
     Work& work = works_[side];
-    FieldPush law_push = request.push;
-    law_push.time = 0;
-    law_push.seed = 0; // other instances have the same law
+    // Other instances, times and views have the same law.
+    FieldPush law_push{};
+    law_push.frequency = request.push.frequency;
+    law_push.orientation = request.push.orientation;
+    law_push.amplitude = request.push.amplitude;
     std::vector<std::uint8_t> law(sizeof law_push);
     std::memcpy(law.data(), &law_push, sizeof law_push);
     if (law != work.law) {
@@ -187,9 +191,10 @@ void App::measure(std::size_t side, const Canvas::Request& request) {
     const int channels = work.canvas->subject().channels;
     if (work.canvas->fine() && !work.picture_measured) {
         work.picture_measured = true;
-        measurer_.add_picture(side, work.canvas->pixels(), channels, work.canvas->grid(), request.scale);
+        if (work.canvas->subject().view == View::plane)
+            measurer_.add_picture(side, work.canvas->pixels(), channels, work.canvas->grid(), request.scale);
     } else if ((work.canvas->fine() || session_.playing) && work.samples < most_samples) {
-        const std::span<const float> values = work.canvas->sample(request.push, work.samples, sampling_budget);
+        const std::span<const float> values = work.canvas->sample(request.push, work.samples, session_.playing ? sampling_budget : still_budget);
         work.samples += static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(channels);
         measurer_.add_samples(side, values, channels);
     }
@@ -295,13 +300,8 @@ Script::Hands App::hands() {
             [this] { return !busy_ && !session_.exporter.running(); }};
 }
 
-static double t0[6]; static int fr=0;
-#define TICK(i) { double n=glfwGetTime(); t0[i]+=n-last; last=n; }
 bool App::frame() {
-    double last=glfwGetTime();
-    if (++fr%100==0) { for(double&t:t0){fprintf(stderr,"%.1f ",t*10); t=0;} fprintf(stderr,"\n"); }
     swapchain_.wait();
-    TICK(0)
     poll_shaders();
     gui_.begin();
     if (script_ && !script_->play(session_, hands()))
@@ -320,23 +320,18 @@ bool App::frame() {
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.settle();
     gui_.end();
-    TICK(1)
     if (closing)
         return false;
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
     busy_ = work(extent);
-    TICK(2)
     if (window_picture_) {
         save_window(*window_picture_);
         window_picture_.reset();
     }
-    const Target* target = swapchain_.acquire(extent);
-    TICK(3)
-    if (target)
+    if (const Target* target = swapchain_.acquire(extent))
         draw(*target);
-    TICK(4)
     return true;
 }
 

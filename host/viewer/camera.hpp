@@ -29,9 +29,12 @@ struct AxisPlace {
     float local;
 };
 
+/// The place `by` kernel radii from a coordinate. `radius`: cells per kernel radius. Cells wrap around at
+/// 2^31, as the drop-in's do.
+AxisPlace place_at(const Coordinate& coordinate, double by, double radius);
+
 /// The places along an axis of a view of `pixels` pixels, `scale` pixels per kernel radius, `stride` pixels
-/// apart: the first in the middle of the first `stride` pixels. `radius`: cells per kernel radius. Cells wrap
-/// around at 2^31, as the drop-in's do.
+/// apart: the first in the middle of the first `stride` pixels.
 void add_places(std::vector<AxisPlace>& places, const Coordinate& middle, int pixels, double scale, int stride,
                 double radius);
 

@@ -70,6 +70,7 @@ void Canvas::start(Grid& grid, const Request& request, int stride) {
 // Fills up to `rows` rows from the next one on.
 void Canvas::fill(Grid& grid, FieldPush push, int rows) {
     using Clock = std::chrono::steady_clock;
+    push.stride = static_cast<float>(grid.stride);
     push.width = static_cast<std::uint32_t>(grid.grid.width);
     push.height = static_cast<std::uint32_t>(grid.grid.height);
     push.first_row = static_cast<std::uint32_t>(next_row_);

@@ -9,6 +9,7 @@ constexpr std::size_t most_steps = 1000;
 // The document but for what moves by itself or by looking around.
 Document still(Document document) {
     document.camera = {};
+    document.pose = {};
     document.picture.scale = 0;
     document.picture.time = 0;
     return document;
@@ -18,7 +19,7 @@ Document still(Document document) {
 
 bool Document::operator==(const Document& other) const {
     return render::to_json(picture) == render::to_json(other.picture) && camera == other.camera &&
-           output == other.output && colours == other.colours && contrast == other.contrast &&
+           view == other.view && waves == other.waves && pose == other.pose && filtered == other.filtered && output == other.output && colours == other.colours && contrast == other.contrast &&
            rival == other.rival;
 }
 

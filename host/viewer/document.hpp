@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/picture.hpp"
+#include "render/solid.hpp"
 #include "study/ingredients.hpp"
 #include "viewer/camera.hpp"
 
@@ -10,6 +11,23 @@
 namespace gabor::viewer {
 
 enum class Output { value, gradient, phase, intensity, variance };
+
+enum class View { plane, perspective, sphere, torus };
+/// Of noise in space, on a sphere or a torus: along one direction or along all, in space or along the surface.
+using Waves = render::SolidWaves;
+
+constexpr bool on_body(View view) {
+    return view == View::sphere || view == View::torus;
+}
+
+/// From where a plane in perspective or a body is seen.
+struct Pose {
+    float yaw = 0;     ///< degrees around a body's axis
+    float pitch = 30;  ///< degrees above its equator
+    float tilt = 65;   ///< of a plane, degrees away from facing it
+    float nearness = 1; ///< how much larger than to fit the view a body is
+    bool operator==(const Pose&) const = default;
+};
 
 /// What stands beside the picture in the split view: another recipe of the drop-in on the same parameters, or
 /// one of the noises that the paper compares.
@@ -23,6 +41,10 @@ struct Rival {
 struct Document {
     render::Picture picture;
     Camera camera;
+    View view = View::plane;
+    Waves waves = Waves::surface_isotropic;
+    Pose pose;
+    bool filtered = true; ///< by the footprints of pixels
     Output output = Output::value;
     int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
     float contrast = 2; ///< standard deviations from the mean to the ends

@@ -213,6 +213,12 @@ void Script::set(const Command& command, Session& session) {
         document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 4));
     } else if (name == "colours") {
         document.colours = static_cast<int>(command.number(1));
+    } else if (name == "view") {
+        document.view = static_cast<View>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
+    } else if (name == "waves") {
+        document.waves = static_cast<Waves>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
+    } else if (name == "filtered") {
+        document.filtered = command.number(1) != 0;
     } else if (name == "contrast") {
         document.contrast = static_cast<float>(command.number(1));
     } else {
@@ -266,7 +272,7 @@ bool Script::random(const Command& command, Session& session, const Hands& hands
             break;
         case 8:
         case 9: {
-            static constexpr std::string_view letters = "cezynr12345 ";
+            static constexpr std::string_view letters = "cezynrvf12345 ";
             if (draw(4) == 0)
                 keys_.push_back(GLFW_KEY_LEFT_CONTROL);
             const char letter = letters[static_cast<std::size_t>(draw(static_cast<int>(letters.size())))];

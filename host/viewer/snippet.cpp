@@ -39,13 +39,12 @@ std::string macros(const noise::Recipe& recipe) {
 std::string snippet(const Document& document, Extent extent) {
     const render::Picture& picture = document.picture;
     const noise::Recipe& recipe = noise::find_recipe(picture.recipe);
-    std::vector<AxisPlace> corner;
-    // The cell of the first pixel, and where in it the pixel's corner is.
-    add_places(corner, document.camera.x, extent.width, picture.scale, 1, recipe.radius);
-    const AxisPlace x = corner.front();
-    corner.clear();
-    add_places(corner, document.camera.y, extent.height, picture.scale, 1, recipe.radius);
-    const AxisPlace y = corner.front();
+    // The middle of the first pixel.
+    const auto first = [&](const Coordinate& middle, int pixels) {
+        return place_at(middle, (0.5 - pixels / 2.0) / picture.scale, recipe.radius);
+    };
+    const AxisPlace x = first(document.camera.x, extent.width);
+    const AxisPlace y = first(document.camera.y, extent.height);
     const double cells_per_pixel = recipe.radius / picture.scale;
     const double radians = std::remainder(picture.orientation, 360.0) * std::numbers::pi / 180;
     const double time = picture.time - std::floor(picture.time);

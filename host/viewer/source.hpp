@@ -2,6 +2,7 @@
 
 #include "viewer/document.hpp"
 #include "viewer/shaders.hpp"
+#include "viewer/window.hpp"
 #include "vulkan/pass.hpp"
 
 #include <memory>
@@ -22,6 +23,17 @@ struct FieldPush {
     std::uint32_t end_row;
     std::uint32_t sampling;
     std::uint32_t first_sample;
+    float middle_x;
+    float middle_y;
+    float stride;
+    float focal;
+    float unit;
+    float yaw;
+    float pitch;
+    std::int32_t cell_x;
+    std::int32_t cell_y;
+    float local_x;
+    float local_y;
 };
 
 /// Which noise one side of the view shows.
@@ -29,6 +41,9 @@ struct Subject {
     std::string recipe; ///< of the drop-in, or empty for `ingredients`
     study::Ingredients ingredients;
     int channels = 1; ///< the noise; 2: and its quadrature; 4: and its derivatives
+    View view = View::plane;
+    Waves waves = Waves::oriented; ///< in space
+    bool filtered = false;
 
     double radius() const;  ///< cells per kernel radius
     double visited() const; ///< impulses for each pixel; the mean where their number is random
@@ -43,7 +58,7 @@ std::vector<Subject> subjects(const Document& document);
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, const std::vector<std::uint32_t>& spirv);
 std::string_view shader_of(const Subject& subject);
 
-/// What the pass is told of the document.
-FieldPush make_push(const Subject& subject, const render::Picture& picture);
+/// What the pass is told of the document, for a view of so many pixels; its grid and rows are left open.
+FieldPush make_push(const Subject& subject, const Document& document, Extent extent);
 
 } // namespace gabor::viewer

@@ -13,3 +13,14 @@ void evaluate(ivec2 cell, vec2 local, uint instance, uint at)
     vec2 wave = frequency * vec2(cos(orientation), sin(orientation));
     values[at] = amplitude * gabor_ingredients(p, wave, instance);
 }
+
+void evaluate_view(vec2 pixel, uint at)
+{
+    vec2 p;
+    vec2 dx;
+    vec2 dy;
+    if (perspective(pixel, p, dx, dy))
+        evaluate(ivec2(cell_x, cell_y), vec2(local_x, local_y) + p, seed, at);
+    else
+        values[at] = 0.0;
+}

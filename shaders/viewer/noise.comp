@@ -6,11 +6,8 @@
 #include "../passes/recipe.glsl"
 #include "grid.glsl"
 
-void evaluate(ivec2 cell, vec2 local, uint instance, uint at)
+void write(GaborField field, uint at)
 {
-    GaborPlace place = gabor_place(cell, local);
-    place.time = time;
-    GaborField field = gabor_field(place, gabor_kernel(frequency, orientation), instance);
     values[at] = field.value.y;
     if (channels > 1)
         values[at + 1u] = field.value.x;
@@ -18,4 +15,23 @@ void evaluate(ivec2 cell, vec2 local, uint instance, uint at)
         values[at + 2u] = field.slope_x.y;
         values[at + 3u] = field.slope_y.y;
     }
+}
+
+void evaluate(ivec2 cell, vec2 local, uint instance, uint at)
+{
+    GaborPlace place = gabor_place(cell, local);
+    place.time = time;
+    write(gabor_field(place, gabor_kernel(frequency, orientation), instance), at);
+}
+
+void evaluate_view(vec2 pixel, uint at)
+{
+    vec2 p;
+    vec2 dx;
+    vec2 dy;
+    if (perspective(pixel, p, dx, dy))
+        evaluate(ivec2(cell_x, cell_y), vec2(local_x, local_y) + p * GABOR_RADIUS, seed, at);
+    else
+        for (uint i = 0u; i < uint(channels); ++i)
+            values[at + i] = 0.0;
 }

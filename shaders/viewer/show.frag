@@ -45,6 +45,10 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy - origin;
     float noise = value(pixel, 0);
+    if (noise > 1.0e5) { // beside the body
+        colour = vec4(0.05, 0.05, 0.055, 1.0);
+        return;
+    }
     vec3 seen;
     if (shown == 1) {
         vec3 normal = normalize(vec3(-value(pixel, 2), -value(pixel, 3), 2.0 * slope / contrast));

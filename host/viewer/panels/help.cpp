@@ -15,11 +15,14 @@ struct ShortCut {
 };
 
 constexpr std::array short_cuts{
-    ShortCut{"drag", "move the picture, endlessly"},
+    ShortCut{"drag", "move the plane, endlessly, or turn the body"},
+    ShortCut{"right drag", "tilt the plane in perspective"},
     ShortCut{"wheel", "zoom about the pointer"},
     ShortCut{"double click", "back to where gabor render begins (Home)"},
     ShortCut{"arrows, + and -", "the same from the keyboard"},
     ShortCut{"1 to 5", "show value, gradient, phase, intensity, variance"},
+    ShortCut{"V", "the next view: plane, plane in perspective, sphere, torus"},
+    ShortCut{"F", "filtering on and off"},
     ShortCut{"C", "the next colour map"},
     ShortCut{"R", "the next recipe"},
     ShortCut{"N", "the next seed"},

@@ -14,6 +14,9 @@ constexpr std::array output_tips{"The noise itself, of mean 0 and variance 1",
                                  "The phase of the complex noise, for patterns of even contrast",
                                  "The magnitude of the complex noise",
                                  "Half the squared magnitude of the complex noise: its variance around each place"};
+constexpr std::array views{"plane", "plane in perspective", "sphere", "torus"};
+constexpr std::array waves{"one direction, in space", "all directions, in space", "one direction, along the surface",
+                           "all directions, along the surface"};
 constexpr std::array maps{"grey", "viridis", "cool to warm", "ember", "sea"};
 
 template <typename Enum, std::size_t count>
@@ -61,10 +64,28 @@ void rival_choice(Document& document) {
     }
 }
 
+void view_choice(Document& document) {
+    auto view = static_cast<int>(document.view);
+    if (ImGui::Combo("view", &view, views.data(), static_cast<int>(views.size())))
+        document.view = static_cast<View>(view);
+    tip("V: a drag moves planes and turns bodies; with the right button it tilts the plane in perspective");
+    if (on_body(document.view)) {
+        auto chosen = static_cast<int>(document.waves);
+        if (ImGui::Combo("waves", &chosen, waves.data(), static_cast<int>(waves.size())))
+            document.waves = static_cast<Waves>(chosen);
+        tip("Solid noise, whose waves go through the body, or surface noise, whose waves go along its surface");
+    }
+    if (document.view == View::perspective)
+        ImGui::SliderFloat("tilt", &document.pose.tilt, 0, 88, "%.0f deg");
+    ImGui::Checkbox("filtered", &document.filtered);
+    tip("F: seen through the footprints of pixels, so that nothing flickers in the distance");
+}
+
 } // namespace
 
 void output_panel(Session& session) {
     Document& document = session.document();
+    view_choice(document);
     auto output = static_cast<int>(document.output);
     if (ImGui::BeginCombo("show", outputs.at(static_cast<std::size_t>(output)))) {
         for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -87,7 +108,7 @@ void output_panel(Session& session) {
             document.rival.reset();
     }
     tip("Tab: two recipes side by side, with their times");
-    if (document.rival)
+    if (document.rival && !on_body(document.view))
         rival_choice(document);
 }
 
