@@ -21,7 +21,8 @@ namespace gabor::viewer {
 namespace {
 
 constexpr int drag_frames = 12;
-constexpr double patience = 120; // seconds for anything to settle
+constexpr double patience = 120;   // seconds for anything to settle
+constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
     {"move", 2},   {"press", 0},  {"release", 0}, {"click", 2},      {"drag", 4},   {"scroll", 3}, {"key", 1},
@@ -179,7 +180,7 @@ bool Script::execute(const Command& command, Session& session, const Hands& hand
             throw std::runtime_error("nothing settles");
         return ++step_ > 3 && hands.settled();
     } else if (name == "expect") {
-        expect(command, session);
+        return expect(command, session);
     } else if (name == "random") {
         return random(command, session, hands);
     }
@@ -229,14 +230,15 @@ void Script::set(const Command& command, Session& session) {
     }
 }
 
-void Script::expect(const Command& command, const Session& session) const {
-    const std::string what = command.words[0] == "no" ? "no " + command.words.at(1) : command.words[0];
-    if (what == "no error" && !session.shader_error.empty())
-        throw std::runtime_error(fmt::format("there is an error: {}", session.shader_error));
-    if (what == "error" && session.shader_error.find(command.rest(1)) == std::string::npos)
-        throw std::runtime_error(fmt::format("no such error, but '{}'", session.shader_error));
-    if (what == "note" && session.note.find(command.rest(1)) == std::string::npos)
-        throw std::runtime_error(fmt::format("no such note, but '{}'", session.note));
+bool Script::expect(const Command& command, const Session& session) const {
+    const std::string& what = command.words[0];
+    const bool none = what == "no" && session.shader_error.empty();
+    const std::string& found = what == "note" ? session.note : session.shader_error;
+    if (none || (what != "no" && !found.empty() && found.find(command.rest(1)) != std::string::npos))
+        return true;
+    if (ImGui::GetTime() - started_ > expectation)
+        throw std::runtime_error(fmt::format("expected {}, but there is '{}'", command.rest(), found));
+    return false;
 }
 
 // Wanders, clicks, drags, scrolls, presses every key but that which quits, and resizes.

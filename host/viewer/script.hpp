@@ -22,7 +22,7 @@ namespace gabor::viewer {
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     wait FRAMES | settle | sleep SECONDS           settle: until nothing is left to refine or to measure
-///     expect error TEXT | expect no error | expect note TEXT
+///     expect error TEXT | expect no error | expect note TEXT     waits for it, for half a minute at most
 ///     random SEED SECONDS                 anything at all
 ///     quit
 ///
@@ -57,7 +57,7 @@ class Script {
     bool drag(const Command& command);
     bool key(const Command& command);
     void set(const Command& command, Session& session);
-    void expect(const Command& command, const Session& session) const;
+    bool expect(const Command& command, const Session& session) const;
     bool random(const Command& command, Session& session, const Hands& hands);
     void apply() const;
 

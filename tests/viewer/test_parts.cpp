@@ -1,0 +1,113 @@
+#include "viewer/camera.hpp"
+#include "viewer/document.hpp"
+#include "viewer/shaders.hpp"
+#include "viewer/snippet.hpp"
+
+#include "error.hpp"
+#include "noise/recipe.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace gabor;
+using namespace gabor::viewer;
+
+TEST_CASE("a camera is as precise far away as near by") {
+    Camera camera;
+    // There and back in steps that no single double could add to a place so far away.
+    camera = camera.moved(2e9, -2e9);
+    for (int i = 0; i < 1000; ++i)
+        camera = camera.moved(1e-7, -1e-7);
+    camera = camera.moved(-2e9, 2e9);
+    CHECK(static_cast<double>(camera.x.whole) + camera.x.part == Approx(1e-4).margin(1e-12));
+    CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
+}
+
+TEST_CASE("places continue across the end of the world") {
+    for (const double radius : {1.0, 1.5}) {
+        const Coordinate end{static_cast<std::int64_t>(2147483648.0 / radius) - 1, 0.25};
+        std::vector<AxisPlace> places;
+        add_places(places, end, 400, 32, 1, radius);
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const auto cells =
+                static_cast<std::uint32_t>(places[i].cell) - static_cast<std::uint32_t>(places[i - 1].cell);
+            const double step = static_cast<double>(static_cast<std::int32_t>(cells)) + double{places[i].local} -
+                                double{places[i - 1].local};
+            REQUIRE(step == Approx(radius / 32).margin(1e-6));
+        }
+        CHECK(places.front().cell > 0);
+        CHECK(places.back().cell < 0);
+    }
+}
+
+TEST_CASE("undo goes back step by step, and looking around is no step") {
+    History history(document_of({}));
+    history.now.picture.frequency = 5;
+    history.settle();
+    history.now.camera = history.now.camera.moved(3, 4);
+    history.settle();
+    history.now.picture.seed = 9;
+    history.settle();
+    history.undo();
+    CHECK(history.now.picture.seed == 0);
+    CHECK(history.now.picture.frequency == 5);
+    history.undo();
+    CHECK(history.now.picture.frequency == 4);
+    CHECK_FALSE(history.can_undo());
+    history.redo();
+    history.redo();
+    CHECK(history.now.picture.seed == 9);
+    CHECK_FALSE(history.can_redo());
+    history.undo();
+    history.now.picture.seed = 10;
+    history.settle();
+    CHECK_FALSE(history.can_redo());
+}
+
+TEST_CASE("a shader's error names the file and the line") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-viewer-shaders";
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
+    write("gabor_noise.glsl", "float one()\n{\n    return nothing;\n}\n");
+    write("pass.comp", "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
+                       "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
+    Shaders shaders(folder);
+    const Compiled broken = shaders.compile("pass.comp", Stage::compute);
+    CHECK(broken.spirv.empty());
+    CHECK_THAT(broken.error, Catch::StartsWith("gabor_noise.glsl:3:") && Catch::Contains("nothing"));
+    CHECK_FALSE(shaders.changed());
+    write("gabor_noise.glsl", "float one() { return 1.0; }\n");
+    CHECK(shaders.changed());
+    const Compiled mended = shaders.compile("pass.comp", Stage::compute);
+    CHECK(mended.error.empty());
+    CHECK_FALSE(mended.spirv.empty());
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("every shader that is built in compiles") {
+    Shaders shaders{{}};
+    for (const char* path : {"viewer/noise.comp", "viewer/ingredients.comp", "viewer/solid.comp"}) {
+        const Compiled compiled = shaders.compile(path, Stage::compute);
+        INFO(path << ": " << compiled.error);
+        CHECK_FALSE(compiled.spirv.empty());
+    }
+}
+
+TEST_CASE("recipes of one's own can be spelled out") {
+    const noise::Recipe own = noise::find_recipe("N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
+    CHECK(own.impulses == 2);
+    CHECK(own.radius == 1.25f);
+    CHECK(own.weight_floor == 0.5f);
+    CHECK(own.phases == 64);
+    CHECK(own.window == std::array{1.0f, 0.5f, 0.0f});
+    CHECK(noise::spelled_out(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
+    for (const noise::Recipe& recipe : noise::recipes())
+        CHECK(noise::spelled_out(recipe) == recipe.name);
+    for (const char* wrong : {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
+                              "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",
+                              "N=1,R=1,A=0.5,phases=64,window=0:0:0", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
+                              "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
+        CHECK_THROWS_AS(noise::find_recipe(wrong), RequestError);
+}

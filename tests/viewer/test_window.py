@@ -1,0 +1,192 @@
+"""The viewer's window, by scripts and by real events: what it does without complaint, and what it refuses."""
+
+import json
+import shutil
+import subprocess
+import time
+import unittest
+
+import numpy as np
+
+from viewer import SHADERS, ViewerTest, read_colour_png
+
+
+class Window(ViewerTest):
+    def test_everything_by_script(self):
+        self.play("""
+            settle
+            drag 300 300 420 360
+            scroll 200 200 3
+            scroll 200 200 -5
+            key tab
+            settle
+            key 2
+            key 3
+            key c
+            key v
+            wait 3
+            key v
+            wait 3
+            key v
+            wait 3
+            key v
+            key r
+            key n
+            key F1
+            wait 3
+            key F1
+            key space
+            wait 20
+            key space
+            key ctrl+z
+            key ctrl+y
+            resize 700 500
+            wait 5
+            resize 1280 800
+            minimize
+            wait 3
+            restore
+            hide
+            wait 3
+            show
+            wait 3
+            rival advice
+            settle
+            window last.png
+            quit""")
+        self.assertEqual(read_colour_png(self.folder / "last.png").shape, (800, 1280, 3))
+
+    def test_the_panel_is_worked_with_the_mouse(self):
+        # The first drop-down of the panel is the recipe; the third of its entries is `paper`.
+        self.play("""
+            settle
+            save before.json
+            click 1100 52
+            wait 3
+            click 1100 119
+            wait 3
+            save after.json
+            key ctrl+z
+            wait 3
+            save undone.json
+            key ctrl+y
+            wait 3
+            save redone.json
+            quit""", "--window", "1280x800")
+        recipes = [json.loads((self.folder / f"{name}.json").read_text())["recipe"]
+                   for name in ("before", "after", "undone", "redone")]
+        self.assertEqual(recipes[0], "one")
+        self.assertNotEqual(recipes[1], "one")
+        self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
+
+    def test_a_place_far_away_is_as_sharp_as_near_by(self):
+        # By drags alone: the same view from another side, which must be the same picture.
+        self.play("""
+            set scale 8
+            settle
+            window here.png
+            drag 100 300 600 300
+            drag 600 500 100 500
+            settle
+            window back.png
+            quit""", "--window", "1280x800")
+        here, back = (read_colour_png(self.folder / f"{name}.png")[:, :900].astype(int) for name in ("here", "back"))
+        self.assertLessEqual(np.abs(here - back).max(), 1)
+        self.assertGreater(here.std(), 30)
+
+    def test_shaders_are_read_again(self):
+        shaders = self.folder / "shaders"
+        shutil.copytree(SHADERS, shaders)
+        drop_in = shaders / "gabor_noise.glsl"
+        good = drop_in.read_text()
+        script = self.write_script("""
+            settle
+            screenshot before.png
+            expect error gabor_noise.glsl:
+            window broken.png
+            expect no error
+            screenshot mended.png
+            expect error noise.comp:
+            screenshot other.png
+            expect no error
+            screenshot brighter.png
+            quit""")
+        process = self.start("--script", script, "--shaders", shaders)
+
+        def after(name, path, text):
+            deadline = time.monotonic() + 60
+            while not (self.folder / name).exists() and process.poll() is None:
+                self.assertLess(time.monotonic(), deadline, name)
+                time.sleep(0.05)
+            path.write_text(text)
+
+        noise = shaders / "viewer/noise.comp"
+        pass_text = noise.read_text()
+        after("before.png", drop_in, good.replace("float fract_", "").replace("vec2 gabor_place_plus_one", "vec2 spoilt("))
+        after("broken.png", drop_in, good)
+        after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
+        after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))
+        self.finish(process)
+        before, mended, brighter = (read_colour_png(self.folder / f"{name}.png").astype(int)
+                                    for name in ("before", "mended", "brighter"))
+        self.assertTrue((before == mended).all())
+        self.assertGreater((brighter - before).mean(), 30)
+        # The message stands in the window, on the last good picture.
+        broken = read_colour_png(self.folder / "broken.png")
+        self.assertGreater(broken[:, :900].std(), 30)
+
+    def test_real_events(self):
+        process = self.start("--window", "1000x700")
+
+        def xdotool(*words):
+            return subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True,
+                                  stdout=subprocess.PIPE, text=True).stdout
+
+        deadline = time.monotonic() + 60
+        window = ""
+        while not window and time.monotonic() < deadline:
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Gabor noise"],
+                                   env=self.environment(), stdout=subprocess.PIPE, text=True)
+            window = found.stdout.strip()
+            time.sleep(0.2)
+        xdotool("windowfocus", "--sync", window)
+        xdotool("mousemove", "--window", window, 200, 200)
+        xdotool("mousedown", 1)
+        for x in range(200, 400, 20):
+            xdotool("mousemove", "--window", window, x, 220)
+            time.sleep(0.02)
+        xdotool("mouseup", 1)
+        for button in (4, 4, 5):
+            xdotool("click", button)
+        xdotool("windowsize", "--sync", window, 900, 600)
+        xdotool("windowunmap", "--sync", window)
+        time.sleep(0.5)
+        xdotool("windowmap", "--sync", window)
+        time.sleep(0.5)
+        xdotool("windowfocus", "--sync", window)
+        for key in ("3", "Tab", "c", "F1", "F1"):
+            xdotool("key", key)
+            time.sleep(0.3)
+        xdotool("keydown", "ctrl")
+        time.sleep(0.3)
+        xdotool("key", "q")
+        self.finish(process)
+        remembered = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
+        self.assertEqual((remembered["width"], remembered["height"]), (900, 600))
+
+    def test_without_a_display(self):
+        self.assert_fails(1, ["no display"], "--screenshot", "picture.png", DISPLAY=None, WAYLAND_DISPLAY=None)
+
+    def test_wrong_requests(self):
+        (self.folder / "wrong.json").write_text('{"frequncy": 4}')
+        (self.folder / "wrong.txt").write_text("dance\n")
+        self.assert_fails(2, ["wrong.json", "frequncy", "frequency"], "--preset", "wrong.json")
+        self.assert_fails(2, ["missing.json", "JSON"], "--preset", "missing.json")
+        self.assert_fails(2, ["--window", "480x320"], "--window", "10x10")
+        self.assert_fails(2, ["gabor_noise.glsl"], "--shaders", self.folder)
+        self.assert_fails(2, ["dance", "drag"], "--script", "wrong.txt")
+        self.assert_fails(2, ["--help"], "--nonsense")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,102 @@
+"""Runs gabor-viewer under Xvfb, with the validation layers: whatever they say is a failure."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+from png import SIGNATURE, unfilter  # noqa: E402
+
+VIEWER = os.environ["GABOR_VIEWER"]
+PROGRAM = os.environ["GABOR_PROGRAM"]
+SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
+
+
+def read_colour_png(path):
+    """An 8-bit RGB PNG as height x width x 3."""
+    import struct
+    import zlib
+    data = pathlib.Path(path).read_bytes()
+    assert data.startswith(SIGNATURE), "not a PNG"
+    bodies, at, header = [], len(SIGNATURE), None
+    while at < len(data):
+        size, = struct.unpack_from(">I", data, at)
+        kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + size]
+        header = struct.unpack(">IIBBBBB", body) if kind == b"IHDR" else header
+        bodies += [body] if kind == b"IDAT" else []
+        at += 12 + size
+    width, height, *form = header
+    assert form == [8, 2, 0, 0, 0], "not 8-bit RGB"
+    rows = np.frombuffer(zlib.decompress(b"".join(bodies)), np.uint8).reshape(height, 1 + 3 * width)
+    assert (rows[:, 0] == 2).all(), "not the filter that the program uses"  # UP: each row less the one above
+    return np.cumsum(rows[:, 1:], axis=0, dtype=np.uint8).reshape(height, width, 3)
+
+
+class ViewerTest(unittest.TestCase):
+    """A display, and an empty folder in which the programs run."""
+
+    @classmethod
+    def setUpClass(cls):
+        reading, writing = os.pipe()
+        cls.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+            pass_fds=[writing], stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as pipe:
+            cls.display = ":" + pipe.readline().strip()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.terminate()
+        cls.server.wait()
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-viewer-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def environment(self, **changes):
+        merged = {**os.environ, "GABOR_VALIDATION": "1", "DISPLAY": self.display,
+                  "XDG_CONFIG_HOME": str(self.folder / "config"), **changes}
+        return {name: value for name, value in merged.items() if value is not None}
+
+    def start(self, *arguments, **changes):
+        return subprocess.Popen([VIEWER, *map(str, arguments)], cwd=self.folder, env=self.environment(**changes),
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def finish(self, process, timeout=120):
+        try:
+            out, err = process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            self.fail(f"still running after {timeout} s: {process.communicate()}")
+        self.assertEqual((process.returncode, out, err), (0, "", ""))
+
+    def run_viewer(self, *arguments, timeout=120, **changes):
+        self.finish(self.start(*arguments, **changes), timeout)
+
+    def write_script(self, text, name="script.txt"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def play(self, text, *arguments, timeout=120):
+        self.run_viewer("--script", self.write_script(text), *arguments, timeout=timeout)
+
+    def gabor(self, *arguments):
+        result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=self.environment(),
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+
+    def assert_fails(self, status, words, *arguments, **changes):
+        process = self.start(*arguments, **changes)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (status, ""), err)
+        self.assertRegex(err, r"\Agabor-viewer: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, err)
