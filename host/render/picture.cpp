@@ -220,4 +220,17 @@ Picture from_json(std::string_view text) {
     return picture;
 }
 
+std::vector<Lobe> lobes_from_json(std::string_view text) {
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_object() && !json.contains("lobes"))
+        throw RequestError("the object has no 'lobes'");
+    if (!json.is_object() && !json.is_array())
+        throw RequestError("not a JSON list of lobes, nor an object with 'lobes'");
+    std::vector<Lobe> lobes;
+    take(json.is_object() ? json["lobes"] : json, "lobes", lobes);
+    if (lobes.empty())
+        throw RequestError("the list of lobes is empty");
+    return lobes;
+}
+
 } // namespace gabor::render

@@ -73,4 +73,8 @@ void check(const Picture& picture);
 std::string to_json(const Picture& picture);
 Picture from_json(std::string_view json);
 
+/// The lobes of a JSON list, or of the `lobes` of a picture's object; throws RequestError where there are
+/// none.
+std::vector<Lobe> lobes_from_json(std::string_view json);
+
 } // namespace gabor::render
