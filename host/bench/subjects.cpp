@@ -24,7 +24,8 @@ std::vector<Subject> subjects() {
                        false});
     const noise::Recipe& one = noise::recipes().front();
     std::uint32_t entry = 0;
-    for (const char* function : {"gradient", "complex and phasor", "four", "tiled", "animated"})
+    for (const char* function : {"gradient", "complex and phasor", "four", "tiled", "animated", "spread",
+                                 "lobes, 3", "lobes, 16", "filtered"})
         all.push_back({fmt::format("gabor_noise_{}, {}", function, one.name),
                        static_cast<double>(noise::visited_impulses(one)), recipe_spirv, &one, 0, false,
                        ++entry});

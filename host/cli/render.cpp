@@ -5,6 +5,7 @@
 #include "image/png.hpp"
 #include "render/bands.hpp"
 #include "render/picture.hpp"
+#include "render/presets.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -49,9 +51,19 @@ struct RenderOptions {
         "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
     std::string device;
     std::optional<std::string> frames;
+    std::optional<std::string> preset;
+    std::optional<std::string> lobes;
+    std::optional<std::string> frequency_spread;
+    std::optional<std::string> orientation_spread;
+    std::optional<std::string> view;
+    std::optional<std::string> paint;
+    std::optional<std::string> values;
     bool tileable = false;
+    bool sum = false;
+    bool filter = false;
     bool quadrature = false;
     bool gradient = false;
+    bool phasor = false;
     bool verbose = false;
 };
 
@@ -60,22 +72,81 @@ struct Request {
     image::Window region;
 };
 
+// A file of parameters: small, so that a wrong name cannot fill the memory.
+std::string read_text(std::string_view option, const std::string& path) {
+    constexpr std::streamsize most = 1 << 20;
+    std::ifstream file(path, std::ios::binary);
+    std::string text(static_cast<std::size_t>(most) + 1, '\0');
+    file.read(text.data(), most + 1);
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (!file.is_open() || file.bad() || text.empty())
+        throw RequestError(fmt::format("{} '{}': cannot be read, or is empty", option, path));
+    if (text.size() > static_cast<std::size_t>(most))
+        throw RequestError(fmt::format("{} '{}': it takes files of at most 1 MiB", option, path));
+    return text;
+}
+
+// Says of which option and file a wrong request speaks.
+template <typename Use>
+auto of_file(std::string_view option, const std::string& path, Use use) {
+    try {
+        return use();
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("{} '{}': {}", option, path, error.what()));
+    }
+}
+
+// What --like says, of an EXR or of a JSON file: a picture, and the region of it that the file holds.
+struct Likeness {
+    render::Picture picture;
+    std::optional<image::Window> region;
+};
+
+Likeness read_likeness(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".json")
+        return {of_file("--like", path, [&] { return render::from_json(read_text("--like", path)); }), {}};
+    const image::ExrReader file(path);
+    if (file.parameters().empty())
+        throw RequestError(fmt::format(
+            "--like '{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
+    return {of_file("--like", path, [&] { return render::from_json(file.parameters()); }), file.window()};
+}
+
+// Takes the spectrum's options. Lobes have frequencies and orientations of their own.
+void take_spectrum(const RenderOptions& options, render::Picture& picture) {
+    if (options.lobes) {
+        const std::string text = read_text("--lobes", *options.lobes);
+        picture.lobes = of_file("--lobes", *options.lobes, [&] { return render::lobes_from_json(text); });
+    }
+    const auto take = [&](std::string_view name, const std::optional<std::string>& text, double& value,
+                          std::string_view accepted) {
+        if (!text)
+            return;
+        if (!picture.lobes.empty())
+            throw RequestError(fmt::format("{} with lobes: they have their own", name));
+        value = parse_number<double>(name, *text, accepted);
+    };
+    take("--frequency", options.frequency, picture.frequency, "a number, cycles per kernel radius");
+    take("--orientation", options.orientation, picture.orientation, "a number, degrees");
+    take("--frequency-spread", options.frequency_spread, picture.frequency_spread,
+         "a share of the frequency, 0 to 1");
+    take("--orientation-spread", options.orientation_spread, picture.orientation_spread,
+         "a number of degrees, 0 to 90");
+}
+
 Request make_request(const RenderOptions& options) {
     Request request;
     render::Picture& picture = request.picture;
     std::optional<image::Window> region;
+    if (options.preset && options.like)
+        throw RequestError("--preset and --like: one of them, for both say what is not given");
+    if (options.preset)
+        picture = render::from_json(render::find_preset(*options.preset).json);
     if (options.like) {
-        const image::ExrReader file(*options.like);
-        if (file.parameters().empty())
-            throw RequestError(fmt::format(
-                "--like '{}' has no 'gabor' attribute: it takes an EXR that gabor rendered", *options.like));
-        try {
-            picture = render::from_json(file.parameters());
-        } catch (const RequestError& error) {
-            throw RequestError(fmt::format("--like '{}': {}", *options.like, error.what()));
-        }
+        const Likeness like = read_likeness(*options.like);
+        picture = like.picture;
         if (!options.size)
-            region = file.window();
+            region = like.region;
     }
     if (options.size) {
         const auto [width, height] =
@@ -86,12 +157,7 @@ Request make_request(const RenderOptions& options) {
     }
     if (options.scale)
         picture.scale = parse_number<double>("--scale", *options.scale, "a number, pixels per kernel radius");
-    if (options.frequency)
-        picture.frequency =
-            parse_number<double>("--frequency", *options.frequency, "a number, cycles per kernel radius");
-    if (options.orientation)
-        picture.orientation =
-            parse_number<double>("--orientation", *options.orientation, "a number, degrees");
+    take_spectrum(options, picture);
     if (options.seed)
         picture.seed =
             parse_number<std::uint32_t>("--seed", *options.seed, "a whole number from 0 to 4294967295");
@@ -99,7 +165,16 @@ Request make_request(const RenderOptions& options) {
         picture.recipe = *options.recipe;
     if (options.time)
         picture.time = parse_number<double>("--time", *options.time, "a number, periods of the animation");
+    if (options.view)
+        picture.view = *options.view;
+    if (options.paint)
+        picture.paint = *options.paint;
+    if (options.values)
+        picture.values = parse_number<int>("--values", *options.values, "a whole number from 1 to 4");
     picture.tileable |= options.tileable;
+    picture.sum |= options.sum;
+    picture.filter |= options.filter;
+    picture.phasor |= options.phasor;
     picture.quadrature |= options.quadrature;
     picture.gradient |= options.gradient;
     render::check(picture);
@@ -122,13 +197,19 @@ Request make_request(const RenderOptions& options) {
 }
 
 void warn_above_nyquist(const render::Picture& picture) {
-    const double radians = picture.orientation * std::numbers::pi / 180;
-    const double highest = picture.frequency *
-                           std::max(std::abs(std::cos(radians)), std::abs(std::sin(radians))) / picture.scale;
+    if (picture.filter || picture.view != "flat" || !picture.paint.empty())
+        return;
+    double highest = 0;
+    for (const noise::Lobe& lobe : render::spectrum(picture)) {
+        const double along = lobe.orientation_spread > 0 ? 1
+                                                         : std::max(std::abs(std::cos(lobe.orientation)),
+                                                                    std::abs(std::sin(lobe.orientation)));
+        highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread) * along / picture.scale);
+    }
     if (highest > 0.5)
         fmt::print(stderr,
                    "gabor: warning: the frequency is {:.3g} cycles per pixel, above the picture's limit of "
-                   "0.5: it shows as a lower one\n",
+                   "0.5: it shows as a lower one, unless --filter takes it away\n",
                    highest);
 }
 
@@ -164,21 +245,23 @@ FileTimes render_file(const vulkan::Device& device, const render::Picture& pictu
                                   .channels = channels,
                                   .compression = compression,
                                   .parameters = render::to_json(picture)});
+    const int shown = picture.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (shown_as)
-        png.emplace(*shown_as, region.width, region.height, 1);
+        png.emplace(*shown_as, region.width, region.height, shown);
 
     FileTimes times;
-    std::vector<float> shown;
+    std::vector<float> unorm;
     times.rendering = render::render_bands(device, picture, region, [&](std::span<const float> values) {
         check_interrupt();
         const Clock::time_point before = Clock::now();
         exr.write_rows(values);
         if (png) {
-            shown.clear();
+            unorm.clear();
             for (std::size_t i = 0; i < values.size(); i += channels.size())
-                shown.push_back(0.5f + 0.25f * values[i]);
-            png->write_rows(shown);
+                for (int k = 0; k < shown; ++k)
+                    unorm.push_back(0.5f + 0.25f * values[i + static_cast<std::size_t>(k)]);
+            png->write_rows(unorm);
         }
         times.writing += seconds_since(before);
         progress.advance(values.size() / channels.size());
@@ -286,6 +369,34 @@ void add_render_command(CLI::App& app) {
     command->add_option(
         "--recipe", options->recipe,
         fmt::format("How quality is bought: {} [{}]", fmt::join(recipes, "; "), defaults.recipe));
+    std::vector<std::string_view> presets;
+    for (const render::Preset& preset : render::presets())
+        presets.push_back(preset.name);
+    command->add_option("--frequency-spread", options->frequency_spread,
+                        fmt::format("Waves of all frequencies within this share of it, 0 to 1 [{}]",
+                                    defaults.frequency_spread));
+    command->add_option("--orientation-spread", options->orientation_spread,
+                        fmt::format("And of all orientations within these degrees, 0 to 90: isotropic [{}]",
+                                    defaults.orientation_spread));
+    command->add_option("--lobes", options->lobes,
+                        "A JSON list of lobes: frequency, orientation, frequency_spread, orientation_spread, "
+                        "power; chosen for each impulse");
+    command->add_flag("--sum", options->sum, "Let lobes be independent noises instead, at the cost of each");
+    command->add_option("--preset", options->preset,
+                        fmt::format("Take what is not given from a preset: {}", fmt::join(presets, ", ")));
+    command->add_option(
+        "--paint", options->paint,
+        "An EXR with channels `frequency` and `orientation`, in degrees, to lay over the picture");
+    command->add_flag("--filter", options->filter,
+                      "See pixels through a normal filter of half a pixel: no aliasing. Adds a channel "
+                      "`removed`, the share of the variance that this takes");
+    command->add_option(
+        "--view", options->view,
+        fmt::format("{} [{}]: `horizon` is a plane in perspective, of the scale at its bottom row",
+                    fmt::join(render::views(), " or "), defaults.view));
+    command->add_option("--values", options->values,
+                        fmt::format("Uncorrelated noises in each pixel, 1 to 4 [{}]", defaults.values));
+    command->add_flag("--phasor", options->phasor, "Add channels `phase`, in turns, and `intensity`");
     command->add_flag("--tileable", options->tileable,
                       "Let the picture continue from each edge at the opposite one");
     command->add_option(
@@ -301,8 +412,9 @@ void add_render_command(CLI::App& app) {
     command->add_option("--region", options->region,
                         "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there "
                         "on the same driver");
-    command->add_option("--like", options->like,
-                        "Take what is not given from the header of an EXR rendered before");
+    command->add_option(
+        "--like", options->like,
+        "Take what is not given from the header of an EXR rendered before, or from a JSON file");
     command->add_option("--png", options->png,
                         "Also write a PNG to look at: mean 0.5, two standard deviations to the ends");
     command->add_option("--compression", options->compression,

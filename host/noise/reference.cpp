@@ -10,6 +10,7 @@ namespace gabor::noise {
 namespace {
 
 constexpr std::uint32_t spread = 0x9e3779b1u;
+constexpr std::uint32_t spread_impulses = 0x85ebca6bu;
 
 std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
     word = (word ^ word >> 16) * 0x21f0aaadu + salt;
@@ -56,15 +57,41 @@ Place place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, f
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed) {
     const std::uint32_t seed_word = mix(seed * spread, 0x2545f491u);
     const std::uint32_t row_word = mix(static_cast<std::uint32_t>(cell_y) * spread + seed_word, seed_word);
-    const std::uint32_t salt = row_word + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
+    const std::uint32_t salt = row_word + static_cast<std::uint32_t>(index) * spread_impulses;
     return mix(static_cast<std::uint32_t>(cell_x) * spread + salt, salt);
 }
 
-Reference::Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed)
+std::uint32_t lobe_seed(std::uint32_t seed, int index) {
+    return mix(seed + static_cast<std::uint32_t>(index) * spread_impulses, spread);
+}
 
-    : recipe_(recipe), frequency_(frequency), orientation_(orientation),
-      wave_x_(frequency * std::cos(orientation)), wave_y_(frequency * std::sin(orientation)),
+Reference::Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed)
+    : recipe_(recipe), lobes_{{.frequency = frequency, .orientation = orientation}},
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
+
+Reference::Reference(const Recipe& recipe, std::vector<Lobe> lobes, std::uint32_t seed)
+    : recipe_(recipe), lobes_(std::move(lobes)), seed_(seed) {
+    recipe_.phases = 256;
+    deviation_ = std::sqrt(variance(recipe_, 1, 0)); // of no frequency in particular
+}
+
+// The upper half of another word chooses the lobe, the lower half the orientation, its product the frequency.
+Reference::Wave Reference::wave(std::uint32_t word) const {
+    const std::uint32_t choice = mix(word, spread);
+    const auto within = [](std::uint32_t half) { return (half + 0.5) / 32768 - 1; };
+    double total = 0;
+    for (const Lobe& lobe : lobes_)
+        total += lobe.power;
+    const double wanted = total * ((choice >> 16) + 0.5) / 65536;
+    double before = 0;
+    std::size_t chosen = 0;
+    while (chosen + 1 < lobes_.size() && wanted >= before + lobes_[chosen].power)
+        before += lobes_[chosen++].power;
+    const Lobe& lobe = lobes_[chosen];
+    const double frequency = lobe.frequency * (1 + lobe.frequency_spread * within(choice * spread >> 16));
+    const double orientation = lobe.orientation + lobe.orientation_spread * within(choice & 0xffff);
+    return {frequency * std::cos(orientation), frequency * std::sin(orientation)};
+}
 
 Reference::Field Reference::field(const Place& place) const {
     using namespace std::complex_literals;
@@ -93,23 +120,25 @@ Reference::Field Reference::field(const Place& place) const {
                 const double weight = word >> 31 ? 1 : recipe_.weight_floor;
                 const double dx = (place.local_x - static_cast<double>(i) - x) / radius_x;
                 const double dy = (place.local_y - static_cast<double>(j) - y) / radius_y;
-                const auto wave = weight * std::exp(2i * pi * (wave_x_ * dx + wave_y_ * dy + phase));
+                const Wave cycles = this->wave(word);
+                const auto wave = weight * std::exp(2i * pi * (cycles.x * dx + cycles.y * dy + phase));
                 const Window qx = window(recipe_, dx);
                 const Window qy = window(recipe_, dy);
-                const std::uint32_t quarters = mix(word, 0x85ebca6bu);
+                const std::uint32_t quarters = mix(word, spread_impulses);
                 for (unsigned c = 0; c < 4; ++c) {
                     const double shifted = quarters >> c & 1 ? wave.real() : wave.imag();
                     sum.four[c] += qx.value * qy.value * (quarters >> (c + 4) & 1 ? -shifted : shifted);
                 }
                 sum.value += qx.value * qy.value * wave;
-                sum.slope_x += (qx.slope * qy.value + 2i * pi * wave_x_ * qx.value * qy.value) * wave;
-                sum.slope_y += (qx.value * qy.slope + 2i * pi * wave_y_ * qx.value * qy.value) * wave;
+                sum.slope_x += (qx.slope * qy.value + 2i * pi * cycles.x * qx.value * qy.value) * wave;
+                sum.slope_y += (qx.value * qy.slope + 2i * pi * cycles.y * qx.value * qy.value) * wave;
             }
         }
     }
     const bool still = place.time == 0 || recipe_.phases != 2;
-    const double deviation =
-        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
+    const double deviation = still ? deviation_
+                                   : std::sqrt(variance(recipe_, lobes_.front().frequency,
+                                                        lobes_.front().orientation, double{place.time}));
     // The variance is in proportion to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
     for (double& channel : sum.four)

@@ -1,6 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
+#include "render/axis.hpp"
 
 #include "passes/bake.h"
 
@@ -13,20 +14,6 @@ namespace gabor::render {
 namespace {
 
 constexpr std::uint32_t group = 32; // local_size_x of passes/bake.comp
-
-// The cells along a side of the picture: of the recipe, or of as many whole ones as fit a tileable picture.
-struct Axis {
-    double radius;       // cells per kernel radius
-    std::int32_t period; // in cells, 0 for none
-};
-
-Axis axis_along(const Picture& picture, int side) {
-    const double radius = noise::find_recipe(picture.recipe).radius;
-    if (!picture.tileable)
-        return {radius, 0};
-    const double period = std::floor(side / picture.scale * radius);
-    return {period / side * picture.scale, static_cast<std::int32_t>(period)};
-}
 
 std::vector<Run> runs_along(const Picture& picture, int side, int first, int count, int longest) {
     const double radius = axis_along(picture, side).radius;
@@ -99,6 +86,12 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture
     return {device, bake_spirv, {3, sizeof(BakePush), fixed_rows > 0}, constants};
 }
 
+bool Bake::can_fill(const Picture& picture) {
+    return picture.lobes.empty() && picture.frequency_spread == 0 && picture.orientation_spread == 0 &&
+           picture.paint.empty() && picture.view == "flat" && !picture.filter && !picture.phasor &&
+           picture.values == 1;
+}
+
 Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region)
     : block_(block_for(device, noise::find_recipe(picture.recipe))), height_(region.height),
       column_runs_(runs_along(picture, picture.width, region.x, region.width, block_.columns)),
@@ -109,7 +102,7 @@ Bake::Bake(const vulkan::Device& device, const Picture& picture, const image::Wi
     push_.column_runs = static_cast<std::uint32_t>(column_runs_.size());
 }
 
-std::vector<Bake::Band> Bake::bands(int most_rows) const {
+std::vector<Filler::Band> Bake::bands(int most_rows) const {
     std::vector<Band> bands;
     for (std::size_t run = 0; run < row_runs_.size(); ++run) {
         const int begin = std::max(row_runs_[run].first, 0);

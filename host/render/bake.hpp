@@ -1,9 +1,7 @@
 #pragma once
 
-#include "image/exr.hpp"
-#include "render/picture.hpp"
+#include "render/filler.hpp"
 #include "render/runs.hpp"
-#include "vulkan/pass.hpp"
 
 #include <array>
 #include <vector>
@@ -48,29 +46,19 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture
                             int fixed_rows = 0);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
-class Bake {
+class Bake : public Filler {
   public:
+    /// Whether it can: flat pictures of one lobe without spread, seen sharply.
+    static bool can_fill(const Picture& picture);
+
     /// `picture` must have passed `check`, and `region` lie within it.
     Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region);
 
-    /// Consecutive rows of the region that can be filled on their own.
-    struct Band {
-        int first_row;
-        int rows;
-        std::size_t first_run;
-        std::size_t runs;
-    };
-
-    /// The region cut into bands of at most `most_rows`, or the rows of one block where that is more, from
-    /// top to bottom.
-    std::vector<Band> bands(int most_rows) const;
-
-    /// A job that writes to `result`, which holds a band's pixels row by row, the channels of each side by
-    /// side.
-    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const;
-
-    /// Has `job` fill a band.
-    void submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy = {}) const;
+    /// Bands of the rows of one block at least.
+    std::vector<Band> bands(int most_rows) const override;
+    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
+    void submit(vulkan::Job& job, const Band& band,
+                const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
     Block block_;

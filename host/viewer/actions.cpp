@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
+#include "render/paint.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -50,10 +51,8 @@ void open_preset(Session& session, const std::string& path) {
     try {
         Document opened = document_of(read_preset(path));
         const Document& now = session.history.now;
-        opened.view = now.view;
+        render::read_paint(opened.picture.paint); // it must be there
         opened.waves = now.waves;
-        opened.pose = now.pose;
-        opened.filtered = now.filtered;
         opened.output = now.output;
         opened.colours = now.colours;
         opened.contrast = now.contrast;
@@ -98,7 +97,7 @@ void start_export(Session& session) {
 }
 
 void go_home(Session& session) {
-    session.document().camera = document_of(session.document().picture).camera;
+    session.document().camera = home_of(session.document());
     session.document().pose = {};
 }
 

@@ -27,7 +27,7 @@ struct ShaderFile {
     const char* path;
     Stage stage;
 };
-constexpr std::array shader_files{ShaderFile{"viewer/noise.comp", Stage::compute},
+constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", Stage::compute},
                                   ShaderFile{"viewer/ingredients.comp", Stage::compute},
                                   ShaderFile{"viewer/solid.comp", Stage::compute},
                                   ShaderFile{"viewer/show.vert", Stage::vertex},
@@ -97,7 +97,7 @@ void App::load_shaders() {
                                          spirv_["viewer/show.frag"]);
     for (std::size_t side = 0; side < works_.size(); ++side) {
         works_[side].canvas->replace(spirv(works_[side].canvas->subject()));
-        works_[side].law.clear();
+        works_[side].law.reset();
     }
 }
 
@@ -115,19 +115,14 @@ void App::poll_shaders() {
 }
 
 const std::vector<std::uint32_t>& App::spirv(const Subject& subject) const {
-    return spirv_.find(shader_of(subject))->second;
-}
-
-Canvas::Request App::request(const Subject& subject, Extent extent) const {
-    const Document& document = session_.history.now;
-    return {make_push(subject, document, extent), document.camera, document.picture.scale, extent};
+    return spirv_.find(subject.shader)->second;
 }
 
 std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.rival || on_body(session_.history.now.view))
+    if (!session_.history.now.rival || on_body(session_.history.now.view()))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
@@ -144,24 +139,24 @@ bool App::work(Extent window) {
     bool more = false;
     for (std::size_t side = 0; side < wanted.size(); ++side) {
         Work& work = works_[side];
-        if (!work.canvas || !(work.canvas->subject() == wanted[side])) {
+        if (!work.canvas || !work.canvas->subject().same_pass(wanted[side])) {
             work.canvas = std::make_unique<Canvas>(device_, wanted[side], spirv(wanted[side]));
-            work.law.clear();
+            work.law.reset();
         }
-        const Canvas::Request request = this->request(wanted[side], {where[side].width, where[side].height});
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
-        if (work.canvas->work(request, share * (moving ? moving_budget : still_budget))) {
+        if (work.canvas->work(wanted[side], session_.document(), {where[side].width, where[side].height},
+                              share * (moving ? moving_budget : still_budget))) {
             more = true;
             work.picture_measured = false;
         }
-        measure(side, request);
+        measure(side, wanted[side]);
         more |= !work.picture_measured || work.samples < most_samples;
 
         Side& told = session_.sides[side];
         const double cost = work.canvas->seconds_per_pixel();
-        told.name = wanted[side].name();
-        told.visited = wanted[side].visited();
+        told.name = wanted[side].name;
+        told.visited = wanted[side].visited;
         told.nanoseconds = cost * 1e9;
         told.milliseconds = cost * 1e3 * where[side].width * where[side].height;
         told.stride = work.canvas->stride();
@@ -171,32 +166,34 @@ bool App::work(Extent window) {
 }
 
 // While the view stands still: the spectrum of what it shows, and the law of the values, more of them with every frame.
-void App::measure(std::size_t side, const Canvas::Request& request) {
+void App::measure(std::size_t side, const Subject& subject) {
     Work& work = works_[side];
-    // Other instances, times and views have the same law.
-    FieldPush law_push{};
-    law_push.frequency = request.push.frequency;
-    law_push.orientation = request.push.orientation;
-    law_push.amplitude = request.push.amplitude;
-    std::vector<std::uint8_t> law(sizeof law_push);
-    std::memcpy(law.data(), &law_push, sizeof law_push);
-    if (law != work.law) {
-        work.law = std::move(law);
+    // Other instances, times and scales have the same law.
+    render::Picture picture = in_plane(subject).picture;
+    picture.seed = 0;
+    picture.time = 0;
+    picture.scale = 32;
+    std::string measured = fmt::format("{} {} {}", subject.shader, subject.name, render::to_json(picture));
+    if (!work.law || measured != work.measured) {
+        work.law = std::make_unique<Law>(device_, subject, spirv(subject));
+        work.measured = std::move(measured);
         work.samples = 0;
         work.picture_measured = false;
         measurer_.reset(side);
     }
     if (!measurer_.idle())
         return;
-    const int channels = work.canvas->subject().channels;
-    if (work.canvas->fine() && !work.picture_measured) {
+    const Canvas& canvas = *work.canvas;
+    if (canvas.fine() && !work.picture_measured) {
         work.picture_measured = true;
-        if (work.canvas->subject().view == View::plane)
-            measurer_.add_picture(side, work.canvas->pixels(), channels, work.canvas->grid(), request.scale);
-    } else if ((work.canvas->fine() || session_.playing) && work.samples < most_samples) {
-        const std::span<const float> values = work.canvas->sample(request.push, work.samples, session_.playing ? sampling_budget : still_budget);
-        work.samples += static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(channels);
-        measurer_.add_samples(side, values, channels);
+        if (subject.view == View::plane)
+            measurer_.add_picture(side, work.canvas->pixels(), subject.channels, canvas.grid(),
+                                  session_.document().picture.scale);
+    } else if ((canvas.fine() || session_.playing) && work.samples < most_samples) {
+        const std::span<const float> values = work.law->sample(
+            session_.document(), work.draws++, session_.playing ? sampling_budget : still_budget);
+        work.samples += static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(work.law->channels());
+        measurer_.add_samples(side, values, work.law->channels());
     }
 }
 
@@ -269,7 +266,8 @@ void App::save_picture(const std::string& path) {
     const Subject subject = subjects(document).front();
     const Extent extent{document.picture.width, document.picture.height};
     Canvas canvas(device_, subject, spirv(subject));
-    canvas.finish(request(subject, extent));
+    while (canvas.work(subject, document, extent, still_budget)) {
+    }
     swapchain_.wait();
     screenshot(
         device_, extent, path, [&](vk::CommandBuffer commands) { painter_->prepare(commands); },

@@ -4,6 +4,7 @@
 #include "viewer/painter.hpp"
 #include "viewer/script.hpp"
 #include "viewer/settings.hpp"
+#include "viewer/shaders.hpp"
 
 #include <deque>
 #include <memory>
@@ -35,8 +36,10 @@ class App {
     /// What belongs to one side beyond what panels see.
     struct Work {
         std::unique_ptr<Canvas> canvas;
-        std::vector<std::uint8_t> law; ///< what the samples so far are of
+        std::unique_ptr<Law> law;
+        std::string measured; ///< what the samples so far are of
         std::uint32_t samples = 0;
+        std::uint32_t draws = 0;
         bool picture_measured = false;
     };
 
@@ -44,9 +47,8 @@ class App {
     void load_shaders();
     void poll_shaders();
     std::vector<Area> areas(Extent window) const;
-    Canvas::Request request(const Subject& subject, Extent extent) const;
     bool work(Extent window); ///< whether anything is left to do
-    void measure(std::size_t side, const Canvas::Request& request);
+    void measure(std::size_t side, const Subject& subject);
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);

@@ -9,146 +9,174 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::uint32_t group = 8; // local_size of shaders/viewer/grid.glsl
+constexpr int group = 8; // local_size of passes/pixels.comp and of shaders/viewer/view.glsl, in x and y
 constexpr int coarsest_stride = 16;
-constexpr int sample_columns = 1024;
+constexpr int sample_columns = 256;
 constexpr int most_sample_rows = 256;
-
-bool same(const Canvas::Request& a, const Canvas::Request& b) {
-    return std::memcmp(&a.push, &b.push, sizeof a.push) == 0 && a.camera == b.camera && a.scale == b.scale &&
-           a.extent == b.extent;
-}
 
 vulkan::Memory result_memory(const vulkan::Device& device) {
     return device.unified() ? vulkan::Memory::readback : vulkan::Memory::device;
 }
 
+std::size_t count(Extent grid, int channels) {
+    return static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height) *
+           static_cast<std::size_t>(channels);
+}
+
+template <typename T>
+void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vector<T>& values) {
+    const std::size_t bytes = values.size() * sizeof(T);
+    if (buffer.size() < bytes)
+        buffer = vulkan::Buffer(device, bytes, vulkan::Memory::upload);
+    std::ranges::copy(values, buffer.as<T>().begin());
+}
+
+vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, const Spirv& spirv) {
+    return {device, spirv, {5, sizeof(ViewPush)}, subject.constants};
+}
+
 } // namespace
 
 Canvas::Grid::Grid(const vulkan::Device& device)
-    : values(device, 4, result_memory(device)), places(device, 8, vulkan::Memory::upload) {}
+    : values(device, 4, result_memory(device)), columns(device, 8, vulkan::Memory::upload),
+      rows(device, 8, vulkan::Memory::upload), lobes(device, 8, vulkan::Memory::upload) {}
 
-void Canvas::Grid::resize(const vulkan::Device& device, const vulkan::Pass& pass, std::size_t bytes,
-                          std::size_t axes) {
-    job.reset();
-    if (values.size() < bytes) {
-        values = vulkan::Buffer(device, bytes, result_memory(device));
-        if (!device.unified())
-            staging.emplace(device, bytes, vulkan::Memory::readback);
-    }
-    if (places.size() < axes * sizeof(AxisPlace))
-        places = vulkan::Buffer(device, axes * sizeof(AxisPlace), vulkan::Memory::upload);
-    job.emplace(device, pass, vulkan::Job::Buffers{values, places});
+Canvas::Canvas(const vulkan::Device& device, const Subject& subject, const Spirv& spirv)
+    : device_(device), subject_(subject), paint_(render::read_paint(subject.picture.paint)),
+      paint_samples_(device, paint_.samples.size() * sizeof(float), vulkan::Memory::upload),
+      pass_(make_pass(device, subject, spirv)), grids_{Grid(device), Grid(device)} {
+    upload(device, paint_samples_, paint_.samples);
 }
 
-Canvas::Canvas(const vulkan::Device& device, const Subject& subject, const std::vector<std::uint32_t>& spirv)
-    : device_(device), subject_(subject), pass_(make_pass(device, subject, spirv)),
-      grids_{Grid(device), Grid(device)}, samples_(device) {}
-
-void Canvas::replace(const std::vector<std::uint32_t>& spirv) {
-    for (Grid* grid : {&grids_[0], &grids_[1], &samples_})
-        grid->job.reset();
+void Canvas::replace(const Spirv& spirv) {
+    for (Grid& grid : grids_) {
+        grid.job.reset();
+        grid.next_row = -1;
+    }
     pass_ = make_pass(device_, subject_, spirv);
     stale_ = true;
-    next_row_ = -1;
 }
 
-void Canvas::start(Grid& grid, const Request& request, int stride) {
-    const auto cells = [&](int pixels) { return (pixels + stride - 1) / stride; };
-    grid.grid = {cells(request.extent.width), cells(request.extent.height)};
+bool Canvas::same(const Request& a, const Request& b) {
+    return std::memcmp(&a.look.push, &b.look.push, sizeof a.look.push) == 0 && a.look.lobes == b.look.lobes &&
+           a.camera == b.camera && a.scale == b.scale && a.extent == b.extent;
+}
+
+void Canvas::start(Grid& grid, const Places& places, int stride) {
+    grid.job.reset();
+    grid.grid = {static_cast<int>(places.columns.size()), static_cast<int>(places.rows.size())};
     grid.stride = stride;
-    std::vector<AxisPlace> places;
-    add_places(places, request.camera.x, request.extent.width, request.scale, stride, subject_.radius());
-    add_places(places, request.camera.y, request.extent.height, request.scale, stride, subject_.radius());
-    const auto values = static_cast<std::size_t>(grid.grid.width) * static_cast<std::size_t>(grid.grid.height) *
-                        static_cast<std::size_t>(subject_.channels);
-    grid.resize(device_, pass_, values * sizeof(float), places.size());
-    std::ranges::copy(places, grid.places.as<AxisPlace>().begin());
-    next_row_ = 0;
+    grid.next_row = 0;
+    const std::size_t bytes = count(grid.grid, subject_.channels) * sizeof(float);
+    if (grid.values.size() < bytes) {
+        grid.values = vulkan::Buffer(device_, bytes, result_memory(device_));
+        if (!device_.unified())
+            grid.staging.emplace(device_, bytes, vulkan::Memory::readback);
+    }
+    upload(device_, grid.columns, places.columns);
+    upload(device_, grid.rows, places.rows);
+    upload(device_, grid.lobes, shown_.look.lobes);
+    grid.job.emplace(device_, pass_,
+                     vulkan::Job::Buffers{grid.columns, grid.rows, grid.lobes, paint_samples_, grid.values});
 }
 
 // Fills up to `rows` rows from the next one on.
-void Canvas::fill(Grid& grid, FieldPush push, int rows) {
+void Canvas::fill(Grid& grid, int rows) {
     using Clock = std::chrono::steady_clock;
+    const int first = grid.next_row;
+    const int filled = std::min(rows, grid.grid.height - first);
+    ViewPush push = shown_.look.push;
     push.stride = static_cast<float>(grid.stride);
-    push.width = static_cast<std::uint32_t>(grid.grid.width);
-    push.height = static_cast<std::uint32_t>(grid.grid.height);
-    push.first_row = static_cast<std::uint32_t>(next_row_);
-    const int end = std::min(next_row_ + rows, grid.grid.height);
-    push.end_row = static_cast<std::uint32_t>(end);
-    const auto filled = static_cast<std::uint32_t>(end - next_row_);
+    push.pixels.width = grid.grid.width;
+    push.pixels.height = filled;
+    push.pixels.first_row = first;
+    push.pixels.before = first * grid.grid.width;
     std::optional<vulkan::Job::Copy> copy;
-    if (grid.staging && end == grid.grid.height)
+    if (grid.staging && first + filled == grid.grid.height)
         copy.emplace(vulkan::Job::Copy{grid.values, *grid.staging, grid.values.size()});
+    const auto groups = [](int pixels) { return static_cast<std::uint32_t>((pixels + group - 1) / group); };
     const Clock::time_point before = Clock::now();
-    grid.job->submit(push, {(push.width + group - 1) / group, (filled + group - 1) / group}, copy);
+    grid.job->submit(push, {groups(grid.grid.width), groups(filled)}, copy);
     grid.job->wait();
     // Not by the device's own clock: lavapipe stops it before the work is done.
     const double seconds = std::chrono::duration<double>(Clock::now() - before).count();
     const double pixels = static_cast<double>(filled) * grid.grid.width;
     if (pixels >= 4096)
         cost_ = 0.7 * cost_ + 0.3 * std::max(seconds / pixels, 1e-12);
-    next_row_ = end == grid.grid.height ? -1 : end;
+    grid.next_row = first + filled == grid.grid.height ? -1 : first + filled;
 }
 
-int Canvas::coarsest(const Request& request, double seconds) const {
-    const double whole = cost_ * request.extent.width * request.extent.height;
+int Canvas::coarsest(double seconds) const {
+    const double whole = cost_ * shown_.extent.width * shown_.extent.height;
     int stride = 1;
     while (stride < coarsest_stride && whole / (stride * stride) > seconds)
         stride *= 2;
     return stride;
 }
 
-bool Canvas::work(const Request& request, double seconds) {
-    if (stale_ || !same(request, shown_)) {
+bool Canvas::work(const Subject& subject, const Document& document, Extent extent, double seconds) {
+    subject_ = subject;
+    Request request{look_of(subject, document, extent), document.camera, document.picture.scale, extent};
+    render::PixelsPush& push = request.look.push.pixels;
+    push.paint_width = paint_.width;
+    push.paint_height = paint_.height;
+    const Camera home = home_of(document);
+    const auto paint_along = [&](const Coordinate& at, const Coordinate& from, int side, int view, int samples) {
+        const double moved = static_cast<double>(at.whole - from.whole) + at.part - from.part;
+        return static_cast<float>((moved * document.picture.scale + (side - view) / 2.0) * samples / side);
+    };
+    push.paint_x = paint_along(document.camera.x, home.x, document.picture.width, extent.width, paint_.width);
+    push.paint_y = paint_along(document.camera.y, home.y, document.picture.height, extent.height, paint_.height);
+    const auto begin = [&](Grid& grid, int stride) {
+        shown_.look.push.pixels.paint_scale_x =
+            static_cast<float>(stride * static_cast<double>(paint_.width) / document.picture.width);
+        shown_.look.push.pixels.paint_scale_y =
+            static_cast<float>(stride * static_cast<double>(paint_.height) / document.picture.height);
+        start(grid, places_of(subject, document, extent, stride), stride);
+    };
+    Grid& behind = grids_[1 - front_];
+    // What depends on the stride is no part of the request.
+    Request known = shown_;
+    known.look.push.pixels.paint_scale_x = known.look.push.pixels.paint_scale_y = 0;
+    if (stale_ || !same(request, known)) {
         shown_ = request;
         stale_ = false;
-        start(grids_[1 - front_], request, coarsest(request, seconds));
-        Grid& behind = grids_[1 - front_];
-        fill(behind, request.push, behind.grid.height);
+        begin(behind, coarsest(seconds));
+        fill(behind, behind.grid.height);
         front_ = 1 - front_;
         return front().stride > 1;
     }
     if (front().stride <= 1)
         return false;
-    Grid& behind = grids_[1 - front_];
-    if (next_row_ < 0)
-        start(behind, request, front().stride / 2);
+    if (behind.next_row < 0)
+        begin(behind, front().stride / 2);
     const double rows = seconds / (cost_ * behind.grid.width);
-    fill(behind, request.push, std::max(static_cast<int>(group), static_cast<int>(std::min(rows, 1e5))));
-    if (next_row_ < 0)
+    fill(behind, std::max(group, static_cast<int>(std::min(rows, 1e5))));
+    if (behind.next_row < 0)
         front_ = 1 - front_;
     return front().stride > 1;
 }
 
-void Canvas::finish(const Request& request) {
-    while (work(request, 0.1)) {
-    }
-}
-
-std::span<const float> Canvas::sample(const FieldPush& push, std::uint32_t first, double seconds) {
-    const int rows = std::clamp(static_cast<int>(seconds / (cost_ * sample_columns)), 1, most_sample_rows);
-    const int drawing = next_row_;
-    const auto values = static_cast<std::size_t>(sample_columns * most_sample_rows * subject_.channels);
-    if (!samples_.job)
-        samples_.resize(device_, pass_, values * sizeof(float), sample_columns + most_sample_rows);
-    samples_.grid = {sample_columns, rows};
-    next_row_ = 0;
-    FieldPush random = push;
-    random.sampling = 1;
-    random.first_sample = first;
-    fill(samples_, random, rows);
-    next_row_ = drawing;
-    return (samples_.staging ? *samples_.staging : samples_.values)
-        .as<float>()
-        .first(static_cast<std::size_t>(sample_columns * rows * subject_.channels));
-}
-
 std::span<const float> Canvas::pixels() {
     Grid& grid = front();
-    const auto count = static_cast<std::size_t>(grid.grid.width) * static_cast<std::size_t>(grid.grid.height) *
-                       static_cast<std::size_t>(subject_.channels);
-    return (grid.staging ? *grid.staging : grid.values).as<float>().first(count);
+    return (grid.staging ? *grid.staging : grid.values).as<float>().first(count(grid.grid, subject_.channels));
+}
+
+std::span<const float> Law::sample(const Document& document, std::uint32_t draw, double seconds) {
+    const int rows =
+        std::clamp(static_cast<int>(seconds / (canvas_.cost_ * sample_columns)), group, most_sample_rows);
+    Subject subject = canvas_.subject_;
+    subject.picture.frequency = document.picture.frequency;
+    subject.picture.orientation = document.picture.orientation;
+    subject.picture.lobes = document.picture.lobes;
+    subject.picture.frequency_spread = document.picture.frequency_spread;
+    subject.picture.orientation_spread = document.picture.orientation_spread;
+    canvas_.shown_.look = look_of(subject, document, {sample_columns, rows});
+    canvas_.shown_.look.push.pixels.seed = draw * 0x9e3779b1u;
+    Canvas::Grid& grid = canvas_.front();
+    canvas_.start(grid, random_places(subject, sample_columns, rows, draw), 1);
+    canvas_.fill(grid, rows);
+    return canvas_.pixels();
 }
 
 } // namespace gabor::viewer

@@ -19,14 +19,44 @@ Document still(Document document) {
 
 bool Document::operator==(const Document& other) const {
     return render::to_json(picture) == render::to_json(other.picture) && camera == other.camera &&
-           view == other.view && waves == other.waves && pose == other.pose && filtered == other.filtered && output == other.output && colours == other.colours && contrast == other.contrast &&
+           body == other.body && waves == other.waves && pose == other.pose && output == other.output && colours == other.colours && contrast == other.contrast &&
            rival == other.rival;
+}
+
+View Document::view() const {
+    if (body)
+        return *body;
+    return picture.view == "horizon" ? View::perspective : View::plane;
+}
+
+void Document::set_view(View view) {
+    body.reset();
+    if (on_body(view))
+        body = view;
+    picture.view = view == View::perspective ? "horizon" : "flat";
+    picture.filter = view != View::plane;
+    if (picture.filter) { // they exclude each other
+        picture.gradient = false;
+        picture.values = 1;
+    }
+    if (view != View::plane) {
+        picture.tileable = false;
+        picture.paint.clear();
+    }
+    camera = home_of(*this);
+}
+
+Camera home_of(const Document& document) {
+    const render::Picture& picture = document.picture;
+    if (document.view() != View::plane)
+        return {};
+    return Camera{}.moved(picture.width / 2.0 / picture.scale, picture.height / 2.0 / picture.scale);
 }
 
 Document document_of(const render::Picture& picture) {
     Document document;
     document.picture = picture;
-    document.camera = Camera{}.moved(picture.width / 2.0 / picture.scale, picture.height / 2.0 / picture.scale);
+    document.camera = home_of(document);
     return document;
 }
 

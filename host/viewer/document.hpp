@@ -20,11 +20,10 @@ constexpr bool on_body(View view) {
     return view == View::sphere || view == View::torus;
 }
 
-/// From where a plane in perspective or a body is seen.
+/// From where a body is seen.
 struct Pose {
     float yaw = 0;     ///< degrees around a body's axis
     float pitch = 30;  ///< degrees above its equator
-    float tilt = 65;   ///< of a plane, degrees away from facing it
     float nearness = 1; ///< how much larger than to fit the view a body is
     bool operator==(const Pose&) const = default;
 };
@@ -41,17 +40,22 @@ struct Rival {
 struct Document {
     render::Picture picture;
     Camera camera;
-    View view = View::plane;
+    std::optional<View> body; ///< a sphere or a torus, instead of the picture's plane
     Waves waves = Waves::surface_isotropic;
     Pose pose;
-    bool filtered = true; ///< by the footprints of pixels
     Output output = Output::value;
     int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
     float contrast = 2; ///< standard deviations from the mean to the ends
     std::optional<Rival> rival;
 
+    View view() const;
+    /// Another view, with the filter where it is needed, and the camera where it begins.
+    void set_view(View view);
     bool operator==(const Document& other) const;
 };
+
+/// Where the camera is for the view to show what gabor render does.
+Camera home_of(const Document& document);
 
 /// A document with the picture in the middle of the view.
 Document document_of(const render::Picture& picture);

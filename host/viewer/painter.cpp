@@ -107,7 +107,7 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
 
     // The noises that the paper compares have their value alone.
     const int channels = canvas.subject().channels;
-    const auto shown = channels > 1 ? static_cast<std::int32_t>(document.output) : 0;
+    const auto shown = canvas.subject().ingredients ? 0 : static_cast<std::int32_t>(document.output);
     const vk::Pipeline pipeline = this->pipeline({shown, document.colours, channels, canvas.stride() > 1});
 
     ShowPush push{};

@@ -215,11 +215,9 @@ void Script::set(const Command& command, Session& session) {
     } else if (name == "colours") {
         document.colours = static_cast<int>(command.number(1));
     } else if (name == "view") {
-        document.view = static_cast<View>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
+        document.set_view(static_cast<View>(std::clamp(static_cast<int>(command.number(1)), 0, 3)));
     } else if (name == "waves") {
         document.waves = static_cast<Waves>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
-    } else if (name == "filtered") {
-        document.filtered = command.number(1) != 0;
     } else if (name == "contrast") {
         document.contrast = static_cast<float>(command.number(1));
     } else {
@@ -227,6 +225,7 @@ void Script::set(const Command& command, Session& session) {
         nlohmann::json value = nlohmann::json::parse(command.rest(1), nullptr, false);
         json[name] = value.is_discarded() ? nlohmann::json(command.rest(1)) : value;
         document.picture = render::from_json(json.dump());
+        document.camera = home_of(document);
     }
 }
 

@@ -35,6 +35,7 @@ struct Session {
     Exporter exporter;
     ExportPlan plan;
     std::string preset = "noise.json";
+    std::size_t lobe = 0; ///< that is chosen
     bool playing = false;
     float period = 8; ///< seconds for time to go by 1
     bool panels = true;

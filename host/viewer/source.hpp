@@ -1,64 +1,62 @@
 #pragma once
 
+#include "render/pixels.hpp"
 #include "viewer/document.hpp"
-#include "viewer/shaders.hpp"
 #include "viewer/window.hpp"
-#include "vulkan/pass.hpp"
 
-#include <memory>
 #include <string>
 
 namespace gabor::viewer {
 
-/// As in shaders/viewer/grid.glsl.
-struct FieldPush {
-    float frequency;
-    float orientation;
-    float time;
+/// What passes/pixels.comp is told, and beyond that the viewer's own passes: shaders/viewer/view.glsl.
+struct ViewPush {
+    render::PixelsPush pixels;
     float amplitude;
-    std::uint32_t seed;
-    std::uint32_t width;
-    std::uint32_t height;
-    std::uint32_t first_row;
-    std::uint32_t end_row;
-    std::uint32_t sampling;
-    std::uint32_t first_sample;
-    float middle_x;
-    float middle_y;
     float stride;
-    float focal;
-    float unit;
     float yaw;
     float pitch;
-    std::int32_t cell_x;
-    std::int32_t cell_y;
-    float local_x;
-    float local_y;
 };
 
-/// Which noise one side of the view shows.
+/// Which noise one side of the view shows, in which way.
 struct Subject {
-    std::string recipe; ///< of the drop-in, or empty for `ingredients`
-    study::Ingredients ingredients;
-    int channels = 1; ///< the noise; 2: and its quadrature; 4: and its derivatives
+    std::string shader;
+    std::vector<std::uint32_t> constants;
+    render::Picture picture; ///< with the channels that the view shows
     View view = View::plane;
-    Waves waves = Waves::oriented; ///< in space
-    bool filtered = false;
+    std::optional<study::Ingredients> ingredients; ///< where it is no noise of the drop-in
+    std::string name;
+    double visited = 0; ///< impulses for each pixel; the mean where their number is random
+    int channels = 1;
 
-    double radius() const;  ///< cells per kernel radius
-    double visited() const; ///< impulses for each pixel; the mean where their number is random
-    std::string name() const;
-    bool operator==(const Subject&) const = default;
+    /// Whether both are filled by the same pass.
+    bool same_pass(const Subject& other) const {
+        return shader == other.shader && constants == other.constants && picture.paint == other.picture.paint;
+    }
 };
 
 /// The subjects of a document: the picture, and its rival in the split view.
 std::vector<Subject> subjects(const Document& document);
 
-/// A subject's pass, from shaders/viewer/noise.comp or ingredients.comp.
-vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, const std::vector<std::uint32_t>& spirv);
-std::string_view shader_of(const Subject& subject);
+/// The same noise, in a plane whatever the view: for the law of its values.
+Subject in_plane(Subject subject);
 
-/// What the pass is told of the document, for a view of so many pixels; its grid and rows are left open.
-FieldPush make_push(const Subject& subject, const Document& document, Extent extent);
+/// What decides the pixels of a view beside its places.
+struct Look {
+    ViewPush push{};
+    std::vector<render::PassLobe> lobes;
+};
+
+Look look_of(const Subject& subject, const Document& document, Extent extent);
+
+/// Where the columns, and then the rows, of a view are whose values are `stride` pixels apart.
+struct Places {
+    std::vector<AxisPlace> columns;
+    std::vector<AxisPlace> rows;
+};
+
+Places places_of(const Subject& subject, const Document& document, Extent extent, int stride);
+
+/// So many columns and rows at random within their cells, each pair of them independent of all others.
+Places random_places(const Subject& subject, int columns, int rows, std::uint32_t draw);
 
 } // namespace gabor::viewer

@@ -30,12 +30,10 @@ void turn(Pose& pose, float x, float y) {
     pose.pitch = std::clamp(pose.pitch + 0.4f * y / pose.nearness, -89.0f, 89.0f);
 }
 
-// A drag moves a plane and turns a body; with the right button it tilts a plane in perspective.
+// A drag moves a plane and turns a body.
 void drag(Document& document, float x, float y, float density) {
-    if (on_body(document.view))
+    if (on_body(document.view()))
         turn(document.pose, x, y);
-    else if (document.view == View::perspective && ImGui::IsMouseDown(1))
-        document.pose.tilt = std::clamp(document.pose.tilt - 0.2f * y, 0.0f, 88.0f);
     else
         pan(document, double{x * density}, double{y * density});
 }
@@ -44,6 +42,14 @@ void next_recipe(render::Picture& picture) {
     const auto all = noise::recipes();
     const auto found = std::ranges::find(all, picture.recipe, &noise::Recipe::name);
     picture.recipe = found == all.end() || found + 1 == all.end() ? all.front().name : (found + 1)->name;
+}
+
+void toggle_filter(render::Picture& picture) {
+    picture.filter = !picture.filter;
+    if (picture.filter) { // they exclude each other
+        picture.gradient = false;
+        picture.values = 1;
+    }
 }
 
 bool pressed(int key) {
@@ -84,9 +90,9 @@ void plain_keys(Session& session, float density) {
             document.rival.emplace();
     }
     if (pressed(GLFW_KEY_V))
-        document.view = static_cast<View>((static_cast<int>(document.view) + 1) % 4);
+        document.set_view(static_cast<View>((static_cast<int>(document.view()) + 1) % 4));
     if (pressed(GLFW_KEY_F))
-        document.filtered = !document.filtered;
+        toggle_filter(document.picture);
     if (pressed(GLFW_KEY_SPACE))
         session.playing = !session.playing;
     if (pressed(GLFW_KEY_HOME))
@@ -126,7 +132,7 @@ void mouse(Session& session, float width, float height, float density) {
     if (io.WantCaptureMouse)
         return;
     Document& document = session.document();
-    const bool split = document.rival && !on_body(document.view);
+    const bool split = document.rival && !on_body(document.view());
     const float divider = width * session.divider;
     static bool moving_divider = false; // between a press and its release
     if (ImGui::IsMouseClicked(0))
@@ -137,12 +143,12 @@ void mouse(Session& session, float width, float height, float density) {
         session.divider = std::clamp(io.MousePos.x / width, 0.1f, 0.9f);
         return;
     }
-    if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(1, 0) || ImGui::IsMouseDragging(2, 0))
+    if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
         drag(document, io.MouseDelta.x, io.MouseDelta.y, density);
     const bool inside = io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
     if (inside && ImGui::IsMouseDoubleClicked(0))
         go_home(session);
-    if (inside && io.MouseWheel != 0 && on_body(document.view)) {
+    if (inside && io.MouseWheel != 0 && on_body(document.view())) {
         document.pose.nearness = std::clamp(
             document.pose.nearness * static_cast<float>(std::pow(wheel_step, io.MouseWheel)), 0.3f, 20.0f);
     } else if (inside && io.MouseWheel != 0) {

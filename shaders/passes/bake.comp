@@ -82,7 +82,7 @@ void main()
         uint word = gabor_impulse_word(gabor_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
         vec2 impulse = gabor_place_plus_one(word);
         vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_phase(impulse) + gabor_tempo(word) * time;
+        float turns = dot(wave, d) + gabor_phase(impulse, float(GABOR_PHASES)) + gabor_tempo(word) * time;
         vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {

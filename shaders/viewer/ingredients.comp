@@ -4,23 +4,28 @@
 // Any of the noises that the paper compares, the seminal one among them, for the viewer.
 
 #include "../passes/ingredients.glsl"
-#include "grid.glsl"
+#include "view.glsl"
 
-void evaluate(ivec2 cell, vec2 local, uint instance, uint at)
+layout(constant_id = 12) const int horizon = 0; // 1: a plane in perspective
+
+void main()
 {
+    ivec2 here = ivec2(gl_GlobalInvocationID.xy);
+    if (here.x >= width || here.y >= height)
+        return;
+    int at = before + here.y * width + here.x;
+    Line column = columns[here.x];
+    Line row = rows[here.y + first_row];
+    vec2 local = vec2(column.local, row.local);
+    if (horizon == 1) {
+        if (row.local <= 0.0) { // the sky
+            picture[at] = 0.0;
+            return;
+        }
+        local = pixel / row.local * vec2(column.local, -focal_length) + vec2(camera_x, camera_y);
+    }
     // Cells are told by floats here: 1024 of them each way keep the offsets precise, and then it repeats.
-    vec2 p = vec2(cell & 1023) + local;
+    vec2 p = vec2(ivec2(column.cell, row.cell) & 1023) + local;
     vec2 wave = frequency * vec2(cos(orientation), sin(orientation));
-    values[at] = amplitude * gabor_ingredients(p, wave, instance);
-}
-
-void evaluate_view(vec2 pixel, uint at)
-{
-    vec2 p;
-    vec2 dx;
-    vec2 dy;
-    if (perspective(pixel, p, dx, dy))
-        evaluate(ivec2(cell_x, cell_y), vec2(local_x, local_y) + p, seed, at);
-    else
-        values[at] = 0.0;
+    picture[at] = amplitude * gabor_ingredients(p, wave, seed);
 }

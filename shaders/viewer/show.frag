@@ -51,16 +51,17 @@ void main()
     }
     vec3 seen;
     if (shown == 1) {
-        vec3 normal = normalize(vec3(-value(pixel, 2), -value(pixel, 3), 2.0 * slope / contrast));
+        vec3 normal = normalize(vec3(-value(pixel, 1), -value(pixel, 2), 2.0 * slope / contrast));
         seen = 0.5 + 0.5 * normal;
-    } else if (shown >= 2) {
+    } else if (shown == 2 || shown == 3) {
         float other = value(pixel, 1);
         float phase = fract(atan(noise, other) / 6.2831853);
-        float intensity = length(vec2(noise, other));
         if (shown == 2)
             seen = colours == 0 ? vec3(phase) : viewer_cycle(phase);
         else
-            seen = viewer_colour(colours, (shown == 3 ? intensity : 0.5 * intensity * intensity) / (1.5 * contrast));
+            seen = viewer_colour(colours, length(vec2(noise, other)) / (1.5 * contrast));
+    } else if (shown == 4) {
+        seen = viewer_colour(colours, channels > 1 ? 1.0 - value(pixel, channels - 1) : 1.0); // less what the filter took
     } else {
         seen = viewer_colour(colours, 0.5 + 0.5 * noise / contrast);
     }

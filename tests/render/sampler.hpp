@@ -1,12 +1,15 @@
 #pragma once
 
-#include "noise/recipe.hpp"
-#include "noise/reference.hpp"
+#include "oracle.hpp"
 #include "render/bake.hpp"
 #include "vulkan/pass.hpp"
 
 #include "passes/sample.h"
+#include "passes/sample_spectra.h"
 
+#include <fmt/ranges.h>
+
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +26,11 @@ struct Sample {
     float period_y = 4;
     std::uint32_t padding = 0;
 };
+
+inline std::string to_string(const Sample& s) {
+    return fmt::format("{}, frequency {}, orientation {}, seed {}", to_string(s.place), s.frequency,
+                       s.orientation, s.seed);
+}
 
 struct Answer {
     float value[2];
@@ -41,11 +49,45 @@ struct Answer {
     float four[4];
 };
 
-/// Asks the drop-in on the device, up to `capacity` samples at a time.
-class Sampler {
+/// As in passes/sample_spectra.comp.
+struct SpectraSample {
+    noise::Place place;
+    std::uint32_t seed;
+    float dx[2];
+    float dy[2];
+    float lobes[15];
+    float padding = 0;
+
+    noise::Lobe lobe(std::size_t i) const {
+        const float* l = lobes + 5 * i;
+        return {l[0], l[1], l[2], l[3], l[4]};
+    }
+};
+
+inline std::string to_string(const SpectraSample& s) {
+    return fmt::format("{}, seed {}, footprint ({}, {}), ({}, {}), lobes {}", to_string(s.place), s.seed,
+                       s.dx[0], s.dx[1], s.dy[0], s.dy[1], fmt::join(s.lobes, " "));
+}
+
+struct SpectraAnswer {
+    float value[2];
+    float slope_x[2];
+    float slope_y[2];
+    float value_filtered[2];
+    float removed;
+    float spread;
+    float filtered[2];
+    float chosen;
+    float sum;
+};
+
+/// Asks the drop-in on the device through one of the passes above, up to `capacity` samples at a time.
+template <typename Sample, typename Answer>
+class Probe {
   public:
-    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : pass_(device, sample_spirv, {2, sizeof(std::uint32_t)}, render::recipe_constants(recipe)),
+    Probe(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity,
+          std::span<const std::uint32_t> spirv)
+        : pass_(device, spirv, {2, sizeof(std::uint32_t)}, render::recipe_constants(recipe)),
           samples_(device, capacity * sizeof(Sample), vulkan::Memory::upload),
           answers_(device, capacity * sizeof(Answer), vulkan::Memory::readback),
           job_(device, pass_, {samples_, answers_}) {}
@@ -65,6 +107,16 @@ class Sampler {
     vulkan::Buffer samples_;
     vulkan::Buffer answers_;
     vulkan::Job job_;
+};
+
+struct Sampler : Probe<Sample, Answer> {
+    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
+        : Probe(device, recipe, capacity, sample_spirv) {}
+};
+
+struct SpectraSampler : Probe<SpectraSample, SpectraAnswer> {
+    SpectraSampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
+        : Probe(device, recipe, capacity, sample_spectra_spirv) {}
 };
 
 } // namespace gabor::test

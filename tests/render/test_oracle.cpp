@@ -1,6 +1,6 @@
 // Every function of the drop-in, on the device, against the double-precision reference.
 
-#include "noise/reference.hpp"
+#include "oracle.hpp"
 #include "sampler.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,81 +10,19 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <string>
 
 using namespace gabor;
+using test::Draw;
+using test::Largest;
+using test::slope_tolerance;
+using test::tolerance;
 
 namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// The largest difference of one function, in units of its tolerance, and where it was.
-struct Largest {
-    double difference = 0;
-    std::string where = "nowhere";
-
-    void see(double value, double expected, double tolerance, const test::Sample& sample) {
-        const double scaled = std::abs(value - expected) / tolerance;
-        if (scaled <= difference) // a NaN is seen
-            return;
-        difference = scaled;
-        const noise::Place& p = sample.place;
-        where = fmt::format(
-            "{} instead of {} at cell ({}, {}) + ({}, {}), radius ({}, {}), period ({}, {}), time {}, "
-            "frequency {}, orientation {}, seed {}",
-            value, expected, p.cell_x, p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x,
-            p.period_y, p.time, sample.frequency, sample.orientation, sample.seed);
-    }
-
-    void check(std::string_view name) const {
-        fmt::print("  {:<22} {:.3f}: {}\n", name, difference, where);
-        CHECK(difference <= 1);
-    }
-};
-
-// 1e-5 up to frequency 4, above in proportion to it: single precision carries no more of the phase.
-double tolerance(double frequency) {
-    return 1e-5 * std::max(1.0, frequency / 4);
-}
-
-// A derivative is as large as the wave turns.
-double slope_tolerance(double frequency) {
-    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
-}
-
 const noise::Recipe sines{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
 const noise::Recipe uneven{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
-
-class Draw {
-  public:
-    explicit Draw(unsigned seed) : random_(seed) {}
-
-    std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
-    std::int32_t cell() { return static_cast<std::int32_t>(random_()); }
-    float uniform(double low, double high) {
-        return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
-    }
-
-    // In all quadrants up to 10^6, or in any cell; one coordinate in four on or next to a cell's edge.
-    noise::Place place(const noise::Recipe& recipe) {
-        const float reach = std::exp2(uniform(0, 20));
-        noise::Place p = noise::place_at(recipe, 0, 0, uniform(-reach, reach), uniform(-reach, reach));
-        if (word() % 4 == 0)
-            p.local_x = std::round(p.local_x);
-        if (word() % 4 == 0)
-            p.local_y = std::nextafter(std::round(p.local_y), word() % 2 ? 1e9f : -1e9f);
-        if (word() % 2) {
-            p.cell_x = cell();
-            p.cell_y = cell();
-            p.local_x -= std::floor(p.local_x);
-            p.local_y -= std::floor(p.local_y);
-        }
-        return p;
-    }
-
-  private:
-    std::mt19937 random_;
-};
 
 } // namespace
 

@@ -16,7 +16,6 @@ struct ShortCut {
 
 constexpr std::array short_cuts{
     ShortCut{"drag", "move the plane, endlessly, or turn the body"},
-    ShortCut{"right drag", "tilt the plane in perspective"},
     ShortCut{"wheel", "zoom about the pointer"},
     ShortCut{"double click", "back to where gabor render begins (Home)"},
     ShortCut{"arrows, + and -", "the same from the keyboard"},

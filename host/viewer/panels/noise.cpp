@@ -55,14 +55,6 @@ void noise_panel(Session& session) {
         ImGui::TreePop();
     }
 
-    auto frequency = static_cast<float>(picture.frequency);
-    if (ImGui::SliderFloat("frequency", &frequency, 0.1f, 64, "%.3f", ImGuiSliderFlags_Logarithmic))
-        picture.frequency = std::clamp(double{frequency}, render::smallest_frequency, render::largest_frequency);
-    tip("Cycles per kernel radius; Ctrl and click to type one");
-    auto orientation = static_cast<float>(picture.orientation);
-    if (ImGui::SliderFloat("orientation", &orientation, -180, 180, "%.1f deg"))
-        picture.orientation = std::clamp(double{orientation}, -36000.0, 36000.0);
-    tip("Direction of the waves, from right towards down");
     auto scale = static_cast<float>(picture.scale);
     if (ImGui::SliderFloat("scale", &scale, static_cast<float>(render::smallest_scale),
                            static_cast<float>(render::largest_scale), "%.1f px", ImGuiSliderFlags_Logarithmic))

@@ -13,7 +13,7 @@ constexpr std::array output_tips{"The noise itself, of mean 0 and variance 1",
                                  "Its analytic gradient, as a normal map",
                                  "The phase of the complex noise, for patterns of even contrast",
                                  "The magnitude of the complex noise",
-                                 "Half the squared magnitude of the complex noise: its variance around each place"};
+                                 "The share of its variance that the filter leaves at each place; all of it without a filter"};
 constexpr std::array views{"plane", "plane in perspective", "sphere", "torus"};
 constexpr std::array waves{"one direction, in space", "all directions, in space", "one direction, along the surface",
                            "all directions, along the surface"};
@@ -65,19 +65,20 @@ void rival_choice(Document& document) {
 }
 
 void view_choice(Document& document) {
-    auto view = static_cast<int>(document.view);
+    auto view = static_cast<int>(document.view());
     if (ImGui::Combo("view", &view, views.data(), static_cast<int>(views.size())))
-        document.view = static_cast<View>(view);
-    tip("V: a drag moves planes and turns bodies; with the right button it tilts the plane in perspective");
-    if (on_body(document.view)) {
+        document.set_view(static_cast<View>(view));
+    tip("V: a drag moves planes and turns bodies");
+    if (document.body) {
         auto chosen = static_cast<int>(document.waves);
         if (ImGui::Combo("waves", &chosen, waves.data(), static_cast<int>(waves.size())))
             document.waves = static_cast<Waves>(chosen);
         tip("Solid noise, whose waves go through the body, or surface noise, whose waves go along its surface");
     }
-    if (document.view == View::perspective)
-        ImGui::SliderFloat("tilt", &document.pose.tilt, 0, 88, "%.0f deg");
-    ImGui::Checkbox("filtered", &document.filtered);
+    if (ImGui::Checkbox("filtered", &document.picture.filter) && document.picture.filter) {
+        document.picture.gradient = false; // they exclude each other
+        document.picture.values = 1;
+    }
     tip("F: seen through the footprints of pixels, so that nothing flickers in the distance");
 }
 
@@ -108,7 +109,7 @@ void output_panel(Session& session) {
             document.rival.reset();
     }
     tip("Tab: two recipes side by side, with their times");
-    if (document.rival && !on_body(document.view))
+    if (document.rival && !document.body)
         rival_choice(document);
 }
 

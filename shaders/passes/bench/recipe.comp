@@ -3,6 +3,8 @@
 
 // The drop-in with any recipe, as one would call it.
 
+#define GABOR_LOBES 16
+
 #include "../recipe.glsl"
 #include "bench.glsl"
 
@@ -24,6 +26,18 @@ float value(vec2 p, uint instance)
         return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);
     case 5:
         return gabor_noise_animated(p, 0.3, frequency, orientation, instance);
+    case 6:
+        return gabor_noise_spread(p, frequency, orientation, 0.2, 1.5707963, instance);
+    case 7:
+    case 8:
+        GaborLobe lobes[GABOR_LOBES];
+        for (int i = 0; i < GABOR_LOBES; ++i)
+            lobes[i] = gabor_lobe(frequency + float(i), orientation + float(i), 0.0, 0.0, 1.0);
+        GaborKernel kernel = gabor_kernel_lobes(lobes, entry == 7 ? 3 : 16);
+        return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), kernel, instance).value.y;
+    case 9:
+        vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
+        return filtered.x + filtered.y;
     default:
         return gabor_noise(p, frequency, orientation, instance);
     }

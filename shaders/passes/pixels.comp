@@ -1,0 +1,191 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// A picture pixel by pixel, with all that the drop-in can do: spectra, the filter, views, painted parameters.
+
+#ifndef GABOR_LOBES
+#define GABOR_LOBES 16
+#endif
+
+#include "recipe.glsl"
+
+layout(constant_id = 7) const int lobe_count = 0; // 0: one frequency and orientation
+layout(constant_id = 8) const bool summed = false; // independent noises, one for each lobe
+layout(constant_id = 9) const bool filtered = false;
+layout(constant_id = 10) const bool horizon = false; // a plane in perspective
+layout(constant_id = 11) const bool painted = false;
+layout(constant_id = 12) const bool with_quadrature = false;
+layout(constant_id = 13) const bool with_gradient = false;
+layout(constant_id = 14) const bool with_phasor = false;
+layout(constant_id = 15) const int values = 1; // uncorrelated ones
+const int channels = values + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+                   + (filtered ? 1 : 0);
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+// Where the pixels of a column or a row are: in cells, or in perspective in pixels from the horizon's middle.
+struct Line {
+    int cell;
+    float local;
+};
+
+struct Lobe {
+    float frequency;
+    float orientation;
+    float frequency_spread;
+    float orientation_spread;
+    float power;
+};
+
+layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Lobes { Lobe lobes[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
+layout(std430, set = 0, binding = 4) writeonly buffer Picture { float picture[]; };
+
+layout(push_constant) uniform Push {
+    vec2 radius;  // as in GaborPlace
+    ivec2 period; // as in GaborPlace
+    float time;   // as in GaborPlace
+    float frequency;
+    float orientation;
+    float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
+    float focal_length; // pixels, in perspective
+    uint seed;
+    int width;
+    int height;
+    int first_row;        // of the band
+    int paint_width;
+    int paint_height;
+    float paint_scale_x; // samples of the paint per pixel
+    float paint_scale_y;
+    float paint_x;        // the region's corner in the paint
+    float paint_y;
+    float camera_x;       // in perspective: where it stands in its cell
+    float camera_y;
+    int before;           // pixels before those of the band
+};
+
+// Frequency and orientation at a pixel, between the samples of the paint around it.
+vec2 painted_at(vec2 pixel)
+{
+    vec2 at = clamp(vec2(paint_x, paint_y) + (pixel + 0.5) * vec2(paint_scale_x, paint_scale_y) - 0.5, vec2(0.0),
+                    vec2(paint_width - 1, paint_height - 1));
+    ivec2 low = ivec2(at);
+    ivec2 high = min(low + 1, ivec2(paint_width - 1, paint_height - 1));
+    vec2 between = at - vec2(low);
+    return mix(mix(paint[low.y * paint_width + low.x], paint[low.y * paint_width + high.x], between.x),
+               mix(paint[high.y * paint_width + low.x], paint[high.y * paint_width + high.x], between.x), between.y);
+}
+
+GaborLobe lobe_at(int i)
+{
+    Lobe lobe = lobes[i];
+    return gabor_lobe(lobe.frequency, lobe.orientation, lobe.frequency_spread, lobe.orientation_spread, lobe.power);
+}
+
+struct Values {
+    GaborField field;
+    float removed;
+};
+
+Values evaluate(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint instance)
+{
+    Values result;
+    result.removed = 0.0;
+    if (filtered) {
+        vec2 value = gabor_field_filtered(place, kernel, footprint, instance);
+        result.field = GaborField(value, vec2(0.0), vec2(0.0), vec4(value.y));
+        result.removed = gabor_removed(kernel, footprint);
+    } else {
+        result.field = gabor_field(place, kernel, instance);
+    }
+    return result;
+}
+
+// The sum of independent noises in proportion to the roots of their powers.
+Values evaluate_sum(GaborPlace place, GaborFootprint footprint)
+{
+    Values sum = Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 0.0);
+    float together = 0.0;
+    for (int i = 0; i < lobe_count; ++i)
+        together += lobes[i].power;
+    for (int i = 0; i < lobe_count; ++i) {
+        uint instance = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        Values one = evaluate(place, gabor_kernel_lobe(lobe_at(i)), footprint, instance);
+        float share = lobes[i].power / together;
+        sum.field.value += sqrt(share) * one.field.value;
+        sum.field.slope_x += sqrt(share) * one.field.slope_x;
+        sum.field.slope_y += sqrt(share) * one.field.slope_y;
+        sum.field.four += sqrt(share) * one.field.four;
+        sum.removed += share * one.removed;
+    }
+    return sum;
+}
+
+GaborKernel kernel_at(vec2 pixel)
+{
+    vec2 wave = painted ? painted_at(pixel) : vec2(frequency, orientation);
+    if (lobe_count == 0)
+        return gabor_kernel(wave.x, wave.y);
+    GaborLobe all[GABOR_LOBES];
+    for (int i = 0; i < GABOR_LOBES; ++i) {
+        if (i < lobe_count)
+            all[i] = lobe_at(i);
+    }
+    if (painted)
+        all[0] = gabor_lobe(wave.x, wave.y, lobes[0].frequency_spread, lobes[0].orientation_spread, 1.0);
+    return gabor_kernel_lobes(all, lobe_count);
+}
+
+void write_pixel(int at, Values values_here)
+{
+    GaborField field = values_here.field;
+    picture[at++] = values > 1 ? field.four.x : field.value.y;
+    for (int i = 1; i < values; ++i)
+        picture[at++] = field.four[i];
+    if (with_quadrature)
+        picture[at++] = field.value.x;
+    if (with_gradient) {
+        picture[at++] = field.slope_x.y;
+        picture[at++] = field.slope_y.y;
+    }
+    if (with_phasor) {
+        vec2 phasor = gabor_phasor(field.value);
+        picture[at++] = phasor.x;
+        picture[at++] = phasor.y;
+    }
+    if (filtered)
+        picture[at++] = values_here.removed;
+}
+
+void main()
+{
+    ivec2 pixel_at = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel_at.x >= width || pixel_at.y >= height)
+        return;
+    int at = (before + pixel_at.y * width + pixel_at.x) * channels;
+    pixel_at.y += first_row;
+    Line column = columns[pixel_at.x];
+    Line row = rows[pixel_at.y];
+
+    GaborPlace place = GaborPlace(ivec2(column.cell, row.cell), vec2(column.local, row.local), radius, period, time);
+    vec2 dx = vec2(pixel, 0.0);
+    vec2 dy = vec2(0.0, pixel);
+    if (horizon) {
+        if (row.local <= 0.0) { // the sky
+            write_pixel(at, Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 1.0));
+            return;
+        }
+        // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
+        float near = pixel / row.local;
+        place.local = near * vec2(column.local, -focal_length) * radius + vec2(camera_x, camera_y);
+        dx = vec2(near, 0.0);
+        dy = near / row.local * vec2(-column.local, focal_length);
+    }
+    GaborFootprint footprint = gabor_footprint(dx, dy);
+    if (summed)
+        write_pixel(at, evaluate_sum(place, footprint));
+    else
+        write_pixel(at, evaluate(place, kernel_at(vec2(pixel_at)), footprint, seed));
+}
