@@ -36,8 +36,9 @@
 #endif
 
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
-// Define these before the file for another recipe. The default visits 27 impulses, with cvm 0.17 and sidelobes of
-// -24 dB. GABOR_3D_RADIUS 1.5 with GABOR_3D_WINDOW vec3(0.7, -0.9, 1.2) visits 64, with cvm 0.00 and -50 dB.
+// Define these before the file for another recipe, and GABOR_UNROLL, see gabor_noise.glsl, where it is known: lavapipe
+// then takes half as long. The default visits 27 impulses, with cvm 0.17 and sidelobes of -24 dB. GABOR_3D_RADIUS 1.5
+// with GABOR_3D_WINDOW vec3(0.7, -0.9, 1.2) visits 64, with cvm 0.01 and -50 dB.
 
 // N, impulses per cell: an int, at least 1.
 #ifndef GABOR_3D_IMPULSES
@@ -56,8 +57,8 @@
 
 // ---- Impulses ------------------------------------------------------------------------------------------------------
 
-// The word of impulse `index` in a cell; everything about the impulse follows from it: x, y, phase and tempo by its bits
-// as in gabor_noise.glsl, z and the direction as below. All have the same weight: in space the strata alone see to it
+// The word of impulse `index` in a cell; everything about the impulse follows from it: x, y, phase and tempo by its
+// bits as in gabor_noise.glsl, z and the direction as below. All have the same weight: in space the strata alone see to it
 // that no fourth cumulant is left.
 uint gabor_impulse_word_3d(int column, uint row_word, int index)
 {
@@ -83,7 +84,8 @@ vec3 gabor_sphere_3d(uint word)
     vec2 uniform_plus_one = gabor_place_plus_one(gabor_mix(word, 0x85ebca6bu));
     float height = 2.0 * uniform_plus_one.x - 3.0;
     float turns = uniform_plus_one.y - 1.0;
-    return vec3(sqrt((1.0 - height) * (1.0 + height)) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns)), height);
+    float across = sqrt((1.0 - height) * (1.0 + height));
+    return vec3(across * gabor_sin_turns(turns + 0.25), across * gabor_sin_turns(turns), height);
 }
 
 // A direction brought to the plane that is perpendicular to a unit normal, or anywhere if that is 0, and to length 1.
@@ -199,6 +201,9 @@ GaborKernel3d gabor_kernel_surface_isotropic(float frequency, vec3 normal)
 // A Gaussian of variance s^2 times a wave, filtered by a Gaussian of covariance S = (dx dx^T + dy dy^T) / 4, is one
 // again: with D = S (s^2 + S)^-1 its wave vector f becomes f - D f, its amplitude falls by exp(-2 pi^2 s^2 f.D f), and
 // its energy by det(1 + S / s^2)^(1/2) besides. D = blur_x blur_x^T + blur_y blur_y^T by Cholesky's decomposition.
+// This window is no Gaussian, and here it does not widen: the noise differs from what the footprint averages by less
+// than 0.15 / F in root mean square, 0.03 at frequency 4, for F from 1 to 8 and pixels of up to a kernel radius. Its
+// standard deviation is right within 0.02. Beyond, it goes on falling towards 0.
 GaborKernel3d gabor_filtered_3d(GaborKernel3d kernel, vec3 dx, vec3 dy)
 {
     dx = 0.5 * clamp(dx, -1.0e6, 1.0e6);
