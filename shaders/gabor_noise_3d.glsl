@@ -98,6 +98,17 @@ vec3 gabor_tangent_3d(vec3 direction, vec3 normal)
     return tangent * (square > 0.015625 ? inversesqrt(square) : 12.0 - 256.0 * square);
 }
 
+// The direction of an impulse, a unit vector, brought to the plane that is perpendicular to a unit normal, or left where
+// that is 0, and to length 1; last the impulse's weight. Around the normal, where the direction in the plane turns ever
+// faster, it falls to 0, with a continuous derivative.
+vec4 gabor_tangent_and_weight_3d(vec3 direction, vec3 normal)
+{
+    vec3 tangent = direction - dot(direction, normal) * normal;
+    float square = dot(tangent, tangent);
+    float away = min(8.0 * square, 1.0);
+    return vec4(tangent * inversesqrt(max(square, 1.0e-12)), away * (2.0 - away));
+}
+
 // The window q along each axis, 0 from |x| = 1 on.
 vec3 gabor_window_3d(vec3 x)
 {
@@ -190,10 +201,14 @@ GaborKernel3d gabor_kernel_surface(float frequency, vec3 direction, vec3 normal)
     return gabor_kernel_of_wave_3d(gabor_frequency_3d(frequency) * tangent, 0.0, vec3(0.0));
 }
 
-// Surface noise along all directions of the tangent plane, see gabor_noise_surface_isotropic.
+// Surface noise along all directions of the tangent plane, see gabor_noise_surface_isotropic. Whatever the normal, the
+// squares of the weights of gabor_tangent_and_weight_3d have the same mean over the sphere, 0.9702904.
 GaborKernel3d gabor_kernel_surface_isotropic(float frequency, vec3 normal)
 {
-    return gabor_kernel_of_wave_3d(vec3(0.0), gabor_frequency_3d(frequency), gabor_unit_3d(normal));
+    vec3 unit = gabor_unit_3d(normal);
+    GaborKernel3d kernel = gabor_kernel_of_wave_3d(vec3(0.0), gabor_frequency_3d(frequency), unit);
+    kernel.amplitude *= dot(unit, unit) > 0.0 ? 1.0151942 : 1.0;
+    return kernel;
 }
 
 // The same kernel seen through a pixel, whose footprint is a Gaussian with a standard deviation of half a pixel.
@@ -278,9 +293,10 @@ GaborField3d gabor_field_3d(GaborPlace3d place, GaborKernel3d kernel, uint seed)
                         vec3 wave = kernel.wave;
                         float magnitude = 1.0;
                         if (kernel.frequency > 0.0) {
-                            wave = kernel.frequency * gabor_tangent_3d(gabor_sphere_3d(word), kernel.normal);
+                            vec4 tangent = gabor_tangent_and_weight_3d(gabor_sphere_3d(word), kernel.normal);
+                            wave = kernel.frequency * tangent.xyz;
                             vec2 blurred = vec2(dot(wave, kernel.blur_x), dot(wave, kernel.blur_y));
-                            magnitude = gabor_damping_3d(blurred);
+                            magnitude = tangent.w * gabor_damping_3d(blurred);
                             wave -= blurred.x * kernel.blur_x + blurred.y * kernel.blur_y;
                         }
                         float turns = dot(wave, d) + gabor_phase_3d(word) + gabor_tempo(word) * time;
@@ -390,8 +406,8 @@ float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, 
     return gabor_noise_3d_at(ivec3(0), p * GABOR_3D_RADIUS, gabor_kernel_surface(frequency, direction, normal), seed);
 }
 
-// Noise on a surface at its point p, its waves along all directions of the tangent plane alike: as gabor_noise_surface.
-// One impulse in 128 has a lower frequency.
+// Noise on a surface at its point p, its waves along all directions of the tangent plane alike: as gabor_noise_surface,
+// but that no point of the surface is special.
 float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 {
     return gabor_noise_3d_at(ivec3(0), p * GABOR_3D_RADIUS, gabor_kernel_surface_isotropic(frequency, normal), seed);
