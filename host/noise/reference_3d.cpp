@@ -14,7 +14,7 @@ namespace {
 using Matrix3 = std::array<Vector3, 3>; // by rows
 using std::numbers::pi;
 
-constexpr Recipe normal{"solid", 1, 1.0f, 1.0f, 256, {3, -3.8f, 1.8f}, "27 impulses, the fastest"};
+constexpr Recipe normal{"solid", 1, 1.0f, 1.0f, 256, {3.1f, -3.9f, 1.8f}, "27 impulses, the fastest"};
 constexpr Recipe pure{"solid-pure", 1, 1.5f, 1.0f, 256, {0.7f, -0.9f, 1.2f}, "the lowest sidelobes"};
 
 double dot(const Vector3& a, const Vector3& b) {

@@ -65,10 +65,10 @@ TEST_CASE("in space mean 0 and variance 1 at every frequency", "[instances]") {
         for (const float frequency : {0.002f, 0.7f, 30.0f}) {
             if (kind != Kind::oriented && frequency != 0.7f)
                 continue;
-            const Law law = measure(sampler, noise::recipe_3d(), kind, frequency, 8);
+            const Law law = measure(sampler, noise::recipe_3d(), kind, frequency, 6);
             fmt::print("kind {}, frequency {}: mean {:.5f}, variance {:.5f}\n", static_cast<int>(kind),
                        frequency, law.moments.mean(), law.moments.variance());
-            CHECK(law.moments.mean() == Approx(0).margin(0.002)); // four standard errors
+            CHECK(law.moments.mean() == Approx(0).margin(0.002)); // nearly four standard errors
             CHECK(law.moments.variance() == Approx(1).margin(0.003));
         }
     }
@@ -82,8 +82,8 @@ TEST_CASE("Gaussianity of the recipes in space", "[instances]") {
         double kurtosis;
     };
     // By quadrature over the window, the cells and the weights.
-    for (const auto& [recipe, kind, kurtosis] : {Expected{noise::recipe_3d(), Kind::oriented, 0.063},
-                                                 Expected{noise::recipe_3d(), Kind::surface_isotropic, 0.080},
+    for (const auto& [recipe, kind, kurtosis] : {Expected{noise::recipe_3d(), Kind::oriented, 0.048},
+                                                 Expected{noise::recipe_3d(), Kind::surface_isotropic, 0.064},
                                                  Expected{noise::pure_recipe_3d(), Kind::oriented, -0.002}}) {
         test::Sampler3d sampler(device, recipe, per_batch);
         const Law law = measure(sampler, recipe, kind, 4, 16);
@@ -176,7 +176,7 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
     for (const Kind kind : {Kind::isotropic, Kind::surface_isotropic}) {
         Uniform draw;
         double products[3][3]{};
-        constexpr int batches = 4;
+        constexpr int batches = 2;
         for (int batch = 0; batch < batches; ++batch) {
             for (test::Sample3d& sample : sampler.samples()) {
                 sample = {};
@@ -200,7 +200,7 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
                     slopes / energy * one +
                     wave * (kind == Kind::isotropic ? one / 3 : 0.5 * (one - normal[a] * normal[b]));
                 INFO("kind " << static_cast<int>(kind) << ", axes " << a << " and " << b);
-                CHECK(products[a][b] == Approx(expected).margin(0.005 * wave)); // five standard errors
+                CHECK(products[a][b] == Approx(expected).margin(0.005 * wave)); // four standard errors or more
             }
         }
     }
