@@ -200,7 +200,8 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
                     slopes / energy * one +
                     wave * (kind == Kind::isotropic ? one / 3 : 0.5 * (one - normal[a] * normal[b]));
                 INFO("kind " << static_cast<int>(kind) << ", axes " << a << " and " << b);
-                CHECK(products[a][b] == Approx(expected).margin(0.005 * wave)); // four standard errors or more
+                CHECK(products[a][b] ==
+                      Approx(expected).margin(0.005 * wave)); // four standard errors or more
             }
         }
     }
