@@ -16,6 +16,7 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config-version.cmake",
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "share/gabor-noise/shaders/gabor_noise.glsl",
+    "share/gabor-noise/shaders/gabor_noise_3d.glsl",
     "share/gabor-noise/shaders/passes/bake.comp",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     "share/gabor-noise/shaders/translations/gabor_noise.gdshaderinc",

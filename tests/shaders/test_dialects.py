@@ -1,4 +1,4 @@
-"""gabor_noise.glsl pasted into shaders of every dialect, and the names and constructs that it may use."""
+"""gabor_noise.glsl, and gabor_noise_3d.glsl after it, pasted into shaders of every dialect, and the names and constructs that it may use."""
 
 import os
 import pathlib
@@ -8,13 +8,16 @@ import subprocess
 import tempfile
 import unittest
 
-SOURCE = (pathlib.Path(os.environ["GABOR_SHADERS"]) / "gabor_noise.glsl").read_text()
+SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
+SOURCE_3D = (SHADERS / "gabor_noise_3d.glsl").read_text()
+SOURCE = (SHADERS / "gabor_noise.glsl").read_text() + SOURCE_3D
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
 RECIPES = {
     "default": {},
     "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2",
               "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
+    "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
     "wide": {"GABOR_RADIUS": "1.5", "GABOR_WEIGHT_FLOOR": "0.5", "GABOR_WINDOW": "vec3(1.0, -1.0, 1.0)"},
     "native sine": {"GABOR_NATIVE_SINE": "1"},
     "lobes": {"GABOR_LOBES": "6"},
@@ -23,6 +26,7 @@ HIGHP = "precision highp float; precision highp int;\n"
 
 # The functions to call, with values that no compiler can fold.
 USE = """
+    vec3 dx = vec3(0.1, p);
     GaborKernel once = gabor_kernel(p.x, p.y);
     float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
     vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
@@ -37,6 +41,13 @@ USE = """
     noise += gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u);
     noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0))
            + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
+    vec3 q = vec3(p, 0.3);
+    GaborKernel3d solid = gabor_filtered_3d(gabor_kernel_isotropic_3d(p.y), dx, 0.5 * dx);
+    noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
+           + dot(gabor_noise_3d_gradient(q, 4.0, q, 7u), vec4(1.0)) + gabor_phasor(gabor_noise_3d_complex(q, 4.0, q, 7u)).x
+           + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
+           + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u)
+           + gabor_noise_3d_at(ivec3(q), fract(q), solid, 7u);
     float unorm = gabor_unorm(noise);
 """
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n" + USE + \
@@ -106,6 +117,12 @@ class Dialects(unittest.TestCase):
         with self.assertRaises(AssertionError):
             self.compile(shader(*parts, {"GABOR_IMPULSES": "2.0"}), stage, options)
 
+    def test_in_space_it_says_what_must_come_before(self):
+        *parts, stage, options = DIALECTS["450 fragment"]
+        version, before, body, target = parts
+        with self.assertRaisesRegex(AssertionError, "put that file before it"):
+            self.compile(f"#version {version}\n{before}{SOURCE_3D}{body.format(target=target)}", stage, options)
+
     def test_spirv_tools_accept_it(self):
         tools = {"spirv-val": [], "spirv-cross": ["--version", "310", "--es"]}
         found = {tool: options for tool, options in tools.items() if shutil.which(tool)}
@@ -131,6 +148,7 @@ class Names(unittest.TestCase):
         names = {name for name in re.findall(r"[A-Za-z_]\w*", outermost(self.code))
                  if name not in types and not vectors.fullmatch(name)}
         self.assertIn("gabor_noise", names)
+        self.assertIn("gabor_noise_3d", names)
         self.assertIn("GaborKernel", names)
         self.assertEqual({name for name in names if not re.match("gabor_|Gabor", name)}, set())
 
@@ -140,7 +158,7 @@ class Names(unittest.TestCase):
         self.assertEqual({name for name in macros if not name.startswith("GABOR_")}, set())
 
     def test_it_leaves_version_extensions_and_precision_to_the_shader(self):
-        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives}, {"ifndef", "define", "endif"})
+        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives}, {"ifndef", "define", "error", "endif"})
         self.assertNotRegex(self.code, r"\bprecision\b")
 
     def test_it_declares_no_resources(self):
