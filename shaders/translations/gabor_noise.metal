@@ -185,29 +185,30 @@ float2 gabor_direction(float angle)
     float r = angle - (quarter * 1.5703125);
     r -= (quarter * 0.0004837512969970703125);
     r -= (quarter * 7.5497901264043321134522557258606e-08);
+    r = (abs(r) < 1.0) ? r : 0.0;
     float s = r * r;
     float sine = r + ((r * s) * ((-0.1666665375232696533203125) + (s * (0.00833216123282909393310546875 - (s * 0.00019515295571181923151016235351562)))));
     float cosine = (1.0 - (0.5 * s)) + ((s * s) * (0.0416666455566883087158203125 + (s * ((-0.00138873164542019367218017578125) + (s * 2.4433156795566901564598083496094e-05)))));
-    float2 _449;
+    float2 _454;
     if (fract(0.5 * quarter) < 0.25)
     {
-        _449 = float2(cosine, sine);
+        _454 = float2(cosine, sine);
     }
     else
     {
-        _449 = float2(-sine, cosine);
+        _454 = float2(-sine, cosine);
     }
-    float2 axis = _449;
-    float2 _466;
+    float2 axis = _454;
+    float2 _471;
     if (fract(0.25 * quarter) < 0.375)
     {
-        _466 = axis;
+        _471 = axis;
     }
     else
     {
-        _466 = -axis;
+        _471 = -axis;
     }
-    return _466;
+    return _471;
 }
 
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
@@ -264,11 +265,11 @@ float gabor_deficit(float k, GaborEnergy energy)
     {
         float y = 1.0 / z;
         float param = 2.0 * k;
-        float _641 = gabor_sin_turns(param);
-        float l0 = _641 / a;
+        float _646 = gabor_sin_turns(param);
+        float l0 = _646 / a;
         float param_1 = (2.0 * k) + 0.25;
-        float _651 = gabor_sin_turns(param_1);
-        float l1 = (3.0 * y) * (l0 - _651);
+        float _656 = gabor_sin_turns(param_1);
+        float l1 = (3.0 * y) * (l0 - _656);
         float l2 = (15.0 * y) * (l1 - l0);
         float l3 = (35.0 * y) * (l2 - l1);
         float l4 = (63.0 * y) * (l3 - l2);
@@ -298,16 +299,16 @@ static inline __attribute__((always_inline))
 GaborKernel gabor_kernel(float frequency, float orientation)
 {
     float magnitude = abs(frequency);
-    float _733;
+    float _738;
     if (magnitude > 9.9999999747524270787835121154785e-07)
     {
-        _733 = fast::min(magnitude, 1000000.0);
+        _738 = fast::min(magnitude, 1000000.0);
     }
     else
     {
-        _733 = 9.9999999747524270787835121154785e-07;
+        _738 = 9.9999999747524270787835121154785e-07;
     }
-    magnitude = _733;
+    magnitude = _738;
     GaborKernel kernel0;
     kernel0.wave = gabor_direction(orientation) * magnitude;
     float density = 1.0;
@@ -379,20 +380,20 @@ int gabor_wrap(int cell, int period)
         return cell;
     }
     int within = cell - ((cell / period) * period);
-    int _856;
+    int _861;
     if (within < 0)
     {
-        _856 = within + period;
+        _861 = within + period;
     }
     else
     {
-        _856 = within;
+        _861 = within;
     }
-    return _856;
+    return _861;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 static inline __attribute__((always_inline))
 float gabor_tempo_gain(GaborKernel kernel0, float time)
 {
@@ -400,16 +401,17 @@ float gabor_tempo_gain(GaborKernel kernel0, float time)
     {
         return 1.0;
     }
-    float param = (2.0 * time) + 0.25;
-    float _874 = gabor_sin_turns(param);
-    float param_1 = (4.0 * time) + 0.25;
-    float _878 = gabor_sin_turns(param_1);
-    float param_2 = (6.0 * time) + 0.25;
-    float _884 = gabor_sin_turns(param_2);
-    float param_3 = (8.0 * time) + 0.25;
-    float _890 = gabor_sin_turns(param_3);
-    float mean = 0.25 * (((_874 + _878) + _884) + _890);
-    return rsqrt((1.0 - (mean * (1.0 - kernel0.deficit))) / kernel0.deficit);
+    float param = time;
+    float _877 = gabor_sin_turns(param);
+    float param_1 = 2.0 * time;
+    float _880 = gabor_sin_turns(param_1);
+    float param_2 = 3.0 * time;
+    float _883 = gabor_sin_turns(param_2);
+    float param_3 = 4.0 * time;
+    float _886 = gabor_sin_turns(param_3);
+    float4 sines = float4(_877, _880, _883, _886);
+    float u = 0.5 * dot(sines, sines);
+    return rsqrt(1.0 + ((u * (1.0 - kernel0.deficit)) / kernel0.deficit));
 }
 
 // The noise at a place, by its cell: what all functions below call.

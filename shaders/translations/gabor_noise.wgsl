@@ -224,12 +224,13 @@ fn gabor_sin_turns(t: f32) -> f32 {
 fn gabor_direction(angle: f32) -> vec2<f32> {
     var quarter: f32;
     var r: f32;
+    var local_10: f32;
     var s_1: f32;
     var sine: f32;
     var cosine: f32;
-    var local_10: vec2<f32>;
-    var axis: vec2<f32>;
     var local_11: vec2<f32>;
+    var axis: vec2<f32>;
+    var local_12: vec2<f32>;
 
     quarter = floor(((angle * 0.63661975f) + 0.5f));
     let _e7 = quarter;
@@ -241,42 +242,51 @@ fn gabor_direction(angle: f32) -> vec2<f32> {
     let _e18 = quarter;
     r = (_e17 - (_e18 * 0.0000000754979f));
     let _e22 = r;
-    let _e23 = r;
-    s_1 = (_e22 * _e23);
-    let _e26 = r;
-    let _e27 = r;
-    let _e28 = s_1;
-    let _e32 = s_1;
-    let _e34 = s_1;
-    sine = (_e26 + ((_e27 * _e28) * (-0.16666654f + (_e32 * (0.008332161f - (_e34 * 0.00019515296f))))));
-    let _e45 = s_1;
-    let _e48 = s_1;
-    let _e49 = s_1;
-    let _e52 = s_1;
-    let _e55 = s_1;
-    cosine = ((1f - (0.5f * _e45)) + ((_e48 * _e49) * (0.041666646f + (_e52 * (-0.0013887316f + (_e55 * 0.000024433157f))))));
-    let _e65 = quarter;
-    if (fract((0.5f * _e65)) < 0.25f) {
-        let _e70 = cosine;
-        let _e71 = sine;
-        local_10 = vec2<f32>(_e70, _e71);
+    if (abs(_e22) < 1f) {
+        let _e26 = r;
+        local_10 = _e26;
     } else {
-        let _e73 = sine;
-        let _e75 = cosine;
-        local_10 = vec2<f32>(-(_e73), _e75);
+        local_10 = 0f;
     }
-    let _e78 = local_10;
-    axis = _e78;
-    let _e81 = quarter;
-    if (fract((0.25f * _e81)) < 0.375f) {
-        let _e86 = axis;
-        local_11 = _e86;
+    let _e29 = local_10;
+    r = _e29;
+    let _e30 = r;
+    let _e31 = r;
+    s_1 = (_e30 * _e31);
+    let _e34 = r;
+    let _e35 = r;
+    let _e36 = s_1;
+    let _e40 = s_1;
+    let _e42 = s_1;
+    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
+    let _e53 = s_1;
+    let _e56 = s_1;
+    let _e57 = s_1;
+    let _e60 = s_1;
+    let _e63 = s_1;
+    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
+    let _e73 = quarter;
+    if (fract((0.5f * _e73)) < 0.25f) {
+        let _e78 = cosine;
+        let _e79 = sine;
+        local_11 = vec2<f32>(_e78, _e79);
     } else {
-        let _e87 = axis;
-        local_11 = -(_e87);
+        let _e81 = sine;
+        let _e83 = cosine;
+        local_11 = vec2<f32>(-(_e81), _e83);
     }
-    let _e90 = local_11;
-    return _e90;
+    let _e86 = local_11;
+    axis = _e86;
+    let _e89 = quarter;
+    if (fract((0.25f * _e89)) < 0.375f) {
+        let _e94 = axis;
+        local_12 = _e94;
+    } else {
+        let _e95 = axis;
+        local_12 = -(_e95);
+    }
+    let _e98 = local_12;
+    return _e98;
 }
 
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
@@ -460,7 +470,7 @@ struct GaborKernel {
 // where four or more phases average the sin^2 to 1/2 and leave J(0)^2 alone.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var magnitude: f32;
-    var local_12: f32;
+    var local_13: f32;
     var kernel: GaborKernel;
     var density: f32 = 1f;
     var power: f32 = 0.7278125f;
@@ -472,11 +482,11 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     let _e4 = magnitude;
     if (_e4 > 0.000001f) {
         let _e7 = magnitude;
-        local_12 = min(_e7, 1000000f);
+        local_13 = min(_e7, 1000000f);
     } else {
-        local_12 = 0.000001f;
+        local_13 = 0.000001f;
     }
-    let _e12 = local_12;
+    let _e12 = local_13;
     magnitude = _e12;
     let _e15 = magnitude;
     let _e16 = gabor_direction(orientation);
@@ -569,7 +579,7 @@ struct GaborField {
 // A cell's coordinate within a period.
 fn gabor_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
-    var local_14: i32;
+    var local_15: i32;
 
     if (period == 0i) {
         return cell;
@@ -578,30 +588,34 @@ fn gabor_wrap(cell: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local_14 = (_e11 + period);
+        local_15 = (_e11 + period);
     } else {
         let _e13 = within;
-        local_14 = _e13;
+        local_15 = _e13;
     }
-    let _e15 = local_14;
+    let _e15 = local_15;
     return _e15;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 fn gabor_tempo_gain(kernel: GaborKernel, time: f32) -> f32 {
-    var mean: f32;
+    var sines: vec4<f32>;
+    var u_2: f32;
 
     if true {
         return 1f;
     }
-    let _e11 = gabor_sin_turns(((2f * time) + 0.25f));
-    let _e16 = gabor_sin_turns(((4f * time) + 0.25f));
-    let _e22 = gabor_sin_turns(((6f * time) + 0.25f));
-    let _e28 = gabor_sin_turns(((8f * time) + 0.25f));
-    mean = (0.25f * (((_e11 + _e16) + _e22) + _e28));
-    let _e33 = mean;
-    return inverseSqrt(((1f - (_e33 * (1f - kernel.deficit))) / kernel.deficit));
+    let _e6 = gabor_sin_turns(time);
+    let _e9 = gabor_sin_turns((2f * time));
+    let _e12 = gabor_sin_turns((3f * time));
+    let _e15 = gabor_sin_turns((4f * time));
+    sines = vec4<f32>(_e6, _e9, _e12, _e15);
+    let _e19 = sines;
+    let _e20 = sines;
+    u_2 = (0.5f * dot(_e19, _e20));
+    let _e25 = u_2;
+    return inverseSqrt((1f + ((_e25 * (1f - kernel.deficit)) / kernel.deficit)));
 }
 
 // The noise at a place, by its cell: what all functions below call.
@@ -611,7 +625,7 @@ fn gabor_tempo_gain(kernel: GaborKernel, time: f32) -> f32 {
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var visited: i32 = 3i;
     var whole: vec2<f32>;
-    var local_15: vec2<f32>;
+    var local_16: vec2<f32>;
     var first: vec2<f32>;
     var cell_2: vec2<i32>;
     var cell_side: vec2<f32>;
@@ -635,8 +649,8 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
 
     whole = floor(place.local);
     let _e15 = whole;
-    local_15 = (place.local - _e15);
-    let _e18 = local_15;
+    local_16 = (place.local - _e15);
+    let _e18 = local_16;
     first = floor((_e18 - place.radius));
     let _e24 = whole;
     let _e25 = first;
@@ -687,7 +701,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                             let _e104 = word_6;
                             let _e105 = gabor_place_plus_one(_e104);
                             impulse = _e105;
-                            let _e107 = local_15;
+                            let _e107 = local_16;
                             let _e108 = impulse;
                             let _e109 = first;
                             let _e110 = i_1;
@@ -848,28 +862,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_17: f32;
-    var phase: f32;
     var local_18: f32;
+    var phase: f32;
+    var local_19: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_17 = (atan2(value.y, value.x) * 0.15915494f);
+        local_18 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_17 = 0f;
+        local_18 = 0f;
     }
-    let _e13 = local_17;
+    let _e13 = local_18;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_18 = min((_e18 + 1f), 0.99999994f);
+        local_19 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_18 = _e23;
+        local_19 = _e23;
     }
-    let _e25 = local_18;
+    let _e25 = local_19;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
