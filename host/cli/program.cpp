@@ -21,7 +21,8 @@ namespace {
 int fail(int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
-    fmt::print(stderr, "gabor: {}\n", message);
+    std::fputs(fmt::format("gabor: {}\n", message).c_str(),
+               stderr); // if nobody reads it, the status still tells
     return status;
 }
 
