@@ -178,6 +178,7 @@ vec2 gabor_direction(float angle)
     float r = angle - quarter * 1.5703125;
     r -= quarter * 4.837512969970703e-4;
     r -= quarter * 7.549789948768648e-8;
+    r = abs(r) < 1.0 ? r : 0.0; // far outside the range, where no digit is left of it, any direction will do
     float s = r * r;
     float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
@@ -422,14 +423,15 @@ int gabor_wrap(int cell, int period)
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 float gabor_tempo_gain(GaborKernel kernel, float time)
 {
     if (kernel.phases != 2.0 || time == 0.0)
         return 1.0;
-    float mean = 0.25 * (gabor_sin_turns(2.0 * time + 0.25) + gabor_sin_turns(4.0 * time + 0.25)
-                       + gabor_sin_turns(6.0 * time + 0.25) + gabor_sin_turns(8.0 * time + 0.25));
-    return inversesqrt((1.0 - mean * (1.0 - kernel.deficit)) / kernel.deficit);
+    vec4 sines = vec4(gabor_sin_turns(time), gabor_sin_turns(2.0 * time), gabor_sin_turns(3.0 * time),
+                      gabor_sin_turns(4.0 * time));
+    float u = 0.5 * dot(sines, sines);
+    return inversesqrt(1.0 + u * (1.0 - kernel.deficit) / kernel.deficit);
 }
 
 // What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.

@@ -173,29 +173,30 @@ float2 gabor_direction(float angle)
     float r = angle - (quarter * 1.5703125f);
     r -= (quarter * 0.0004837512969970703125f);
     r -= (quarter * 7.5497901264043321134522557258606e-08f);
+    r = (abs(r) < 1.0f) ? r : 0.0f;
     float s = r * r;
     float sine = r + ((r * s) * ((-0.1666665375232696533203125f) + (s * (0.00833216123282909393310546875f - (s * 0.00019515295571181923151016235351562f)))));
     float cosine = (1.0f - (0.5f * s)) + ((s * s) * (0.0416666455566883087158203125f + (s * ((-0.00138873164542019367218017578125f) + (s * 2.4433156795566901564598083496094e-05f)))));
-    float2 _574;
+    float2 _579;
     if (frac(0.5f * quarter) < 0.25f)
     {
-        _574 = float2(cosine, sine);
+        _579 = float2(cosine, sine);
     }
     else
     {
-        _574 = float2(-sine, cosine);
+        _579 = float2(-sine, cosine);
     }
-    float2 axis = _574;
-    float2 _591;
+    float2 axis = _579;
+    float2 _596;
     if (frac(0.25f * quarter) < 0.375f)
     {
-        _591 = axis;
+        _596 = axis;
     }
     else
     {
-        _591 = -axis;
+        _596 = -axis;
     }
-    return _591;
+    return _596;
 }
 
 // Product of complex numbers.
@@ -256,11 +257,11 @@ float gabor_deficit(float k, GaborEnergy energy)
     {
         float y = 1.0f / z;
         float param = 2.0f * k;
-        float _783 = gabor_sin_turns(param);
-        float l0 = _783 / a;
+        float _788 = gabor_sin_turns(param);
+        float l0 = _788 / a;
         float param_1 = (2.0f * k) + 0.25f;
-        float _793 = gabor_sin_turns(param_1);
-        float l1 = (3.0f * y) * (l0 - _793);
+        float _798 = gabor_sin_turns(param_1);
+        float l1 = (3.0f * y) * (l0 - _798);
         float l2 = (15.0f * y) * (l1 - l0);
         float l3 = (35.0f * y) * (l2 - l1);
         float l4 = (63.0f * y) * (l3 - l2);
@@ -288,16 +289,16 @@ struct GaborLobe
 GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread, float orientation_spread, float power)
 {
     float magnitude = abs(frequency);
-    float _875;
+    float _880;
     if (magnitude > 9.9999999747524270787835121154785e-07f)
     {
-        _875 = min(magnitude, 1000000.0f);
+        _880 = min(magnitude, 1000000.0f);
     }
     else
     {
-        _875 = 9.9999999747524270787835121154785e-07f;
+        _880 = 9.9999999747524270787835121154785e-07f;
     }
-    magnitude = _875;
+    magnitude = _880;
     GaborLobe lobe;
     lobe.wave = gabor_direction(orientation) * magnitude;
     lobe.spread = clamp(float2(frequency_spread, orientation_spread * 0.15915493667125701904296875f), 0.0f.xx, float2(1.0f, 0.25f));
@@ -333,18 +334,18 @@ GaborKernel gabor_kernel_lobes(GaborLobes lobes)
     kernel.lobes = lobes;
     kernel.lobes.count = clamp(lobes.count, 1, 1);
     float together = 0.0f;
-    float _921;
+    float _926;
     for (int i = 0; i < 1; i++)
     {
         if (i < kernel.lobes.count)
         {
-            _921 = lobes.lobe[i].power;
+            _926 = lobes.lobe[i].power;
         }
         else
         {
-            _921 = 0.0f;
+            _926 = 0.0f;
         }
-        together += _921;
+        together += _926;
         kernel.lobes.lobe[i].power = together;
     }
     kernel.phases = 256.0f;
@@ -393,10 +394,10 @@ GaborKernel gabor_kernel(float frequency, float orientation)
 float2 gabor_within(GaborLobe lobe, float2 spread)
 {
     float param = spread.y + 0.25f;
-    float _1020 = gabor_sin_turns(param);
+    float _1025 = gabor_sin_turns(param);
     float param_1 = spread.y;
-    float _1023 = gabor_sin_turns(param_1);
-    float2 turn = float2(_1020, _1023);
+    float _1028 = gabor_sin_turns(param_1);
+    float2 turn = float2(_1025, _1028);
     return gabor_times(lobe.wave, turn) * (1.0f + spread.x);
 }
 
@@ -405,40 +406,40 @@ float2 gabor_wave(GaborKernel kernel, uint word)
 {
     GaborLobe lobe = kernel.lobes.lobe[0];
     uint param = word;
-    uint _1038 = gabor_mix(param, 2654435761u);
-    uint choice = _1038;
+    uint _1043 = gabor_mix(param, 2654435761u);
+    uint choice = _1043;
     if (kernel.lobes.count > 1)
     {
         float chosen = kernel.lobes.lobe[0].power * ((float(choice >> 16u) + 0.5f) / 65536.0f);
         for (int i = 1; i < 1; i++)
         {
-            bool _1065 = i < kernel.lobes.count;
-            bool _1074;
-            if (_1065)
+            bool _1070 = i < kernel.lobes.count;
+            bool _1079;
+            if (_1070)
             {
-                _1074 = chosen >= kernel.lobes.lobe[i - 1].power;
+                _1079 = chosen >= kernel.lobes.lobe[i - 1].power;
             }
             else
             {
-                _1074 = _1065;
+                _1079 = _1070;
             }
-            if (_1074)
+            if (_1079)
             {
                 lobe = kernel.lobes.lobe[i];
             }
         }
     }
-    bool _1084 = lobe.spread.x == 0.0f;
-    bool _1090;
-    if (_1084)
+    bool _1089 = lobe.spread.x == 0.0f;
+    bool _1095;
+    if (_1089)
     {
-        _1090 = lobe.spread.y == 0.0f;
+        _1095 = lobe.spread.y == 0.0f;
     }
     else
     {
-        _1090 = _1084;
+        _1095 = _1089;
     }
-    if (_1090)
+    if (_1095)
     {
         return lobe.wave;
     }
@@ -476,8 +477,8 @@ struct GaborPlace
 // cells each way, where it wraps around.
 GaborPlace gabor_place(int2 cell, float2 local)
 {
-    GaborPlace _1173 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
-    return _1173;
+    GaborPlace _1178 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
+    return _1178;
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part is the same with cosines
@@ -498,36 +499,37 @@ int gabor_wrap(int cell, int period)
         return cell;
     }
     int within = cell - ((cell / period) * period);
-    int _1186;
+    int _1191;
     if (within < 0)
     {
-        _1186 = within + period;
+        _1191 = within + period;
     }
     else
     {
-        _1186 = within;
+        _1191 = within;
     }
-    return _1186;
+    return _1191;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 float gabor_tempo_gain(GaborKernel kernel, float time)
 {
     if ((kernel.phases != 2.0f) || (time == 0.0f))
     {
         return 1.0f;
     }
-    float param = (2.0f * time) + 0.25f;
-    float _1208 = gabor_sin_turns(param);
-    float param_1 = (4.0f * time) + 0.25f;
-    float _1212 = gabor_sin_turns(param_1);
-    float param_2 = (6.0f * time) + 0.25f;
-    float _1218 = gabor_sin_turns(param_2);
-    float param_3 = (8.0f * time) + 0.25f;
-    float _1224 = gabor_sin_turns(param_3);
-    float mean = 0.25f * (((_1208 + _1212) + _1218) + _1224);
-    return rsqrt((1.0f - (mean * (1.0f - kernel.deficit))) / kernel.deficit);
+    float param = time;
+    float _1211 = gabor_sin_turns(param);
+    float param_1 = 2.0f * time;
+    float _1214 = gabor_sin_turns(param_1);
+    float param_2 = 3.0f * time;
+    float _1217 = gabor_sin_turns(param_2);
+    float param_3 = 4.0f * time;
+    float _1220 = gabor_sin_turns(param_3);
+    float4 sines = float4(_1211, _1214, _1217, _1220);
+    float u = 0.5f * dot(sines, sines);
+    return rsqrt(1.0f + ((u * (1.0f - kernel.deficit)) / kernel.deficit));
 }
 
 // What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
@@ -675,36 +677,36 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy)
     float mean = 0.5f * (covariance.x + covariance.y);
     float apart = length(float2(0.5f * (covariance.x - covariance.y), covariance.z));
     float2 cut = max(float2(mean + apart, mean - apart) - 0.25f.xx, 0.0f.xx);
-    float3 _1781;
+    float3 _1782;
     if (apart > 0.0f)
     {
-        _1781 = (covariance - (unit * mean)) / apart.xxx;
+        _1782 = (covariance - (unit * mean)) / apart.xxx;
     }
     else
     {
-        _1781 = 0.0f.xxx;
+        _1782 = 0.0f.xxx;
     }
-    float3 direction = _1781;
+    float3 direction = _1782;
     footprint.widening = covariance - (((unit * (cut.x + cut.y)) + (direction * (cut.x - cut.y))) * 0.5f);
-    float3 _1815 = footprint.widening;
-    float2 _1817 = max(_1815.xy, 0.0f.xx);
-    footprint.widening.x = _1817.x;
-    footprint.widening.y = _1817.y;
+    float3 _1816 = footprint.widening;
+    float2 _1818 = max(_1816.xy, 0.0f.xx);
+    footprint.widening.x = _1818.x;
+    footprint.widening.y = _1818.y;
     footprint._inverse = gabor_inverse((unit * 0.1211040019989013671875f) + footprint.widening);
     footprint.amplitude = 0.1211040019989013671875f * sqrt((footprint._inverse.x * footprint._inverse.y) - (footprint._inverse.z * footprint._inverse.z));
     footprint.reach = 1.04499995708465576171875f.xx + (sqrt(footprint.widening.xy) * 1.5f);
     float3 v = unit - (footprint._inverse * 0.1211040019989013671875f);
     float2 variance = max(v.xy, 0.0f.xx);
-    float _1868;
+    float _1869;
     if (v.z == 0.0f)
     {
-        _1868 = 0.0f;
+        _1869 = 0.0f;
     }
     else
     {
-        _1868 = min(abs(v.z) * rsqrt(variance.x * variance.y), 1.0f);
+        _1869 = min(abs(v.z) * rsqrt(variance.x * variance.y), 1.0f);
     }
-    float correlation = _1868;
+    float correlation = _1869;
     footprint.joint = sqrt(variance * correlation) * float2(1.0f, (v.z < 0.0f) ? (-1.0f) : 1.0f);
     float2 rest = variance * (1.0f - correlation);
     footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
@@ -739,17 +741,17 @@ float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
         }
         GaborLobe lobe = kernel.lobes.lobe[i];
         float mean = 0.0f;
-        bool _2035 = lobe.spread.x == 0.0f;
-        bool _2041;
-        if (_2035)
+        bool _2036 = lobe.spread.x == 0.0f;
+        bool _2042;
+        if (_2036)
         {
-            _2041 = lobe.spread.y == 0.0f;
+            _2042 = lobe.spread.y == 0.0f;
         }
         else
         {
-            _2041 = _2035;
+            _2042 = _2036;
         }
-        if (_2041)
+        if (_2042)
         {
             mean = gabor_kept(lobe.wave, footprint.covariance);
         }
@@ -764,16 +766,16 @@ float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
         kept += ((lobe.power - before) * mean);
         before = lobe.power;
     }
-    float _2101;
+    float _2102;
     if (before > 0.0f)
     {
-        _2101 = clamp(1.0f - (kept / before), 0.0f, 1.0f);
+        _2102 = clamp(1.0f - (kept / before), 0.0f, 1.0f);
     }
     else
     {
-        _2101 = 0.0f;
+        _2102 = 0.0f;
     }
-    return _2101;
+    return _2102;
 }
 
 // A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
@@ -790,28 +792,28 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     real *= 0.347999989986419677734375f;
     imaginary *= 0.347999989986419677734375f;
     float2 window = 0.0f.xx;
-    float _2160;
-    float _2177;
+    float _2161;
+    float _2178;
     for (int i = -2; i <= 2; i++)
     {
         if (i == 0)
         {
-            _2160 = 0.0f;
+            _2161 = 0.0f;
         }
         else
         {
-            _2160 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125f : 1.42848503589630126953125f);
+            _2161 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125f : 1.42848503589630126953125f);
         }
-        float _point = _2160;
+        float _point = _2161;
         if (i == 0)
         {
-            _2177 = 0.533333301544189453125f;
+            _2178 = 0.533333301544189453125f;
         }
         else
         {
-            _2177 = (abs(i) == 1) ? 0.22207592427730560302734375f : 0.0112574100494384765625f;
+            _2178 = (abs(i) == 1) ? 0.22207592427730560302734375f : 0.0112574100494384765625f;
         }
-        float weight = _2177;
+        float weight = _2178;
         float2 v = footprint.joint * _point;
         window += (gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)), gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y))) * weight);
     }
@@ -822,10 +824,10 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     }
     float turns = (dot(wave, d) - (dot(shift, real) / 2.1865484714508056640625f)) + phase;
     float param = turns + 0.25f;
-    float _2256 = gabor_sin_turns(param);
+    float _2257 = gabor_sin_turns(param);
     float param_1 = turns;
-    float _2259 = gabor_sin_turns(param_1);
-    return gabor_times(window, float2(_2256, _2259)) * amplitude;
+    float _2260 = gabor_sin_turns(param_1);
+    return gabor_times(window, float2(_2257, _2260)) * amplitude;
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -854,8 +856,8 @@ float2 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint
                 uint word = gabor_impulse_word(column, row_word, k);
                 float2 impulse = gabor_place_plus_one(word);
                 float2 d = (local - (impulse + (float2(float(i), float(j)) - 1.0f.xx))) / place.radius;
-                float2 _2370 = abs(d);
-                if (all(bool2(_2370.x < footprint.reach.x, _2370.y < footprint.reach.y)))
+                float2 _2371 = abs(d);
+                if (all(bool2(_2371.x < footprint.reach.x, _2371.y < footprint.reach.y)))
                 {
                     float phase = gabor_phase(impulse, kernel.phases) + (gabor_tempo(word) * time);
                     GaborKernel param = kernel;
@@ -922,26 +924,26 @@ float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 float2 gabor_phasor(float2 value)
 {
     float intensity = length(value);
-    float _2461;
+    float _2462;
     if (intensity > 0.0f)
     {
-        _2461 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
+        _2462 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
     }
     else
     {
-        _2461 = 0.0f;
+        _2462 = 0.0f;
     }
-    float phase = _2461;
-    float _2472;
+    float phase = _2462;
+    float _2473;
     if (phase < 0.0f)
     {
-        _2472 = min(phase + 1.0f, 0.999999940395355224609375f);
+        _2473 = min(phase + 1.0f, 0.999999940395355224609375f);
     }
     else
     {
-        _2472 = phase;
+        _2473 = phase;
     }
-    return float2(_2472, intensity);
+    return float2(_2473, intensity);
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
@@ -954,8 +956,8 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
     float2 cells = floor(period * 1.0f);
     float2 radius = cells / period;
     float2 within = p - (floor(p / period) * period);
-    GaborPlace _2512 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
-    GaborPlace place = _2512;
+    GaborPlace _2513 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
+    GaborPlace place = _2513;
     GaborKernel param = gabor_kernel(frequency, orientation);
     return gabor_field(place, param, seed).value.y;
 }
@@ -1007,22 +1009,22 @@ float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
             break;
         }
         uint param = seed + (uint(i) * 2246822507u);
-        uint _2578 = gabor_mix(param, 2654435761u);
-        uint own_seed = _2578;
+        uint _2579 = gabor_mix(param, 2654435761u);
+        uint own_seed = _2579;
         GaborKernel param_1 = gabor_kernel_lobe(lobes.lobe[i]);
         sum += (sqrt(lobes.lobe[i].power) * gabor_field(place, param_1, own_seed).value.y);
         power += lobes.lobe[i].power;
     }
-    float _2604;
+    float _2605;
     if (power > 0.0f)
     {
-        _2604 = sum * rsqrt(power);
+        _2605 = sum * rsqrt(power);
     }
     else
     {
-        _2604 = 0.0f;
+        _2605 = 0.0f;
     }
-    return _2604;
+    return _2605;
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the

@@ -227,12 +227,13 @@ fn gabor_sin_turns(t: f32) -> f32 {
 fn gabor_direction(angle: f32) -> vec2<f32> {
     var quarter: f32;
     var r: f32;
+    var local_10: f32;
     var s_1: f32;
     var sine: f32;
     var cosine: f32;
-    var local_10: vec2<f32>;
-    var axis: vec2<f32>;
     var local_11: vec2<f32>;
+    var axis: vec2<f32>;
+    var local_12: vec2<f32>;
 
     quarter = floor(((angle * 0.63661975f) + 0.5f));
     let _e7 = quarter;
@@ -244,42 +245,51 @@ fn gabor_direction(angle: f32) -> vec2<f32> {
     let _e18 = quarter;
     r = (_e17 - (_e18 * 0.0000000754979f));
     let _e22 = r;
-    let _e23 = r;
-    s_1 = (_e22 * _e23);
-    let _e26 = r;
-    let _e27 = r;
-    let _e28 = s_1;
-    let _e32 = s_1;
-    let _e34 = s_1;
-    sine = (_e26 + ((_e27 * _e28) * (-0.16666654f + (_e32 * (0.008332161f - (_e34 * 0.00019515296f))))));
-    let _e45 = s_1;
-    let _e48 = s_1;
-    let _e49 = s_1;
-    let _e52 = s_1;
-    let _e55 = s_1;
-    cosine = ((1f - (0.5f * _e45)) + ((_e48 * _e49) * (0.041666646f + (_e52 * (-0.0013887316f + (_e55 * 0.000024433157f))))));
-    let _e65 = quarter;
-    if (fract((0.5f * _e65)) < 0.25f) {
-        let _e70 = cosine;
-        let _e71 = sine;
-        local_10 = vec2<f32>(_e70, _e71);
+    if (abs(_e22) < 1f) {
+        let _e26 = r;
+        local_10 = _e26;
     } else {
-        let _e73 = sine;
-        let _e75 = cosine;
-        local_10 = vec2<f32>(-(_e73), _e75);
+        local_10 = 0f;
     }
-    let _e78 = local_10;
-    axis = _e78;
-    let _e81 = quarter;
-    if (fract((0.25f * _e81)) < 0.375f) {
-        let _e86 = axis;
-        local_11 = _e86;
+    let _e29 = local_10;
+    r = _e29;
+    let _e30 = r;
+    let _e31 = r;
+    s_1 = (_e30 * _e31);
+    let _e34 = r;
+    let _e35 = r;
+    let _e36 = s_1;
+    let _e40 = s_1;
+    let _e42 = s_1;
+    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
+    let _e53 = s_1;
+    let _e56 = s_1;
+    let _e57 = s_1;
+    let _e60 = s_1;
+    let _e63 = s_1;
+    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
+    let _e73 = quarter;
+    if (fract((0.5f * _e73)) < 0.25f) {
+        let _e78 = cosine;
+        let _e79 = sine;
+        local_11 = vec2<f32>(_e78, _e79);
     } else {
-        let _e87 = axis;
-        local_11 = -(_e87);
+        let _e81 = sine;
+        let _e83 = cosine;
+        local_11 = vec2<f32>(-(_e81), _e83);
     }
-    let _e90 = local_11;
-    return _e90;
+    let _e86 = local_11;
+    axis = _e86;
+    let _e89 = quarter;
+    if (fract((0.25f * _e89)) < 0.375f) {
+        let _e94 = axis;
+        local_12 = _e94;
+    } else {
+        let _e95 = axis;
+        local_12 = -(_e95);
+    }
+    let _e98 = local_12;
+    return _e98;
 }
 
 // Product of complex numbers.
@@ -467,18 +477,18 @@ struct GaborLobe {
 //   power               in any unit, at least 0
 fn gabor_lobe(frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, power: f32) -> GaborLobe {
     var magnitude: f32;
-    var local_12: f32;
+    var local_13: f32;
     var lobe: GaborLobe;
 
     magnitude = abs(frequency);
     let _e7 = magnitude;
     if (_e7 > 0.000001f) {
         let _e10 = magnitude;
-        local_12 = min(_e10, 1000000f);
+        local_13 = min(_e10, 1000000f);
     } else {
-        local_12 = 0.000001f;
+        local_13 = 0.000001f;
     }
-    let _e15 = local_12;
+    let _e15 = local_13;
     magnitude = _e15;
     let _e18 = magnitude;
     let _e19 = gabor_direction(orientation);
@@ -514,7 +524,7 @@ fn gabor_kernel_lobes(lobes: GaborLobes) -> GaborKernel {
     var kernel: GaborKernel;
     var together: f32 = 0f;
     var i_1: i32 = 0i;
-    var local_13: f32;
+    var local_14: f32;
     var density: f32 = 1f;
     var power_1: f32 = 0.7278125f;
     var energy_2: f32;
@@ -536,11 +546,11 @@ fn gabor_kernel_lobes(lobes: GaborLobes) -> GaborKernel {
             if (_e24 < _e25.lobes.count) {
                 let _e29 = i_1;
                 let _e32 = lobes_1.lobe[_e29];
-                local_13 = _e32.power;
+                local_14 = _e32.power;
             } else {
-                local_13 = 0f;
+                local_14 = 0f;
             }
-            let _e36 = local_13;
+            let _e36 = local_14;
             together = (_e23 + _e36);
             let _e38 = i_1;
             let _e43 = together;
@@ -760,7 +770,7 @@ struct GaborField {
 // A cell's coordinate within a period.
 fn gabor_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
-    var local_15: i32;
+    var local_16: i32;
 
     if (period == 0i) {
         return cell;
@@ -769,35 +779,39 @@ fn gabor_wrap(cell: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local_15 = (_e11 + period);
+        local_16 = (_e11 + period);
     } else {
         let _e13 = within;
-        local_15 = _e13;
+        local_16 = _e13;
     }
-    let _e15 = local_15;
+    let _e15 = local_16;
     return _e15;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 fn gabor_tempo_gain(kernel: GaborKernel, time: f32) -> f32 {
     var kernel_5: GaborKernel;
-    var mean: f32;
+    var sines: vec4<f32>;
+    var u_2: f32;
 
     kernel_5 = kernel;
     let _e3 = kernel_5;
     if ((_e3.phases != 2f) || (time == 0f)) {
         return 1f;
     }
-    let _e16 = gabor_sin_turns(((2f * time) + 0.25f));
-    let _e21 = gabor_sin_turns(((4f * time) + 0.25f));
-    let _e27 = gabor_sin_turns(((6f * time) + 0.25f));
-    let _e33 = gabor_sin_turns(((8f * time) + 0.25f));
-    mean = (0.25f * (((_e16 + _e21) + _e27) + _e33));
-    let _e38 = mean;
-    let _e40 = kernel_5;
-    let _e45 = kernel_5;
-    return inverseSqrt(((1f - (_e38 * (1f - _e40.deficit))) / _e45.deficit));
+    let _e11 = gabor_sin_turns(time);
+    let _e14 = gabor_sin_turns((2f * time));
+    let _e17 = gabor_sin_turns((3f * time));
+    let _e20 = gabor_sin_turns((4f * time));
+    sines = vec4<f32>(_e11, _e14, _e17, _e20);
+    let _e24 = sines;
+    let _e25 = sines;
+    u_2 = (0.5f * dot(_e24, _e25));
+    let _e30 = u_2;
+    let _e32 = kernel_5;
+    let _e36 = kernel_5;
+    return inverseSqrt((1f + ((_e30 * (1f - _e32.deficit)) / _e36.deficit)));
 }
 
 // What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
@@ -819,7 +833,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var kernel_9: GaborKernel;
     var visited: i32 = 3i;
     var whole: vec2<f32>;
-    var local_16: vec2<f32>;
+    var local_17: vec2<f32>;
     var first: vec2<f32>;
     var cell_2: vec2<i32>;
     var cell_side: vec2<f32>;
@@ -845,8 +859,8 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     kernel_9 = kernel;
     whole = floor(place.local);
     let _e16 = whole;
-    local_16 = (place.local - _e16);
-    let _e19 = local_16;
+    local_17 = (place.local - _e16);
+    let _e19 = local_17;
     first = floor((_e19 - place.radius));
     let _e25 = whole;
     let _e26 = first;
@@ -897,7 +911,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                             let _e105 = word_7;
                             let _e106 = gabor_place_plus_one(_e105);
                             impulse = _e106;
-                            let _e108 = local_16;
+                            let _e108 = local_17;
                             let _e109 = impulse;
                             let _e110 = first;
                             let _e111 = i_4;
@@ -1029,7 +1043,7 @@ fn gabor_normal_window() -> GaborPolynomial {
 fn gabor_averaged(p: GaborPolynomial, variance: f32) -> GaborPolynomial {
     var v: vec3<f32>;
     var w: vec2<f32>;
-    var mean_1: GaborPolynomial;
+    var mean: GaborPolynomial;
 
     v = (variance * vec3<f32>(1f, variance, (variance * variance)));
     let _e7 = v;
@@ -1037,17 +1051,17 @@ fn gabor_averaged(p: GaborPolynomial, variance: f32) -> GaborPolynomial {
     w = (_e7.y * _e9.yz);
     let _e18 = v;
     let _e32 = w;
-    mean_1.low.x = ((p.low.x + dot(_e18, vec3<f32>(p.low.y, (3f * p.low.z), (15f * p.high.x)))) + dot(_e32, vec2<f32>((105f * p.high.y), (945f * p.high.z))));
+    mean.low.x = ((p.low.x + dot(_e18, vec3<f32>(p.low.y, (3f * p.low.z), (15f * p.high.x)))) + dot(_e32, vec2<f32>((105f * p.high.y), (945f * p.high.z))));
     let _e48 = v;
     let _e64 = w;
-    mean_1.low.y = ((p.low.y + dot(_e48, vec3<f32>((6f * p.low.z), (45f * p.high.x), (420f * p.high.y)))) + ((_e64.x * 4725f) * p.high.z));
+    mean.low.y = ((p.low.y + dot(_e48, vec3<f32>((6f * p.low.z), (45f * p.high.x), (420f * p.high.y)))) + ((_e64.x * 4725f) * p.high.z));
     let _e76 = v;
-    mean_1.low.z = (p.low.z + dot(_e76, vec3<f32>((15f * p.high.x), (210f * p.high.y), (3150f * p.high.z))));
+    mean.low.z = (p.low.z + dot(_e76, vec3<f32>((15f * p.high.x), (210f * p.high.y), (3150f * p.high.z))));
     let _e96 = v;
-    mean_1.high.x = (p.high.x + dot(_e96.xy, vec2<f32>((28f * p.high.y), (630f * p.high.z))));
-    mean_1.high.y = (p.high.y + ((45f * variance) * p.high.z));
-    mean_1.high.z = p.high.z;
-    let _e123 = mean_1;
+    mean.high.x = (p.high.x + dot(_e96.xy, vec2<f32>((28f * p.high.y), (630f * p.high.z))));
+    mean.high.y = (p.high.y + ((45f * variance) * p.high.z));
+    mean.high.z = p.high.z;
+    let _e123 = mean;
     return _e123;
 }
 
@@ -1107,16 +1121,16 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var unit: vec3<f32> = vec3<f32>(1f, 1f, 0f);
     var covariance: vec3<f32>;
     var footprint: GaborFootprint;
-    var mean_2: f32;
+    var mean_1: f32;
     var apart: f32;
     var cut: vec2<f32>;
-    var local_17: vec3<f32>;
+    var local_18: vec3<f32>;
     var direction: vec3<f32>;
     var v_2: vec3<f32>;
     var variance_1: vec2<f32>;
-    var local_18: f32;
-    var correlation: f32;
     var local_19: f32;
+    var correlation: f32;
+    var local_20: f32;
     var rest: vec2<f32>;
 
     let _e8 = (dx * dx);
@@ -1132,27 +1146,27 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     footprint.covariance = _e38;
     let _e40 = covariance;
     let _e42 = covariance;
-    mean_2 = (0.5f * (_e40.x + _e42.y));
+    mean_1 = (0.5f * (_e40.x + _e42.y));
     let _e48 = covariance;
     let _e50 = covariance;
     let _e54 = covariance;
     apart = length(vec2<f32>((0.5f * (_e48.x - _e50.y)), _e54.z));
-    let _e59 = mean_2;
+    let _e59 = mean_1;
     let _e60 = apart;
-    let _e62 = mean_2;
+    let _e62 = mean_1;
     let _e63 = apart;
     cut = max((vec2<f32>((_e59 + _e60), (_e62 - _e63)) - vec2(0.25f)), vec2(0f));
     let _e73 = apart;
     if (_e73 > 0f) {
         let _e76 = covariance;
-        let _e77 = mean_2;
+        let _e77 = mean_1;
         let _e78 = unit;
         let _e81 = apart;
-        local_17 = ((_e76 - (_e77 * _e78)) / vec3(_e81));
+        local_18 = ((_e76 - (_e77 * _e78)) / vec3(_e81));
     } else {
-        local_17 = vec3(0f);
+        local_18 = vec3(0f);
     }
-    let _e87 = local_17;
+    let _e87 = local_18;
     direction = _e87;
     let _e90 = covariance;
     let _e92 = cut;
@@ -1185,24 +1199,24 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     variance_1 = max(_e166.xy, vec2(0f));
     let _e172 = v_2;
     if (_e172.z == 0f) {
-        local_18 = 0f;
+        local_19 = 0f;
     } else {
         let _e177 = v_2;
         let _e180 = variance_1;
         let _e182 = variance_1;
-        local_18 = min((abs(_e177.z) * inverseSqrt((_e180.x * _e182.y))), 1f);
+        local_19 = min((abs(_e177.z) * inverseSqrt((_e180.x * _e182.y))), 1f);
     }
-    let _e190 = local_18;
+    let _e190 = local_19;
     correlation = _e190;
     let _e193 = correlation;
     let _e194 = variance_1;
     let _e198 = v_2;
     if (_e198.z < 0f) {
-        local_19 = -1f;
+        local_20 = -1f;
     } else {
-        local_19 = 1f;
+        local_20 = 1f;
     }
-    let _e206 = local_19;
+    let _e206 = local_20;
     footprint.joint = (sqrt((_e193 * _e194)) * vec2<f32>(1f, _e206));
     let _e210 = correlation;
     let _e212 = variance_1;
@@ -1270,10 +1284,10 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
     var before: f32 = 0f;
     var i_5: i32 = 0i;
     var lobe_5: GaborLobe;
-    var mean_3: f32;
+    var mean_2: f32;
     var j_1: i32;
     var within_1: vec2<f32>;
-    var local_20: f32;
+    var local_21: f32;
 
     kernel_11 = kernel;
     loop {
@@ -1290,14 +1304,14 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
             let _e21 = i_5;
             let _e25 = kernel_11.lobes.lobe[_e21];
             lobe_5 = _e25;
-            mean_3 = 0f;
+            mean_2 = 0f;
             let _e29 = lobe_5;
             let _e34 = lobe_5;
             if ((_e29.spread.x == 0f) && (_e34.spread.y == 0f)) {
                 {
                     let _e40 = lobe_5;
                     let _e43 = gabor_kept(_e40.wave, footprint.covariance);
-                    mean_3 = _e43;
+                    mean_2 = _e43;
                 }
             } else {
                 {
@@ -1312,12 +1326,12 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
                             let _e55 = j_1;
                             let _e59 = j_1;
                             within_1 = (_e53.spread * ((vec2<f32>(f32((_e55 % 3i)), f32((_e59 / 3i))) * vec2<f32>(0.6666667f, 0.083333336f)) - vec2<f32>(0.6666667f, 0.9583333f)));
-                            let _e82 = mean_3;
+                            let _e82 = mean_2;
                             let _e83 = lobe_5;
                             let _e84 = within_1;
                             let _e85 = gabor_within(_e83, _e84);
                             let _e87 = gabor_kept(_e85, footprint.covariance);
-                            mean_3 = (_e82 + (_e87 / 72f));
+                            mean_2 = (_e82 + (_e87 / 72f));
                         }
                         continuing {
                             let _e50 = j_1;
@@ -1329,7 +1343,7 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
             let _e91 = kept;
             let _e92 = lobe_5;
             let _e94 = before;
-            let _e96 = mean_3;
+            let _e96 = mean_2;
             kept = (_e91 + ((_e92.power - _e94) * _e96));
             let _e99 = lobe_5;
             before = _e99.power;
@@ -1343,11 +1357,11 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
     if (_e101 > 0f) {
         let _e105 = kept;
         let _e106 = before;
-        local_20 = clamp((1f - (_e105 / _e106)), 0f, 1f);
+        local_21 = clamp((1f - (_e105 / _e106)), 0f, 1f);
     } else {
-        local_20 = 0f;
+        local_21 = 0f;
     }
-    let _e114 = local_20;
+    let _e114 = local_21;
     return _e114;
 }
 
@@ -1359,11 +1373,11 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
     var exponent: f32;
     var window_1: vec2<f32> = vec2(0f);
     var i_6: i32 = -2i;
-    var local_21: f32;
     var local_22: f32;
-    var point: f32;
     var local_23: f32;
+    var point: f32;
     var local_24: f32;
+    var local_25: f32;
     var weight: f32;
     var v_3: vec2<f32>;
     var amplitude: f32;
@@ -1397,34 +1411,34 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
         {
             let _e55 = i_6;
             if (_e55 == 0i) {
-                local_22 = 0f;
+                local_23 = 0f;
             } else {
                 let _e59 = i_6;
                 let _e61 = i_6;
                 if (abs(_e61) == 1i) {
-                    local_21 = 1.3556262f;
+                    local_22 = 1.3556262f;
                 } else {
-                    local_21 = 1.428485f;
+                    local_22 = 1.428485f;
                 }
-                let _e68 = local_21;
-                local_22 = (f32(_e59) * _e68);
+                let _e68 = local_22;
+                local_23 = (f32(_e59) * _e68);
             }
-            let _e71 = local_22;
+            let _e71 = local_23;
             point = _e71;
             let _e73 = i_6;
             if (_e73 == 0i) {
-                local_24 = 0.5333333f;
+                local_25 = 0.5333333f;
             } else {
                 let _e77 = i_6;
                 if (abs(_e77) == 1i) {
-                    local_23 = 0.22207592f;
+                    local_24 = 0.22207592f;
                 } else {
-                    local_23 = 0.01125741f;
+                    local_24 = 0.01125741f;
                 }
-                let _e84 = local_23;
-                local_24 = _e84;
+                let _e84 = local_24;
+                local_25 = _e84;
             }
-            let _e86 = local_24;
+            let _e86 = local_25;
             weight = _e86;
             let _e88 = point;
             v_3 = (_e88 * footprint.joint);
@@ -1475,7 +1489,7 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec2<f32> {
     var kernel_13: GaborKernel;
     var whole_1: vec2<f32>;
-    var local_25: vec2<f32>;
+    var local_26: vec2<f32>;
     var first_1: vec2<i32>;
     var last: vec2<i32>;
     var cell_3: vec2<i32>;
@@ -1495,10 +1509,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     kernel_13 = kernel;
     whole_1 = floor(place.local);
     let _e9 = whole_1;
-    local_25 = (place.local - _e9);
-    let _e12 = local_25;
+    local_26 = (place.local - _e9);
+    let _e12 = local_26;
     first_1 = vec2<i32>(floor((_e12 - (place.radius * footprint.reach))));
-    let _e20 = local_25;
+    let _e20 = local_26;
     last = vec2<i32>(floor((_e20 + (place.radius * footprint.reach))));
     let _e29 = whole_1;
     cell_3 = (place.cell + vec2<i32>(_e29));
@@ -1548,7 +1562,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
                             let _e95 = word_8;
                             let _e96 = gabor_place_plus_one(_e95);
                             impulse_1 = _e96;
-                            let _e98 = local_25;
+                            let _e98 = local_26;
                             let _e99 = impulse_1;
                             let _e100 = i_7;
                             let _e102 = j_2;
@@ -1664,28 +1678,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_27: f32;
-    var phase_2: f32;
     var local_28: f32;
+    var phase_2: f32;
+    var local_29: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_27 = (atan2(value.y, value.x) * 0.15915494f);
+        local_28 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_27 = 0f;
+        local_28 = 0f;
     }
-    let _e13 = local_27;
+    let _e13 = local_28;
     phase_2 = _e13;
     let _e15 = phase_2;
     if (_e15 < 0f) {
         let _e18 = phase_2;
-        local_28 = min((_e18 + 1f), 0.99999994f);
+        local_29 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase_2;
-        local_28 = _e23;
+        local_29 = _e23;
     }
-    let _e25 = local_28;
+    let _e25 = local_29;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -1778,7 +1792,7 @@ fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     var sum_3: f32 = 0f;
     var i_8: i32 = 0i;
     var own_seed: u32;
-    var local_29: f32;
+    var local_30: f32;
 
     lobes_6 = lobes;
     let _e8 = gabor_place(vec2(0i), (p * 1f));
@@ -1821,11 +1835,11 @@ fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     if (_e61 > 0f) {
         let _e64 = sum_3;
         let _e65 = power_2;
-        local_29 = (_e64 * inverseSqrt(_e65));
+        local_30 = (_e64 * inverseSqrt(_e65));
     } else {
-        local_29 = 0f;
+        local_30 = 0f;
     }
-    let _e70 = local_29;
+    let _e70 = local_30;
     return _e70;
 }
 
