@@ -178,6 +178,7 @@ vec2 gabor_direction(float angle)
     float r = angle - quarter * 1.5703125;
     r -= quarter * 4.837512969970703e-4;
     r -= quarter * 7.549789948768648e-8;
+    r = abs(r) < 1.0 ? r : 0.0; // far outside the range, where no digit is left of it, any direction will do
     float s = r * r;
     float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
@@ -278,30 +279,35 @@ GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread,
     return lobe;
 }
 
+// A spectrum: what gabor_noise_lobes and gabor_noise_sum take.
+struct GaborLobes {
+    GaborLobe lobe[GABOR_LOBES];
+    int count; // of those in use, 1 to GABOR_LOBES
+};
+
 // Gabor kernels ready to be summed: all that the noise needs to know of its spectrum.
 struct GaborKernel {
-    GaborLobe lobes[GABOR_LOBES]; // the power of each is that of all before it, too
-    int count;       // lobes in use
-    float phases;    // that impulses have
-    float amplitude; // K
-    float deficit;   // variance in proportion to that at high frequency: 1 but for two phases
+    GaborLobes lobes; // the power of each is that of all before it, too
+    float phases;     // that impulses have
+    float amplitude;  // K
+    float deficit;    // variance in proportion to that at high frequency: 1 but for two phases
 };
 
 // The kernels of some lobes' spectrum: each impulse has a wave of one lobe, chosen with a probability in proportion to
 // its power, so that many lobes have the impulses of one. The variance is 1 whatever the powers. Impulses have 256
-// phases, even where GABOR_PHASES is 2: then the variance depends on no frequency. `count` is within [1, GABOR_LOBES].
+// phases, even where GABOR_PHASES is 2: then the variance depends on no frequency.
 //
 // There are N R^2 impulses per unit area, so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
-GaborKernel gabor_kernel_lobes(GaborLobe lobes[GABOR_LOBES], int count)
+GaborKernel gabor_kernel_lobes(GaborLobes lobes)
 {
     GaborKernel kernel;
-    kernel.count = clamp(count, 1, GABOR_LOBES);
+    kernel.lobes = lobes;
+    kernel.lobes.count = clamp(lobes.count, 1, GABOR_LOBES);
     float together = 0.0;
     GABOR_UNROLL for (int i = 0; i < GABOR_LOBES; ++i) {
-        together += i < kernel.count ? lobes[i].power : 0.0;
-        kernel.lobes[i] = lobes[i];
-        kernel.lobes[i].power = together;
+        together += i < kernel.lobes.count ? lobes.lobe[i].power : 0.0;
+        kernel.lobes.lobe[i].power = together;
     }
     kernel.phases = 256.0;
     kernel.deficit = 1.0;
@@ -315,9 +321,11 @@ GaborKernel gabor_kernel_lobes(GaborLobe lobes[GABOR_LOBES], int count)
 // The kernel of one lobe.
 GaborKernel gabor_kernel_lobe(GaborLobe lobe)
 {
-    GaborLobe lobes[GABOR_LOBES];
-    lobes[0] = lobe;
-    return gabor_kernel_lobes(lobes, 1);
+    GaborLobes lobes;
+    for (int i = 0; i < GABOR_LOBES; ++i)
+        lobes.lobe[i] = lobe;
+    lobes.count = 1;
+    return gabor_kernel_lobes(lobes);
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise. Make it once where they do not vary.
@@ -349,20 +357,19 @@ vec2 gabor_within(GaborLobe lobe, vec2 spread)
 // The wave vector of the impulse that has this word.
 vec2 gabor_wave(GaborKernel kernel, uint word)
 {
-    GaborLobe lobe = kernel.lobes[0];
+    GaborLobe lobe = kernel.lobes.lobe[0];
     uint choice = gabor_mix(word, GABOR_SPREAD);
-    if (kernel.count > 1) {
-        float chosen = kernel.lobes[GABOR_LOBES - 1].power * ((float(choice >> 16u) + 0.5) / 65536.0);
+    if (kernel.lobes.count > 1) {
+        float chosen = kernel.lobes.lobe[GABOR_LOBES - 1].power * ((float(choice >> 16u) + 0.5) / 65536.0);
         GABOR_UNROLL for (int i = 1; i < GABOR_LOBES; ++i) {
-            if (i < kernel.count && chosen >= kernel.lobes[i - 1].power)
-                lobe = kernel.lobes[i];
+            if (i < kernel.lobes.count && chosen >= kernel.lobes.lobe[i - 1].power)
+                lobe = kernel.lobes.lobe[i];
         }
     }
     if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0)
         return lobe.wave;
-    uvec2 drawn = uvec2(choice, choice * GABOR_SPREAD >> 16u) & 0xffffu;
-    vec2 within = lobe.spread * ((vec2(drawn.y, drawn.x) + 0.5) / 32768.0 - 1.0);
-    return gabor_within(lobe, within);
+    vec2 drawn = vec2(float(choice * GABOR_SPREAD >> 16u), float(choice & 0xffffu));
+    return gabor_within(lobe, lobe.spread * ((drawn + 0.5) / 32768.0 - 1.0));
 }
 
 // The window q along one axis, 0 from |x| = 1 on.
@@ -416,14 +423,15 @@ int gabor_wrap(int cell, int period)
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 float gabor_tempo_gain(GaborKernel kernel, float time)
 {
     if (kernel.phases != 2.0 || time == 0.0)
         return 1.0;
-    float mean = 0.25 * (gabor_sin_turns(2.0 * time + 0.25) + gabor_sin_turns(4.0 * time + 0.25)
-                       + gabor_sin_turns(6.0 * time + 0.25) + gabor_sin_turns(8.0 * time + 0.25));
-    return inversesqrt((1.0 - mean * (1.0 - kernel.deficit)) / kernel.deficit);
+    vec4 sines = vec4(gabor_sin_turns(time), gabor_sin_turns(2.0 * time), gabor_sin_turns(3.0 * time),
+                      gabor_sin_turns(4.0 * time));
+    float u = 0.5 * dot(sines, sines);
+    return inversesqrt(1.0 + u * (1.0 - kernel.deficit) / kernel.deficit);
 }
 
 // What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
@@ -617,9 +625,9 @@ float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
     float kept = 0.0;
     float before = 0.0;
     for (int i = 0; i < GABOR_LOBES; ++i) {
-        if (i >= kernel.count)
+        if (i >= kernel.lobes.count)
             break;
-        GaborLobe lobe = kernel.lobes[i];
+        GaborLobe lobe = kernel.lobes.lobe[i];
         float mean = 0.0;
         if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0) {
             mean = gabor_kept(lobe.wave, footprint.covariance);
@@ -786,24 +794,30 @@ float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequ
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel_lobe(lobe), seed).value.y;
 }
 
-// Noise of a spectrum of GABOR_LOBES lobes at p, as many impulses as for one: see gabor_kernel_lobes.
-float gabor_noise_lobes(vec2 p, GaborLobe lobes[GABOR_LOBES], uint seed)
+// Noise of a spectrum of several lobes at p, as many impulses as for one: see gabor_kernel_lobes.
+//     #define GABOR_LOBES 2              // before the file
+//     GaborLobes lobes;
+//     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 0.0, 0.1, 2.0);
+//     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.3, 0.0, 1.0);
+//     lobes.count = 2;
+float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
 {
-    GaborKernel kernel = gabor_kernel_lobes(lobes, GABOR_LOBES);
-    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), kernel, seed).value.y;
+    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel_lobes(lobes), seed).value.y;
 }
 
-// The same spectrum as a sum of independent noises, one for each lobe, [TNVT19, figure 6]: at GABOR_LOBES times the
-// cost, as normal as the recipe makes it even where lobes differ much, for every place then has waves of every lobe.
-float gabor_noise_sum(vec2 p, GaborLobe lobes[GABOR_LOBES], uint seed)
+// The same spectrum as a sum of independent noises, one for each lobe [TNVT19, figure 6]: at the cost of each. Every
+// place has waves of every lobe, which looks smoother where lobes differ much.
+float gabor_noise_sum(vec2 p, GaborLobes lobes, uint seed)
 {
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     float power = 0.0;
     float sum = 0.0;
     for (int i = 0; i < GABOR_LOBES; ++i) {
+        if (i >= lobes.count)
+            break;
         uint own_seed = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
-        GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
-        sum += sqrt(lobes[i].power) * gabor_field(place, gabor_kernel_lobe(lobes[i]), own_seed).value.y;
-        power += lobes[i].power;
+        sum += sqrt(lobes.lobe[i].power) * gabor_field(place, gabor_kernel_lobe(lobes.lobe[i]), own_seed).value.y;
+        power += lobes.lobe[i].power;
     }
     return power > 0.0 ? sum * inversesqrt(power) : 0.0;
 }

@@ -1,64 +1,16 @@
-#include "cli/commands.hpp"
-#include "cli/terminal.hpp"
-#include "error.hpp"
-#include "vulkan/device.hpp"
+#include "cli/program.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <csignal>
-#include <cstdio>
-#include <exception>
-#include <string>
-
-namespace {
-
-// One line on stderr, whatever the message holds.
-int fail(int status, std::string message) {
-    std::ranges::replace(message, '\n', ' ');
-    fmt::print(stderr, "gabor: {}\n", message);
-    return status;
-}
-
-int run(int argc, char** argv) {
-    CLI::App app("Renders Gabor noise, and measures it.", "gabor");
-    app.set_version_flag("--version", "gabor " GABOR_VERSION);
-    app.require_subcommand(0, 1); // with 1, CLI11 would not say which word it does not know
-    gabor::cli::add_render_command(app);
-    gabor::cli::add_stats_command(app);
-    gabor::cli::add_bench_command(app);
-    gabor::cli::add_study_command(app);
-    gabor::cli::add_devices_command(app);
-    try {
-        app.parse(argc, argv);
-        if (app.get_subcommands().empty())
-            throw gabor::RequestError("a subcommand is required (gabor --help lists what is accepted)");
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
-            return fail(2, fmt::format("{} (gabor --help lists what is accepted)", error.what()));
-        app.exit(error); // prints what --help and --version ask for
-    } catch (const gabor::RequestError& error) {
-        return fail(2, error.what());
-    } catch (const std::exception& error) {
-        return fail(1, error.what());
-    }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        return fail(1, "cannot write to the standard output");
-    if (const int messages = gabor::vulkan::validation_messages())
-        return fail(1, fmt::format("{} message(s) from the validation layers", messages));
-    return 0;
-}
-
-} // namespace
+#include <fcntl.h>
+#include <initializer_list>
+#include <unistd.h>
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const gabor::cli::Interrupted& interrupted) {
-        fail(1, "interrupted; nothing half-done was kept");
-        // End as the signal would have, so that shells and queues see why.
-        std::signal(interrupted.signal, SIG_DFL);
-        std::raise(interrupted.signal);
-        return 1;
-    }
+    // The next file that is opened would take the place of a standard stream that is closed, and what is
+    // printed would go into it. What stands in for it cannot be written, so that printing fails.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0)
+            ::open("/dev/null", O_RDONLY);
+    std::signal(SIGPIPE, SIG_IGN); // a reader who goes away is an error like any other
+    return gabor::cli::run(argc, argv);
 }

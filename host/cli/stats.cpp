@@ -24,6 +24,9 @@ using statistics::Estimate;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
 
+// Ours are flat. Deeper ones count as none: what writes them again would overflow the stack.
+constexpr int deepest_parameters = 16;
+
 struct StatsOptions {
     std::string file;
     std::optional<std::string> channel;
@@ -59,7 +62,11 @@ Measured measure(const StatsOptions& options) {
     measured.height = reader.window().height;
     measured.channel = reader.channel();
     const std::string& attribute = reader.parameters();
-    if (json parsed = json::parse(attribute, nullptr, false); !parsed.is_discarded())
+    bool deep = false;
+    json parsed = json::parse(
+        attribute,
+        [&](int depth, json::parse_event_t, json&) { return !(deep |= depth > deepest_parameters); }, false);
+    if (!deep && !parsed.is_discarded())
         measured.parameters = std::move(parsed);
     if (measured.parameters.is_object())
         if (const json scale = measured.parameters.value("scale", json()); scale.is_number() && scale > 0)
@@ -103,7 +110,7 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
             {"radial", std::move(radial)}};
 }
 
-// Numbers that do not exist (NaN, infinity) become null.
+// Numbers that do not exist (NaN, infinity) become null; a channel's name may be no UTF-8.
 std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
@@ -130,7 +137,7 @@ std::string to_json(const Measured& measured) {
         {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
         {"spectrum", report.spectrum ? to_json(*report.spectrum, measured.scale) : json()},
     };
-    return result.dump() + "\n";
+    return result.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 void print_line(const char* name, double value, const std::string& note = {}) {

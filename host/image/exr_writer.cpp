@@ -40,6 +40,15 @@ Imath::Box2i box(const Window& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
+/// An EXR's table of offsets, at its start, is written last.
+const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored))
+        throw RequestError(
+            fmt::format("cannot write {}: it is a pipe; accepted is the path of a file", path.string()));
+    return path;
+}
+
 Imf::Header make_header(const ExrWriter::Description& description) {
     Imf::Header header(box(description.picture), box(description.window));
     header.compression() = find_method(description.compression);
@@ -92,7 +101,7 @@ std::span<const std::string_view> compression_names() {
 
 struct ExrWriter::State {
     State(const std::filesystem::path& path, const Description& description, const Imf::Header& header)
-        : window(description.window), channels(description.channels), file(path), stream(file),
+        : window(description.window), channels(description.channels), file(not_a_pipe(path)), stream(file),
           image(std::in_place, stream, header) {}
 
     const Window window;

@@ -157,9 +157,13 @@ void OutputFile::publish() {
         fail();
     if (temporary_.empty()) {
         const std::string data = fmt::format("/proc/self/fd/{}", descriptor_);
-        auto [name, result] = claim_name(target_, [&](const char* candidate) {
-            return ::linkat(AT_FDCWD, data.c_str(), AT_FDCWD, candidate, AT_SYMLINK_FOLLOW);
-        });
+        const auto link_as = [&](const char* name) {
+            return ::linkat(AT_FDCWD, data.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+        };
+        if (link_as(target_.c_str()) == 0)
+            return sync_folder(folder_of(target_));
+        // Only a file that has a name can replace another: for an instant there are two.
+        auto [name, result] = claim_name(target_, link_as);
         if (result < 0)
             fail();
         temporary_ = std::move(name);

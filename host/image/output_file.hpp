@@ -9,7 +9,8 @@ namespace gabor::image {
 
 /// A file that appears under its name only when it is complete. Until `commit` the data has no name at all
 /// where the file system allows it (O_TMPFILE), so that even a killed process leaves nothing behind;
-/// elsewhere it is the hidden file `.NAME.XXXXXXXX` in the same folder.
+/// elsewhere, and while an older file is being replaced, it is the hidden file `.NAME.XXXXXXXX` in the same
+/// folder.
 ///
 /// A symbolic link stays: what it points to is replaced. What exists and is no regular file, such as
 /// /dev/null or a FIFO, is never replaced: the data goes straight into it.

@@ -3,6 +3,7 @@
 #include "noise/reference.hpp"
 #include "noise/variance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@ namespace {
 using Matrix3 = std::array<Vector3, 3>; // by rows
 using std::numbers::pi;
 
-constexpr Recipe normal{"solid", 1, 1.0f, 1.0f, 256, {3, -3.8f, 1.8f}, "27 impulses, the fastest"};
+constexpr Recipe normal{"solid", 1, 1.0f, 1.0f, 256, {3.1f, -3.9f, 1.8f}, "27 impulses, the fastest"};
 constexpr Recipe pure{"solid-pure", 1, 1.5f, 1.0f, 256, {0.7f, -0.9f, 1.2f}, "the lowest sidelobes"};
 
 double dot(const Vector3& a, const Vector3& b) {
@@ -42,18 +43,44 @@ Matrix3 inverse(const Matrix3& m) {
     return result;
 }
 
+Vector3 projected(const Vector3& direction, const Vector3& plane_normal) {
+    const double height = dot(direction, plane_normal);
+    Vector3 result;
+    for (std::size_t c = 0; c < 3; ++c)
+        result[c] = direction[c] - height * plane_normal[c];
+    return result;
+}
+
 // The wave vector of length 1 along the projection of a direction to the plane; 1/8 of a unit around the
 // normal its length follows the tangent of 1 / sqrt at 1/64.
 Vector3 tangent(const Vector3& direction, const Vector3& plane_normal) {
-    const double height = dot(direction, plane_normal);
-    Vector3 projected;
-    for (std::size_t c = 0; c < 3; ++c)
-        projected[c] = direction[c] - height * plane_normal[c];
-    const double square = dot(projected, projected);
+    Vector3 wave = projected(direction, plane_normal);
+    const double square = dot(wave, wave);
     const double scale = square > 1.0 / 64 ? 1 / std::sqrt(square) : 8 - 256 * (square - 1.0 / 64);
-    for (double& coordinate : projected)
+    for (double& coordinate : wave)
         coordinate *= scale;
-    return projected;
+    return wave;
+}
+
+// The weight of an impulse whose direction has a projection of that squared length to the tangent plane,
+// before normalization.
+double fade(double square) {
+    const double away = std::min(8 * square, 1.0);
+    return away * (2 - away);
+}
+
+// Mean of its square over the sphere, whose heights above the plane are uniform: 1 up to where the fading
+// begins, then by Simpson's rule.
+double mean_square_of_fade() {
+    const double begin = std::sqrt(7.0 / 8);
+    constexpr int intervals = 1000;
+    double sum = 0;
+    for (int i = 0; i <= intervals; ++i) {
+        const double height = begin + (1 - begin) * i / intervals;
+        const double factor = i == 0 || i == intervals ? 1 : i % 2 ? 4 : 2;
+        sum += factor * std::pow(fade(1 - height * height), 2);
+    }
+    return begin + sum * (1 - begin) / (3 * intervals);
 }
 
 // The window along an axis: q and its derivative.
@@ -158,6 +185,8 @@ Reference3d::Reference3d(const Recipe& recipe, const Waves& waves, std::uint32_t
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t k = 0; k < 3; ++k)
                 shift_[r][c] += covariance[r][k] * inverted[k][c];
+    if (dot(waves.direction, waves.direction) == 0 && dot(waves.normal, waves.normal) > 0)
+        amplitude_ /= std::sqrt(mean_square_of_fade());
     amplitude_ *= std::pow(determinant(widened) / (s2 * s2 * s2), -0.25);
 }
 
@@ -185,11 +214,19 @@ Reference3d::Field Reference3d::field(const Place3d& place) const {
                       place.radius[axis];
             q[axis] = window(recipe_, d[axis]);
         }
-        Vector3 wave = tangent(own_directions ? impulse.direction : waves_.direction, waves_.normal);
+        double weight = 1;
+        Vector3 wave = tangent(waves_.direction, waves_.normal);
+        if (own_directions) {
+            wave = projected(impulse.direction, waves_.normal);
+            const double square = dot(wave, wave);
+            weight = fade(square);
+            for (double& coordinate : wave)
+                coordinate /= std::sqrt(square);
+        }
         for (double& coordinate : wave)
             coordinate *= waves_.frequency;
         const Vector3 shift = product(shift_, wave);
-        const double weight = std::exp(-damping_ * dot(wave, shift));
+        weight *= std::exp(-damping_ * dot(wave, shift));
         for (std::size_t axis = 0; axis < 3; ++axis)
             wave[axis] -= shift[axis];
         const double phase = impulse.phase + impulse.tempo * double{place.time};

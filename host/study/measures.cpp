@@ -66,9 +66,10 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
     const std::size_t pixels = std::size_t{1} << 2 * grid.bits;
     std::vector<double> means;
     for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) {
-        for (; !values.empty(); values = values.subspan(pixels))
-            means.push_back(std::reduce(values.begin(), values.begin() + pixels, 0.0) /
-                            static_cast<double>(pixels));
+        for (; !values.empty(); values = values.subspan(pixels)) {
+            const auto window = values.first(pixels);
+            means.push_back(std::reduce(window.begin(), window.end(), 0.0) / static_cast<double>(pixels));
+        }
     });
     return means;
 }

@@ -7,10 +7,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <optional>
 #include <span>
-#include <sstream>
 #include <string_view>
+#include <system_error>
 
 namespace gabor::study {
 
@@ -28,6 +30,26 @@ std::string label(const Table& table, const Row& row) {
     return fmt::format("{:08x} {}", hash(table.columns), row.key);
 }
 
+// How many numbers a row has: the columns that its text does not fill.
+std::size_t numbers_of(const Table& table, const Row& row) {
+    return static_cast<std::size_t>(std::ranges::count(table.columns, ',') -
+                                    std::ranges::count(row.key, ','));
+}
+
+// ` number number ...`, nothing where anything else stands there.
+std::optional<Numbers> parse_numbers(std::string_view text) {
+    Numbers numbers;
+    while (text.starts_with(' ')) {
+        text.remove_prefix(1);
+        const auto [end, error] =
+            std::from_chars(text.data(), text.data() + text.size(), numbers.emplace_back());
+        if (error != std::errc())
+            return std::nullopt;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return text.empty() ? std::optional(numbers) : std::nullopt;
+}
+
 } // namespace
 
 Journal::Journal(const std::filesystem::path& folder, const std::string& study)
@@ -35,14 +57,14 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& study)
     std::ifstream in(path_);
     std::string line;
     if (std::getline(in, line) && line == study && !in.eof()) {
-        // A line counts when its end is there: `label: number number ...`.
+        // A line counts when its end is there: `label: number number ...`. Of two with one label the later
+        // does.
         while (std::getline(in, line) && !in.eof()) {
             const std::size_t colon = line.find(": ");
-            std::istringstream numbers(line.substr(std::min(colon, line.size() - 1) + 1));
-            Numbers& row = rows_[line.substr(0, colon)];
-            row.clear(); // of two such lines the later one counts
-            for (std::string number; numbers >> number;)
-                row.push_back(std::stod(number));
+            if (colon == std::string::npos)
+                continue;
+            if (const auto numbers = parse_numbers(std::string_view(line).substr(colon + 1)))
+                rows_[line.substr(0, colon)] = *numbers;
         }
     }
     in.close();
@@ -57,7 +79,7 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& study)
 
 const Numbers* Journal::find(const Table& table, const Row& row) const {
     const auto found = rows_.find(label(table, row));
-    return found == rows_.end() ? nullptr : &found->second;
+    return found == rows_.end() || found->second.size() != numbers_of(table, row) ? nullptr : &found->second;
 }
 
 void Journal::add(const Table& table, const Row& row, const Numbers& numbers) {

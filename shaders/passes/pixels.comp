@@ -128,14 +128,15 @@ GaborKernel kernel_at(vec2 pixel)
     vec2 wave = painted ? painted_at(pixel) : vec2(frequency, orientation);
     if (lobe_count == 0)
         return gabor_kernel(wave.x, wave.y);
-    GaborLobe all[GABOR_LOBES];
+    GaborLobes all;
+    all.count = lobe_count;
     for (int i = 0; i < GABOR_LOBES; ++i) {
         if (i < lobe_count)
-            all[i] = lobe_at(i);
+            all.lobe[i] = lobe_at(i);
     }
     if (painted)
-        all[0] = gabor_lobe(wave.x, wave.y, lobes[0].frequency_spread, lobes[0].orientation_spread, 1.0);
-    return gabor_kernel_lobes(all, lobe_count);
+        all.lobe[0] = gabor_lobe(wave.x, wave.y, lobes[0].frequency_spread, lobes[0].orientation_spread, 1.0);
+    return gabor_kernel_lobes(all);
 }
 
 void write_pixel(int at, Values values_here)

@@ -47,11 +47,12 @@ void main()
     if (i >= count)
         return;
     Sample s = samples[i];
-    GaborLobe lobes[GABOR_LOBES];
+    GaborLobes lobes;
+    lobes.count = GABOR_LOBES;
     for (int k = 0; k < GABOR_LOBES; ++k)
-        lobes[k] = gabor_lobe(s.lobes[5 * k], s.lobes[5 * k + 1], s.lobes[5 * k + 2], s.lobes[5 * k + 3],
-                              s.lobes[5 * k + 4]);
-    GaborKernel kernel = gabor_kernel_lobes(lobes, GABOR_LOBES);
+        lobes.lobe[k] = gabor_lobe(s.lobes[5 * k], s.lobes[5 * k + 1], s.lobes[5 * k + 2], s.lobes[5 * k + 3],
+                                   s.lobes[5 * k + 4]);
+    GaborKernel kernel = gabor_kernel_lobes(lobes);
     GaborPlace place = GaborPlace(s.cell, s.local, s.radius, s.period, s.time);
     GaborField field = gabor_field(place, kernel, s.seed);
     GaborFootprint footprint = gabor_footprint(s.dx, s.dy);

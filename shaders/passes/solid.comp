@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 
 // Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective.
 //
@@ -10,6 +11,7 @@ layout(constant_id = 0) const int view = 0;     // 0 slice, 1 sphere, 2 torus
 layout(constant_id = 1) const int waves = 0;    // 0 oriented, 1 isotropic, 2 and 3 the same tangent to the surface
 layout(constant_id = 2) const int filtered = 1; // by the pixel's footprint
 
+#define GABOR_UNROLL [[unroll]]
 #include "gabor_noise.glsl"
 #include "gabor_noise_3d.glsl"
 

@@ -9,6 +9,9 @@
 //     gabor_noise_complex, gabor_phasor       with its quadrature: phase and intensity
 //     gabor_noise_four                        four uncorrelated ones at once
 //     gabor_noise_tiled, gabor_noise_animated with exact periods in space, and in time
+//     gabor_noise_spread                      waves of many orientations and frequencies, up to isotropic
+//     gabor_noise_lobes, gabor_noise_sum      any spectrum, as a list of lobes
+//     gabor_noise_filtered                    without aliasing, whatever a pixel covers
 //     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
 //
 // The noise is a sum of Gabor kernels around random places x_i (sparse convolution):
@@ -74,8 +77,8 @@ fn gabor_place_plus_one(word: u32) -> vec2<f32> {
 }
 
 // Phase of the impulse at that place, in turns.
-fn gabor_phase(place_plus_one: vec2<f32>) -> f32 {
-    return fract((place_plus_one.y * 32768f));
+fn gabor_phase(place_plus_one: vec2<f32>, phases: f32) -> f32 {
+    return fract((place_plus_one.y * (8388608f / phases)));
 }
 
 // Turns of an impulse's phase while time goes by 1: -4 to -1 or 1 to 4.
@@ -224,12 +227,13 @@ fn gabor_sin_turns(t: f32) -> f32 {
 fn gabor_direction(angle: f32) -> vec2<f32> {
     var quarter: f32;
     var r: f32;
+    var local_10: f32;
     var s_1: f32;
     var sine: f32;
     var cosine: f32;
-    var local_10: vec2<f32>;
-    var axis: vec2<f32>;
     var local_11: vec2<f32>;
+    var axis: vec2<f32>;
+    var local_12: vec2<f32>;
 
     quarter = floor(((angle * 0.63661975f) + 0.5f));
     let _e7 = quarter;
@@ -241,42 +245,56 @@ fn gabor_direction(angle: f32) -> vec2<f32> {
     let _e18 = quarter;
     r = (_e17 - (_e18 * 0.0000000754979f));
     let _e22 = r;
-    let _e23 = r;
-    s_1 = (_e22 * _e23);
-    let _e26 = r;
-    let _e27 = r;
-    let _e28 = s_1;
-    let _e32 = s_1;
-    let _e34 = s_1;
-    sine = (_e26 + ((_e27 * _e28) * (-0.16666654f + (_e32 * (0.008332161f - (_e34 * 0.00019515296f))))));
-    let _e45 = s_1;
-    let _e48 = s_1;
-    let _e49 = s_1;
-    let _e52 = s_1;
-    let _e55 = s_1;
-    cosine = ((1f - (0.5f * _e45)) + ((_e48 * _e49) * (0.041666646f + (_e52 * (-0.0013887316f + (_e55 * 0.000024433157f))))));
-    let _e65 = quarter;
-    if (fract((0.5f * _e65)) < 0.25f) {
-        let _e70 = cosine;
-        let _e71 = sine;
-        local_10 = vec2<f32>(_e70, _e71);
+    if (abs(_e22) < 1f) {
+        let _e26 = r;
+        local_10 = _e26;
     } else {
-        let _e73 = sine;
-        let _e75 = cosine;
-        local_10 = vec2<f32>(-(_e73), _e75);
+        local_10 = 0f;
     }
-    let _e78 = local_10;
-    axis = _e78;
-    let _e81 = quarter;
-    if (fract((0.25f * _e81)) < 0.375f) {
-        let _e86 = axis;
-        local_11 = _e86;
+    let _e29 = local_10;
+    r = _e29;
+    let _e30 = r;
+    let _e31 = r;
+    s_1 = (_e30 * _e31);
+    let _e34 = r;
+    let _e35 = r;
+    let _e36 = s_1;
+    let _e40 = s_1;
+    let _e42 = s_1;
+    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
+    let _e53 = s_1;
+    let _e56 = s_1;
+    let _e57 = s_1;
+    let _e60 = s_1;
+    let _e63 = s_1;
+    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
+    let _e73 = quarter;
+    if (fract((0.5f * _e73)) < 0.25f) {
+        let _e78 = cosine;
+        let _e79 = sine;
+        local_11 = vec2<f32>(_e78, _e79);
     } else {
-        let _e87 = axis;
-        local_11 = -(_e87);
+        let _e81 = sine;
+        let _e83 = cosine;
+        local_11 = vec2<f32>(-(_e81), _e83);
     }
-    let _e90 = local_11;
-    return _e90;
+    let _e86 = local_11;
+    axis = _e86;
+    let _e89 = quarter;
+    if (fract((0.25f * _e89)) < 0.375f) {
+        let _e94 = axis;
+        local_12 = _e94;
+    } else {
+        let _e95 = axis;
+        local_12 = -(_e95);
+    }
+    let _e98 = local_12;
+    return _e98;
+}
+
+// Product of complex numbers.
+fn gabor_times(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(((a.x * b.x) - (a.y * b.y)), ((a.x * b.y) + (a.y * b.x)));
 }
 
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
@@ -318,7 +336,7 @@ fn gabor_energy() -> GaborEnergy {
 // series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 fn gabor_deficit(k: f32, energy: GaborEnergy) -> f32 {
-    var a: f32;
+    var a_1: f32;
     var z: f32;
     var d4567_: vec4<f32>;
     var d8_: f32 = 0f;
@@ -340,9 +358,9 @@ fn gabor_deficit(k: f32, energy: GaborEnergy) -> f32 {
     var l6_: f32;
     var l7_: f32;
 
-    a = (12.566371f * k);
-    let _e5 = a;
-    let _e6 = a;
+    a_1 = (12.566371f * k);
+    let _e5 = a_1;
+    let _e6 = a_1;
     z = (_e5 * _e6);
     let _e12 = z;
     if (_e12 < 64f) {
@@ -400,7 +418,7 @@ fn gabor_deficit(k: f32, energy: GaborEnergy) -> f32 {
             let _e105 = z;
             y = (1f / _e105);
             let _e110 = gabor_sin_turns((2f * k));
-            let _e111 = a;
+            let _e111 = a_1;
             l0_ = (_e110 / _e111);
             let _e115 = y;
             let _e117 = l0_;
@@ -446,69 +464,252 @@ fn gabor_deficit(k: f32, energy: GaborEnergy) -> f32 {
     return ((dot(energy.e4567_, _e192) + (energy.e8_ * _e195)) / energy.sum);
 }
 
-// A Gabor kernel ready to be summed: all that the noise needs to know of its frequency and orientation.
-struct GaborKernel {
+// Waves around one frequency and orientation.
+struct GaborLobe {
     wave: vec2<f32>,
+    spread: vec2<f32>,
+    power: f32,
+}
+
+// The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
+//   frequency_spread    a share of the frequency, within [0, 1]
+//   orientation_spread  radians: pi/2 and more is every direction, isotropic
+//   power               in any unit, at least 0
+fn gabor_lobe(frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, power: f32) -> GaborLobe {
+    var magnitude: f32;
+    var local_13: f32;
+    var lobe: GaborLobe;
+
+    magnitude = abs(frequency);
+    let _e7 = magnitude;
+    if (_e7 > 0.000001f) {
+        let _e10 = magnitude;
+        local_13 = min(_e10, 1000000f);
+    } else {
+        local_13 = 0.000001f;
+    }
+    let _e15 = local_13;
+    magnitude = _e15;
+    let _e18 = magnitude;
+    let _e19 = gabor_direction(orientation);
+    lobe.wave = (_e18 * _e19);
+    lobe.spread = clamp(vec2<f32>(frequency_spread, (orientation_spread * 0.15915494f)), vec2(0f), vec2<f32>(1f, 0.25f));
+    lobe.power = max(power, 0f);
+    let _e34 = lobe;
+    return _e34;
+}
+
+// A spectrum: what gabor_noise_lobes and gabor_noise_sum take.
+struct GaborLobes {
+    lobe: array<GaborLobe, 1>,
+    count: i32,
+}
+
+// Gabor kernels ready to be summed: all that the noise needs to know of its spectrum.
+struct GaborKernel {
+    lobes: GaborLobes,
+    phases: f32,
     amplitude: f32,
     deficit: f32,
 }
 
+// The kernels of some lobes' spectrum: each impulse has a wave of one lobe, chosen with a probability in proportion to
+// its power, so that many lobes have the impulses of one. The variance is 1 whatever the powers. Impulses have 256
+// phases, even where GABOR_PHASES is 2: then the variance depends on no frequency.
+//
+// There are N R^2 impulses per unit area, so by Campbell's theorem
+//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
+fn gabor_kernel_lobes(lobes: GaborLobes) -> GaborKernel {
+    var lobes_1: GaborLobes;
+    var kernel: GaborKernel;
+    var together: f32 = 0f;
+    var i_1: i32 = 0i;
+    var local_14: f32;
+    var density: f32 = 1f;
+    var power_1: f32 = 0.7278125f;
+    var energy_2: f32;
+
+    lobes_1 = lobes;
+    let _e4 = lobes_1;
+    kernel.lobes = _e4;
+    let _e7 = lobes_1;
+    kernel.lobes.count = clamp(_e7.count, 1i, 1i);
+    loop {
+        let _e16 = i_1;
+        if !((_e16 < 1i)) {
+            break;
+        }
+        {
+            let _e23 = together;
+            let _e24 = i_1;
+            let _e25 = kernel;
+            if (_e24 < _e25.lobes.count) {
+                let _e29 = i_1;
+                let _e32 = lobes_1.lobe[_e29];
+                local_14 = _e32.power;
+            } else {
+                local_14 = 0f;
+            }
+            let _e36 = local_14;
+            together = (_e23 + _e36);
+            let _e38 = i_1;
+            let _e43 = together;
+            kernel.lobes.lobe[_e38].power = _e43;
+        }
+        continuing {
+            let _e20 = i_1;
+            i_1 = (_e20 + 1i);
+        }
+    }
+    kernel.phases = 256f;
+    kernel.deficit = 1f;
+    let _e63 = gabor_energy();
+    energy_2 = _e63.sum;
+    let _e68 = density;
+    let _e70 = power_1;
+    let _e72 = energy_2;
+    let _e74 = energy_2;
+    kernel.amplitude = inverseSqrt(((((0.5f * _e68) * _e70) * _e72) * _e74));
+    let _e77 = kernel;
+    return _e77;
+}
+
+// The kernel of one lobe.
+fn gabor_kernel_lobe(lobe: GaborLobe) -> GaborKernel {
+    var lobes_2: GaborLobes;
+    var i_2: i32 = 0i;
+
+    loop {
+        let _e4 = i_2;
+        if !((_e4 < 1i)) {
+            break;
+        }
+        let _e11 = i_2;
+        lobes_2.lobe[_e11] = lobe;
+        continuing {
+            let _e8 = i_2;
+            i_2 = (_e8 + 1i);
+        }
+    }
+    lobes_2.count = 1i;
+    let _e16 = lobes_2;
+    let _e17 = gabor_kernel_lobes(_e16);
+    return _e17;
+}
+
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise. Make it once where they do not vary.
 //
-// There are N R^2 impulses per unit area, so by Campbell's theorem, with a = 4 pi F omega,
-//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] (J(0)^2 - J(a.x) J(a.y)) / 2,
-// where four or more phases average the sin^2 to 1/2 and leave J(0)^2 alone.
+// With two phases the sin^2 of gabor_kernel_lobes does not average to 1/2: with a = 4 pi F omega,
+//     J(0)^2 - J(a.x) J(a.y)   takes the place of   J(0)^2.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    var magnitude: f32;
-    var local_12: f32;
-    var kernel: GaborKernel;
-    var density: f32 = 1f;
-    var power: f32 = 0.7278125f;
-    var energy_2: GaborEnergy;
+    var lobe_2: GaborLobe;
+    var kernel_1: GaborKernel;
+    var energy_3: GaborEnergy;
     var x: f32;
     var y_1: f32;
 
-    magnitude = abs(frequency);
-    let _e4 = magnitude;
-    if (_e4 > 0.000001f) {
-        let _e7 = magnitude;
-        local_12 = min(_e7, 1000000f);
-    } else {
-        local_12 = 0.000001f;
-    }
-    let _e12 = local_12;
-    magnitude = _e12;
-    let _e15 = magnitude;
-    let _e16 = gabor_direction(orientation);
-    kernel.wave = (_e15 * _e16);
-    let _e33 = gabor_energy();
-    energy_2 = _e33;
-    kernel.deficit = 1f;
+    let _e5 = gabor_lobe(frequency, orientation, 0f, 0f, 1f);
+    lobe_2 = _e5;
+    let _e7 = lobe_2;
+    let _e8 = gabor_kernel_lobe(_e7);
+    kernel_1 = _e8;
+    kernel_1.phases = 256f;
     if false {
         {
-            let _e40 = kernel;
-            let _e43 = energy_2;
-            let _e44 = gabor_deficit(_e40.wave.x, _e43);
-            x = _e44;
-            let _e46 = kernel;
-            let _e49 = energy_2;
-            let _e50 = gabor_deficit(_e46.wave.y, _e49);
-            y_1 = _e50;
-            let _e53 = x;
-            let _e54 = y_1;
-            let _e56 = x;
-            let _e57 = y_1;
-            kernel.deficit = ((_e53 + _e54) - (_e56 * _e57));
+            let _e16 = gabor_energy();
+            energy_3 = _e16;
+            let _e18 = lobe_2;
+            let _e21 = energy_3;
+            let _e22 = gabor_deficit(_e18.wave.x, _e21);
+            x = _e22;
+            let _e24 = lobe_2;
+            let _e27 = energy_3;
+            let _e28 = gabor_deficit(_e24.wave.y, _e27);
+            y_1 = _e28;
+            let _e31 = x;
+            let _e32 = y_1;
+            let _e34 = x;
+            let _e35 = y_1;
+            kernel_1.deficit = ((_e31 + _e32) - (_e34 * _e35));
+            let _e39 = kernel_1;
+            let _e41 = kernel_1;
+            kernel_1.amplitude = (_e39.amplitude * inverseSqrt(_e41.deficit));
         }
     }
-    let _e62 = density;
-    let _e64 = power;
-    let _e66 = energy_2;
-    let _e69 = energy_2;
-    let _e72 = kernel;
-    kernel.amplitude = inverseSqrt((((((0.5f * _e62) * _e64) * _e66.sum) * _e69.sum) * _e72.deficit));
-    let _e76 = kernel;
-    return _e76;
+    let _e45 = kernel_1;
+    return _e45;
+}
+
+// A wave vector within a lobe's spread, as that is written.
+fn gabor_within(lobe: GaborLobe, spread: vec2<f32>) -> vec2<f32> {
+    var turn: vec2<f32>;
+
+    let _e5 = gabor_sin_turns((spread.y + 0.25f));
+    let _e7 = gabor_sin_turns(spread.y);
+    turn = vec2<f32>(_e5, _e7);
+    let _e14 = turn;
+    let _e15 = gabor_times(lobe.wave, _e14);
+    return ((1f + spread.x) * _e15);
+}
+
+// The wave vector of the impulse that has this word.
+fn gabor_wave(kernel: GaborKernel, word: u32) -> vec2<f32> {
+    var kernel_3: GaborKernel;
+    var lobe_4: GaborLobe;
+    var choice: u32;
+    var chosen: f32;
+    var i_3: i32 = 1i;
+    var drawn: vec2<f32>;
+
+    kernel_3 = kernel;
+    let _e7 = kernel_3.lobes.lobe[0];
+    lobe_4 = _e7;
+    let _e10 = gabor_mix(word, 2654435761u);
+    choice = _e10;
+    let _e12 = kernel_3;
+    if (_e12.lobes.count > 1i) {
+        {
+            let _e23 = kernel_3.lobes.lobe[0];
+            let _e25 = choice;
+            chosen = (_e23.power * ((f32((_e25 >> 16u)) + 0.5f) / 65536f));
+            loop {
+                let _e37 = i_3;
+                if !((_e37 < 1i)) {
+                    break;
+                }
+                {
+                    let _e44 = i_3;
+                    let _e45 = kernel_3;
+                    let _e49 = chosen;
+                    let _e50 = i_3;
+                    let _e56 = kernel_3.lobes.lobe[(_e50 - 1i)];
+                    if ((_e44 < _e45.lobes.count) && (_e49 >= _e56.power)) {
+                        let _e60 = i_3;
+                        let _e64 = kernel_3.lobes.lobe[_e60];
+                        lobe_4 = _e64;
+                    }
+                }
+                continuing {
+                    let _e41 = i_3;
+                    i_3 = (_e41 + 1i);
+                }
+            }
+        }
+    }
+    let _e65 = lobe_4;
+    let _e70 = lobe_4;
+    if ((_e65.spread.x == 0f) && (_e70.spread.y == 0f)) {
+        let _e76 = lobe_4;
+        return _e76.wave;
+    }
+    let _e78 = choice;
+    let _e84 = choice;
+    drawn = vec2<f32>(f32(((_e78 * 2654435761u) >> 16u)), f32((_e84 & 65535u)));
+    let _e90 = lobe_4;
+    let _e91 = lobe_4;
+    let _e93 = drawn;
+    let _e104 = gabor_within(_e90, (_e91.spread * (((_e93 + vec2(0.5f)) / vec2(32768f)) - vec2(1f))));
+    return _e104;
 }
 
 // The window q along one axis, 0 from |x| = 1 on.
@@ -569,7 +770,7 @@ struct GaborField {
 // A cell's coordinate within a period.
 fn gabor_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
-    var local_14: i32;
+    var local_16: i32;
 
     if (period == 0i) {
         return cell;
@@ -578,40 +779,61 @@ fn gabor_wrap(cell: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local_14 = (_e11 + period);
+        local_16 = (_e11 + period);
     } else {
         let _e13 = within;
-        local_14 = _e13;
+        local_16 = _e13;
     }
-    let _e15 = local_14;
+    let _e15 = local_16;
     return _e15;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times the mean of cos(4 pi k time) over the tempos k.
+// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
 fn gabor_tempo_gain(kernel: GaborKernel, time: f32) -> f32 {
-    var mean: f32;
+    var kernel_5: GaborKernel;
+    var sines: vec4<f32>;
+    var u_2: f32;
 
-    if true {
+    kernel_5 = kernel;
+    let _e3 = kernel_5;
+    if ((_e3.phases != 2f) || (time == 0f)) {
         return 1f;
     }
-    let _e11 = gabor_sin_turns(((2f * time) + 0.25f));
-    let _e16 = gabor_sin_turns(((4f * time) + 0.25f));
-    let _e22 = gabor_sin_turns(((6f * time) + 0.25f));
-    let _e28 = gabor_sin_turns(((8f * time) + 0.25f));
-    mean = (0.25f * (((_e11 + _e16) + _e22) + _e28));
-    let _e33 = mean;
-    return inverseSqrt(((1f - (_e33 * (1f - kernel.deficit))) / kernel.deficit));
+    let _e11 = gabor_sin_turns(time);
+    let _e14 = gabor_sin_turns((2f * time));
+    let _e17 = gabor_sin_turns((3f * time));
+    let _e20 = gabor_sin_turns((4f * time));
+    sines = vec4<f32>(_e11, _e14, _e17, _e20);
+    let _e24 = sines;
+    let _e25 = sines;
+    u_2 = (0.5f * dot(_e24, _e25));
+    let _e30 = u_2;
+    let _e32 = kernel_5;
+    let _e36 = kernel_5;
+    return inverseSqrt((1f + ((_e30 * (1f - _e32.deficit)) / _e36.deficit)));
 }
 
-// The noise at a place, by its cell: what all functions below call.
+// What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
+fn gabor_scale(kernel: GaborKernel, place: GaborPlace) -> f32 {
+    var kernel_7: GaborKernel;
+
+    kernel_7 = kernel;
+    let _e3 = kernel_7;
+    let _e14 = kernel_7;
+    let _e17 = gabor_tempo_gain(_e14, fract(place.time));
+    return (((_e3.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e17);
+}
+
+// The noise at a place, by its cell: what most functions below call.
 //   kernel  from gabor_kernel
 //   seed    any; each seed is another instance, independent of the others
 // Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    var kernel_9: GaborKernel;
     var visited: i32 = 3i;
     var whole: vec2<f32>;
-    var local_15: vec2<f32>;
+    var local_17: vec2<f32>;
     var first: vec2<f32>;
     var cell_2: vec2<i32>;
     var cell_side: vec2<f32>;
@@ -620,179 +842,787 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
     var j: i32 = 0i;
     var row_word_1: u32;
-    var i_1: i32;
+    var i_4: i32;
     var column_1: i32;
     var k_1: i32;
-    var word_6: u32;
+    var word_7: u32;
     var impulse: vec2<f32>;
     var d: vec2<f32>;
+    var cycles: vec2<f32>;
     var turns_1: f32;
     var magnitude_1: f32;
     var window: vec2<f32>;
     var wave_1: vec2<f32>;
-    var scale: f32;
     var turned: vec2<f32>;
+    var scale: f32;
 
+    kernel_9 = kernel;
     whole = floor(place.local);
-    let _e15 = whole;
-    local_15 = (place.local - _e15);
-    let _e18 = local_15;
-    first = floor((_e18 - place.radius));
-    let _e24 = whole;
-    let _e25 = first;
-    cell_2 = (place.cell + vec2<i32>((_e24 + _e25)));
-    let _e30 = first;
-    first = (_e30 - vec2(1f));
+    let _e16 = whole;
+    local_17 = (place.local - _e16);
+    let _e19 = local_17;
+    first = floor((_e19 - place.radius));
+    let _e25 = whole;
+    let _e26 = first;
+    cell_2 = (place.cell + vec2<i32>((_e25 + _e26)));
+    let _e31 = first;
+    first = (_e31 - vec2(1f));
     cell_side = (vec2(1f) / place.radius);
     time_1 = fract(place.time);
-    let _e42 = gabor_seed_word(seed);
-    seed_word_1 = _e42;
+    let _e43 = gabor_seed_word(seed);
+    seed_word_1 = _e43;
     loop {
-        let _e56 = j;
-        let _e57 = visited;
-        if !((_e56 < _e57)) {
+        let _e57 = j;
+        let _e58 = visited;
+        if !((_e57 < _e58)) {
             break;
         }
         {
-            let _e63 = cell_2;
-            let _e65 = j;
-            let _e69 = gabor_wrap((_e63.y + _e65), place.period.y);
-            let _e70 = seed_word_1;
-            let _e71 = gabor_row_word(_e69, _e70);
-            row_word_1 = _e71;
-            i_1 = 0i;
+            let _e64 = cell_2;
+            let _e66 = j;
+            let _e70 = gabor_wrap((_e64.y + _e66), place.period.y);
+            let _e71 = seed_word_1;
+            let _e72 = gabor_row_word(_e70, _e71);
+            row_word_1 = _e72;
+            i_4 = 0i;
             loop {
-                let _e75 = i_1;
-                let _e76 = visited;
-                if !((_e75 < _e76)) {
+                let _e76 = i_4;
+                let _e77 = visited;
+                if !((_e76 < _e77)) {
                     break;
                 }
                 {
-                    let _e82 = cell_2;
-                    let _e84 = i_1;
-                    let _e88 = gabor_wrap((_e82.x + _e84), place.period.x);
-                    column_1 = _e88;
+                    let _e83 = cell_2;
+                    let _e85 = i_4;
+                    let _e89 = gabor_wrap((_e83.x + _e85), place.period.x);
+                    column_1 = _e89;
                     k_1 = 0i;
                     loop {
-                        let _e92 = k_1;
-                        if !((_e92 < 1i)) {
+                        let _e93 = k_1;
+                        if !((_e93 < 1i)) {
                             break;
                         }
                         {
-                            let _e99 = column_1;
-                            let _e100 = row_word_1;
-                            let _e101 = k_1;
-                            let _e102 = gabor_impulse_word(_e99, _e100, _e101);
-                            word_6 = _e102;
-                            let _e104 = word_6;
-                            let _e105 = gabor_place_plus_one(_e104);
-                            impulse = _e105;
-                            let _e107 = local_15;
-                            let _e108 = impulse;
-                            let _e109 = first;
-                            let _e110 = i_1;
-                            let _e112 = j;
-                            let _e118 = cell_side;
-                            d = ((_e107 - (_e108 + (_e109 + vec2<f32>(f32(_e110), f32(_e112))))) * _e118);
-                            let _e121 = d;
-                            let _e124 = d;
-                            if (max(abs(_e121.x), abs(_e124.y)) < 1f) {
+                            let _e100 = column_1;
+                            let _e101 = row_word_1;
+                            let _e102 = k_1;
+                            let _e103 = gabor_impulse_word(_e100, _e101, _e102);
+                            word_7 = _e103;
+                            let _e105 = word_7;
+                            let _e106 = gabor_place_plus_one(_e105);
+                            impulse = _e106;
+                            let _e108 = local_17;
+                            let _e109 = impulse;
+                            let _e110 = first;
+                            let _e111 = i_4;
+                            let _e113 = j;
+                            let _e119 = cell_side;
+                            d = ((_e108 - (_e109 + (_e110 + vec2<f32>(f32(_e111), f32(_e113))))) * _e119);
+                            let _e122 = d;
+                            let _e125 = d;
+                            if (max(abs(_e122.x), abs(_e125.y)) < 1f) {
                                 {
-                                    let _e131 = d;
-                                    let _e133 = impulse;
-                                    let _e134 = gabor_phase(_e133);
-                                    let _e136 = word_6;
-                                    let _e137 = gabor_tempo(_e136);
-                                    let _e138 = time_1;
-                                    turns_1 = ((dot(kernel.wave, _e131) + _e134) + (_e137 * _e138));
-                                    let _e142 = word_6;
-                                    let _e143 = gabor_magnitude(_e142);
-                                    magnitude_1 = _e143;
-                                    let _e145 = d;
-                                    let _e147 = gabor_window(_e145.x);
-                                    let _e148 = d;
-                                    let _e150 = gabor_window(_e148.y);
-                                    window = vec2<f32>(_e147, _e150);
-                                    let _e153 = magnitude_1;
-                                    let _e154 = turns_1;
-                                    let _e157 = gabor_sin_turns((_e154 + 0.25f));
-                                    let _e158 = turns_1;
-                                    let _e159 = gabor_sin_turns(_e158);
-                                    wave_1 = (_e153 * vec2<f32>(_e157, _e159));
-                                    let _e164 = sum;
-                                    let _e166 = window;
-                                    let _e168 = window;
-                                    let _e171 = wave_1;
-                                    sum.value = (_e164.value + ((_e166.x * _e168.y) * _e171));
-                                    let _e175 = sum;
-                                    let _e177 = d;
-                                    let _e179 = gabor_window_slope(_e177.x);
-                                    let _e180 = window;
-                                    let _e183 = wave_1;
-                                    sum.slope_x = (_e175.slope_x + ((_e179 * _e180.y) * _e183));
-                                    let _e187 = sum;
-                                    let _e189 = d;
-                                    let _e191 = gabor_window_slope(_e189.y);
-                                    let _e192 = window;
-                                    let _e195 = wave_1;
-                                    sum.slope_y = (_e187.slope_y + ((_e191 * _e192.x) * _e195));
-                                    let _e199 = sum;
-                                    let _e201 = window;
-                                    let _e203 = window;
-                                    let _e206 = wave_1;
-                                    let _e207 = word_6;
-                                    let _e208 = gabor_four(_e206, _e207);
-                                    sum.four = (_e199.four + ((_e201.x * _e203.y) * _e208));
+                                    let _e131 = kernel_9;
+                                    let _e132 = word_7;
+                                    let _e133 = gabor_wave(_e131, _e132);
+                                    cycles = _e133;
+                                    let _e135 = cycles;
+                                    let _e136 = d;
+                                    let _e138 = impulse;
+                                    let _e139 = kernel_9;
+                                    let _e141 = gabor_phase(_e138, _e139.phases);
+                                    let _e143 = word_7;
+                                    let _e144 = gabor_tempo(_e143);
+                                    let _e145 = time_1;
+                                    turns_1 = ((dot(_e135, _e136) + _e141) + (_e144 * _e145));
+                                    let _e149 = word_7;
+                                    let _e150 = gabor_magnitude(_e149);
+                                    magnitude_1 = _e150;
+                                    let _e152 = d;
+                                    let _e154 = gabor_window(_e152.x);
+                                    let _e155 = d;
+                                    let _e157 = gabor_window(_e155.y);
+                                    window = vec2<f32>(_e154, _e157);
+                                    let _e160 = magnitude_1;
+                                    let _e161 = turns_1;
+                                    let _e164 = gabor_sin_turns((_e161 + 0.25f));
+                                    let _e165 = turns_1;
+                                    let _e166 = gabor_sin_turns(_e165);
+                                    wave_1 = (_e160 * vec2<f32>(_e164, _e166));
+                                    let _e171 = window;
+                                    let _e174 = window;
+                                    let _e177 = wave_1;
+                                    let _e180 = wave_1;
+                                    turned = (((6.2831855f * _e171.x) * _e174.y) * vec2<f32>(-(_e177.y), _e180.x));
+                                    let _e186 = sum;
+                                    let _e188 = window;
+                                    let _e190 = window;
+                                    let _e193 = wave_1;
+                                    sum.value = (_e186.value + ((_e188.x * _e190.y) * _e193));
+                                    let _e197 = sum;
+                                    let _e199 = d;
+                                    let _e201 = gabor_window_slope(_e199.x);
+                                    let _e202 = window;
+                                    let _e205 = wave_1;
+                                    let _e207 = cycles;
+                                    let _e209 = turned;
+                                    sum.slope_x = (_e197.slope_x + (((_e201 * _e202.y) * _e205) + (_e207.x * _e209)));
+                                    let _e214 = sum;
+                                    let _e216 = d;
+                                    let _e218 = gabor_window_slope(_e216.y);
+                                    let _e219 = window;
+                                    let _e222 = wave_1;
+                                    let _e224 = cycles;
+                                    let _e226 = turned;
+                                    sum.slope_y = (_e214.slope_y + (((_e218 * _e219.x) * _e222) + (_e224.y * _e226)));
+                                    let _e231 = sum;
+                                    let _e233 = window;
+                                    let _e235 = window;
+                                    let _e238 = wave_1;
+                                    let _e239 = word_7;
+                                    let _e240 = gabor_four(_e238, _e239);
+                                    sum.four = (_e231.four + ((_e233.x * _e235.y) * _e240));
                                 }
                             }
                         }
                         continuing {
-                            let _e96 = k_1;
-                            k_1 = (_e96 + 1i);
+                            let _e97 = k_1;
+                            k_1 = (_e97 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e79 = i_1;
-                    i_1 = (_e79 + 1i);
+                    let _e80 = i_4;
+                    i_4 = (_e80 + 1i);
                 }
             }
         }
         continuing {
-            let _e60 = j;
-            j = (_e60 + 1i);
+            let _e61 = j;
+            j = (_e61 + 1i);
         }
     }
-    scale = ((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y)));
-    let _e222 = time_1;
-    if (_e222 != 0f) {
-        let _e225 = scale;
-        let _e226 = time_1;
-        let _e227 = gabor_tempo_gain(kernel, _e226);
-        scale = (_e225 * _e227);
+    let _e243 = kernel_9;
+    let _e244 = gabor_scale(_e243, place);
+    scale = _e244;
+    let _e246 = scale;
+    let _e247 = sum;
+    let _e250 = scale;
+    let _e251 = sum;
+    let _e254 = scale;
+    let _e255 = sum;
+    let _e258 = scale;
+    let _e259 = sum;
+    return GaborField((_e246 * _e247.value), (_e250 * _e251.slope_x), (_e254 * _e255.slope_y), (_e258 * _e259.four));
+}
+
+// Even polynomial p0 + p1 x^2 + ... + p5 x^10.
+struct GaborPolynomial {
+    low: vec3<f32>,
+    high: vec3<f32>,
+}
+
+// P, by least squares: within 1.8 % of the default window in the root mean square, and closer to smoother ones.
+fn gabor_normal_window() -> GaborPolynomial {
+    var c_3: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
+    var p_1: GaborPolynomial;
+
+    let _e8 = c_3;
+    let _e15 = c_3;
+    let _e23 = c_3;
+    p_1.low = (((_e8.x * vec3<f32>(1.0028954f, 0.22776577f, 0.05744543f)) + (_e15.y * vec3<f32>(1.0014522f, 0.11853905f, 0.017965f))) + (_e23.z * vec3<f32>(0.999785f, 0.01664752f, -0.02767342f)));
+    let _e33 = c_3;
+    let _e42 = c_3;
+    let _e52 = c_3;
+    p_1.high = (((_e33.x * vec3<f32>(-0.0146696f, -0.00010419f, 0.00005601f)) + (_e42.y * vec3<f32>(-0.01980551f, 0.00225161f, -0.00006904f))) + (_e52.z * vec3<f32>(-0.00584684f, 0.00131062f, -0.00005534f)));
+    let _e62 = p_1;
+    return _e62;
+}
+
+// E[P(x + v)] as a polynomial of x, for v normal of this variance.
+fn gabor_averaged(p: GaborPolynomial, variance: f32) -> GaborPolynomial {
+    var v: vec3<f32>;
+    var w: vec2<f32>;
+    var mean: GaborPolynomial;
+
+    v = (variance * vec3<f32>(1f, variance, (variance * variance)));
+    let _e7 = v;
+    let _e9 = v;
+    w = (_e7.y * _e9.yz);
+    let _e18 = v;
+    let _e32 = w;
+    mean.low.x = ((p.low.x + dot(_e18, vec3<f32>(p.low.y, (3f * p.low.z), (15f * p.high.x)))) + dot(_e32, vec2<f32>((105f * p.high.y), (945f * p.high.z))));
+    let _e48 = v;
+    let _e64 = w;
+    mean.low.y = ((p.low.y + dot(_e48, vec3<f32>((6f * p.low.z), (45f * p.high.x), (420f * p.high.y)))) + ((_e64.x * 4725f) * p.high.z));
+    let _e76 = v;
+    mean.low.z = (p.low.z + dot(_e76, vec3<f32>((15f * p.high.x), (210f * p.high.y), (3150f * p.high.z))));
+    let _e96 = v;
+    mean.high.x = (p.high.x + dot(_e96.xy, vec2<f32>((28f * p.high.y), (630f * p.high.z))));
+    mean.high.y = (p.high.y + ((45f * variance) * p.high.z));
+    mean.high.z = p.high.z;
+    let _e123 = mean;
+    return _e123;
+}
+
+// A polynomial of a complex number.
+fn gabor_polynomial(p: GaborPolynomial, z: vec2<f32>) -> vec2<f32> {
+    var square: vec2<f32>;
+    var sum_1: vec2<f32>;
+
+    let _e2 = gabor_times(z, z);
+    square = _e2;
+    let _e6 = square;
+    sum_1 = ((p.high.z * _e6) + vec2<f32>(p.high.y, 0f));
+    let _e14 = sum_1;
+    let _e15 = square;
+    let _e16 = gabor_times(_e14, _e15);
+    sum_1 = (_e16 + vec2<f32>(p.high.x, 0f));
+    let _e22 = sum_1;
+    let _e23 = square;
+    let _e24 = gabor_times(_e22, _e23);
+    sum_1 = (_e24 + vec2<f32>(p.low.z, 0f));
+    let _e30 = sum_1;
+    let _e31 = square;
+    let _e32 = gabor_times(_e30, _e31);
+    sum_1 = (_e32 + vec2<f32>(p.low.y, 0f));
+    let _e38 = sum_1;
+    let _e39 = square;
+    let _e40 = gabor_times(_e38, _e39);
+    return (_e40 + vec2<f32>(p.low.x, 0f));
+}
+
+// Symmetric matrices are (xx, yy, xy).
+fn gabor_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
+    return ((matrix.xy * v) + (matrix.z * v.yx));
+}
+
+fn gabor_inverse(matrix: vec3<f32>) -> vec3<f32> {
+    let _e1 = matrix.yx;
+    return (vec3<f32>(_e1.x, _e1.y, -(matrix.z)) / vec3(((matrix.x * matrix.y) - (matrix.z * matrix.z))));
+}
+
+// What a pixel covers, and what windows become under it. Lengths are in kernel radii.
+struct GaborFootprint {
+    covariance: vec3<f32>,
+    widening: vec3<f32>,
+    inverse: vec3<f32>,
+    amplitude: f32,
+    reach: vec2<f32>,
+    joint: vec2<f32>,
+    x: GaborPolynomial,
+    y: GaborPolynomial,
+}
+
+// The footprint of a pixel, seen through a normal filter whose standard deviation is half a pixel.
+//   dx, dy   steps from the pixel's place to its neighbours', dFdx(p) and dFdy(p), in kernel radii. Where they are NaN
+//            or infinite or longer than 10^3, 10^3 is taken.
+fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
+    var unit: vec3<f32> = vec3<f32>(1f, 1f, 0f);
+    var covariance: vec3<f32>;
+    var footprint: GaborFootprint;
+    var mean_1: f32;
+    var apart: f32;
+    var cut: vec2<f32>;
+    var local_18: vec3<f32>;
+    var direction: vec3<f32>;
+    var v_2: vec3<f32>;
+    var variance_1: vec2<f32>;
+    var local_19: f32;
+    var correlation: f32;
+    var local_20: f32;
+    var rest: vec2<f32>;
+
+    let _e8 = (dx * dx);
+    let _e15 = (dy * dy);
+    covariance = (0.25f * (vec3<f32>(_e8.x, _e8.y, (dx.x * dx.y)) + vec3<f32>(_e15.x, _e15.y, (dy.x * dy.y))));
+    let _e25 = covariance;
+    let _e27 = covariance;
+    if !(((_e25.x + _e27.y) < 250000f)) {
+        let _e34 = unit;
+        covariance = (250000f * _e34);
     }
-    let _e230 = sum;
-    let _e234 = sum;
-    turned = (6.2831855f * vec2<f32>(-(_e230.value.y), _e234.value.x));
-    let _e240 = scale;
-    let _e241 = sum;
-    let _e244 = scale;
-    let _e245 = sum;
-    let _e249 = turned;
-    let _e253 = scale;
-    let _e254 = sum;
-    let _e258 = turned;
-    let _e262 = scale;
-    let _e263 = sum;
-    return GaborField((_e240 * _e241.value), (_e244 * (_e245.slope_x + (kernel.wave.x * _e249))), (_e253 * (_e254.slope_y + (kernel.wave.y * _e258))), (_e262 * _e263.four));
+    let _e38 = covariance;
+    footprint.covariance = _e38;
+    let _e40 = covariance;
+    let _e42 = covariance;
+    mean_1 = (0.5f * (_e40.x + _e42.y));
+    let _e48 = covariance;
+    let _e50 = covariance;
+    let _e54 = covariance;
+    apart = length(vec2<f32>((0.5f * (_e48.x - _e50.y)), _e54.z));
+    let _e59 = mean_1;
+    let _e60 = apart;
+    let _e62 = mean_1;
+    let _e63 = apart;
+    cut = max((vec2<f32>((_e59 + _e60), (_e62 - _e63)) - vec2(0.25f)), vec2(0f));
+    let _e73 = apart;
+    if (_e73 > 0f) {
+        let _e76 = covariance;
+        let _e77 = mean_1;
+        let _e78 = unit;
+        let _e81 = apart;
+        local_18 = ((_e76 - (_e77 * _e78)) / vec3(_e81));
+    } else {
+        local_18 = vec3(0f);
+    }
+    let _e87 = local_18;
+    direction = _e87;
+    let _e90 = covariance;
+    let _e92 = cut;
+    let _e94 = cut;
+    let _e97 = unit;
+    let _e99 = cut;
+    let _e101 = cut;
+    let _e104 = direction;
+    footprint.widening = (_e90 - (0.5f * (((_e92.x + _e94.y) * _e97) + ((_e99.x - _e101.y) * _e104))));
+    let _e110 = footprint.widening;
+    let _e112 = footprint;
+    let _e117 = max(_e112.widening.xy, vec2(0f));
+    footprint.widening.x = _e117.x;
+    footprint.widening.y = _e117.y;
+    let _e124 = unit;
+    let _e126 = footprint;
+    let _e129 = gabor_inverse(((0.121104f * _e124) + _e126.widening));
+    footprint.inverse = _e129;
+    let _e132 = footprint;
+    let _e135 = footprint;
+    let _e139 = footprint;
+    let _e142 = footprint;
+    footprint.amplitude = (0.121104f * sqrt(((_e132.inverse.x * _e135.inverse.y) - (_e139.inverse.z * _e142.inverse.z))));
+    let _e152 = footprint;
+    footprint.reach = (vec2(1.045f) + (1.5f * sqrt(_e152.widening.xy)));
+    let _e159 = unit;
+    let _e161 = footprint;
+    v_2 = (_e159 - (0.121104f * _e161.inverse));
+    let _e166 = v_2;
+    variance_1 = max(_e166.xy, vec2(0f));
+    let _e172 = v_2;
+    if (_e172.z == 0f) {
+        local_19 = 0f;
+    } else {
+        let _e177 = v_2;
+        let _e180 = variance_1;
+        let _e182 = variance_1;
+        local_19 = min((abs(_e177.z) * inverseSqrt((_e180.x * _e182.y))), 1f);
+    }
+    let _e190 = local_19;
+    correlation = _e190;
+    let _e193 = correlation;
+    let _e194 = variance_1;
+    let _e198 = v_2;
+    if (_e198.z < 0f) {
+        local_20 = -1f;
+    } else {
+        local_20 = 1f;
+    }
+    let _e206 = local_20;
+    footprint.joint = (sqrt((_e193 * _e194)) * vec2<f32>(1f, _e206));
+    let _e210 = correlation;
+    let _e212 = variance_1;
+    rest = ((1f - _e210) * _e212);
+    let _e216 = gabor_normal_window();
+    let _e217 = rest;
+    let _e219 = gabor_averaged(_e216, _e217.x);
+    footprint.x = _e219;
+    let _e221 = gabor_normal_window();
+    let _e222 = rest;
+    let _e224 = gabor_averaged(_e221, _e222.y);
+    footprint.y = _e224;
+    let _e225 = footprint;
+    return _e225;
+}
+
+// The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe taken as normal, of
+// the variance B = integral(q'^2) / (4 pi^2 integral(q^2)) along each axis,
+//     |1 + 8 pi^2 B S|^(-1/2) e^(-4 pi^2 F S (1 + 8 pi^2 B S)^-1 F).
+fn gabor_kept(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
+    var c_4: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
+    var slope: vec4<f32>;
+    var energy_4: f32;
+    var widened: vec3<f32>;
+    var slower: vec2<f32>;
+    var taken: f32;
+
+    let _e9 = c_4;
+    let _e12 = c_4;
+    let _e16 = c_4;
+    let _e19 = c_4;
+    let _e23 = c_4;
+    let _e26 = c_4;
+    let _e30 = c_4;
+    let _e33 = c_4;
+    let _e38 = c_4;
+    let _e41 = c_4;
+    slope = (vec4<f32>(((4f * _e9.x) * _e12.x), ((12f * _e16.x) * _e19.y), (((9f * _e23.y) * _e26.y) + ((16f * _e30.x) * _e33.z)), ((24f * _e38.y) * _e41.z)) * vec4<f32>(0.15238096f, 0.1015873f, 0.07388167f, 0.056832056f));
+    let _e61 = slope;
+    let _e66 = c_4;
+    let _e69 = c_4;
+    energy_4 = (4f * (dot(_e61, vec4(1f)) + (((16f * _e66.z) * _e69.z) * 0.045465644f)));
+    let _e84 = energy_4;
+    let _e86 = gabor_energy();
+    widened = (vec3<f32>(1f, 1f, 0f) + (((2f * _e84) / _e86.sum) * covariance));
+    let _e92 = widened;
+    let _e93 = gabor_inverse(_e92);
+    let _e94 = gabor_symmetric(_e93, wave);
+    slower = _e94;
+    let _e97 = slower;
+    let _e98 = gabor_symmetric(covariance, _e97);
+    taken = (39.478416f * dot(wave, _e98));
+    let _e102 = taken;
+    let _e107 = widened;
+    let _e109 = widened;
+    let _e112 = widened;
+    let _e114 = widened;
+    return (exp(-(min(_e102, 80f))) * inverseSqrt(((_e107.x * _e109.y) - (_e112.z * _e114.z))));
+}
+
+// The share of its variance that all of a kernel's noise loses under the footprint: in [0, 1].
+fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
+    var kernel_11: GaborKernel;
+    var kept: f32 = 0f;
+    var before: f32 = 0f;
+    var i_5: i32 = 0i;
+    var lobe_5: GaborLobe;
+    var mean_2: f32;
+    var j_1: i32;
+    var within_1: vec2<f32>;
+    var local_21: f32;
+
+    kernel_11 = kernel;
+    loop {
+        let _e9 = i_5;
+        if !((_e9 < 1i)) {
+            break;
+        }
+        {
+            let _e16 = i_5;
+            let _e17 = kernel_11;
+            if (_e16 >= _e17.lobes.count) {
+                break;
+            }
+            let _e21 = i_5;
+            let _e25 = kernel_11.lobes.lobe[_e21];
+            lobe_5 = _e25;
+            mean_2 = 0f;
+            let _e29 = lobe_5;
+            let _e34 = lobe_5;
+            if ((_e29.spread.x == 0f) && (_e34.spread.y == 0f)) {
+                {
+                    let _e40 = lobe_5;
+                    let _e43 = gabor_kept(_e40.wave, footprint.covariance);
+                    mean_2 = _e43;
+                }
+            } else {
+                {
+                    j_1 = 0i;
+                    loop {
+                        let _e46 = j_1;
+                        if !((_e46 < 72i)) {
+                            break;
+                        }
+                        {
+                            let _e53 = lobe_5;
+                            let _e55 = j_1;
+                            let _e59 = j_1;
+                            within_1 = (_e53.spread * ((vec2<f32>(f32((_e55 % 3i)), f32((_e59 / 3i))) * vec2<f32>(0.6666667f, 0.083333336f)) - vec2<f32>(0.6666667f, 0.9583333f)));
+                            let _e82 = mean_2;
+                            let _e83 = lobe_5;
+                            let _e84 = within_1;
+                            let _e85 = gabor_within(_e83, _e84);
+                            let _e87 = gabor_kept(_e85, footprint.covariance);
+                            mean_2 = (_e82 + (_e87 / 72f));
+                        }
+                        continuing {
+                            let _e50 = j_1;
+                            j_1 = (_e50 + 1i);
+                        }
+                    }
+                }
+            }
+            let _e91 = kept;
+            let _e92 = lobe_5;
+            let _e94 = before;
+            let _e96 = mean_2;
+            kept = (_e91 + ((_e92.power - _e94) * _e96));
+            let _e99 = lobe_5;
+            before = _e99.power;
+        }
+        continuing {
+            let _e13 = i_5;
+            i_5 = (_e13 + 1i);
+        }
+    }
+    let _e101 = before;
+    if (_e101 > 0f) {
+        let _e105 = kept;
+        let _e106 = before;
+        local_21 = clamp((1f - (_e105 / _e106)), 0f, 1f);
+    } else {
+        local_21 = 0f;
+    }
+    let _e114 = local_21;
+    return _e114;
+}
+
+// A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
+fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: GaborFootprint) -> vec2<f32> {
+    var shift: vec2<f32>;
+    var real: vec2<f32>;
+    var imaginary: vec2<f32>;
+    var exponent: f32;
+    var window_1: vec2<f32> = vec2(0f);
+    var i_6: i32 = -2i;
+    var local_22: f32;
+    var local_23: f32;
+    var point: f32;
+    var local_24: f32;
+    var local_25: f32;
+    var weight: f32;
+    var v_3: vec2<f32>;
+    var amplitude: f32;
+    var turns_2: f32;
+
+    let _e7 = gabor_symmetric(footprint.widening, (6.2831855f * wave));
+    shift = _e7;
+    let _e10 = gabor_symmetric(footprint.inverse, d);
+    real = _e10;
+    let _e13 = shift;
+    let _e14 = gabor_symmetric(footprint.inverse, _e13);
+    imaginary = _e14;
+    let _e17 = shift;
+    let _e18 = imaginary;
+    let _e22 = shift;
+    let _e25 = real;
+    exponent = (0.5f * ((dot(_e17, _e18) - dot((6.2831855f * wave), _e22)) - dot(d, _e25)));
+    let _e30 = exponent;
+    if (_e30 < -20f) {
+        return vec2(0f);
+    }
+    let _e36 = real;
+    real = (_e36 * 0.348f);
+    let _e39 = imaginary;
+    imaginary = (_e39 * 0.348f);
+    loop {
+        let _e48 = i_6;
+        if !((_e48 <= 2i)) {
+            break;
+        }
+        {
+            let _e55 = i_6;
+            if (_e55 == 0i) {
+                local_23 = 0f;
+            } else {
+                let _e59 = i_6;
+                let _e61 = i_6;
+                if (abs(_e61) == 1i) {
+                    local_22 = 1.3556262f;
+                } else {
+                    local_22 = 1.428485f;
+                }
+                let _e68 = local_22;
+                local_23 = (f32(_e59) * _e68);
+            }
+            let _e71 = local_23;
+            point = _e71;
+            let _e73 = i_6;
+            if (_e73 == 0i) {
+                local_25 = 0.5333333f;
+            } else {
+                let _e77 = i_6;
+                if (abs(_e77) == 1i) {
+                    local_24 = 0.22207592f;
+                } else {
+                    local_24 = 0.01125741f;
+                }
+                let _e84 = local_24;
+                local_25 = _e84;
+            }
+            let _e86 = local_25;
+            weight = _e86;
+            let _e88 = point;
+            v_3 = (_e88 * footprint.joint);
+            let _e92 = window_1;
+            let _e93 = weight;
+            let _e95 = real;
+            let _e97 = v_3;
+            let _e100 = imaginary;
+            let _e103 = gabor_polynomial(footprint.x, vec2<f32>((_e95.x + _e97.x), _e100.x));
+            let _e105 = real;
+            let _e107 = v_3;
+            let _e110 = imaginary;
+            let _e113 = gabor_polynomial(footprint.y, vec2<f32>((_e105.y + _e107.y), _e110.y));
+            let _e114 = gabor_times(_e103, _e113);
+            window_1 = (_e92 + (_e93 * _e114));
+        }
+        continuing {
+            let _e52 = i_6;
+            i_6 = (_e52 + 1i);
+        }
+    }
+    let _e118 = exponent;
+    amplitude = (footprint.amplitude * exp(_e118));
+    if ((footprint.widening.x + footprint.widening.y) < (footprint.covariance.x + footprint.covariance.y)) {
+        let _e133 = amplitude;
+        let _e135 = gabor_kept(wave, footprint.covariance);
+        let _e137 = gabor_kept(wave, footprint.widening);
+        amplitude = (_e133 * sqrt((_e135 / _e137)));
+    }
+    let _e142 = shift;
+    let _e143 = real;
+    turns_2 = ((dot(wave, d) - (dot(_e142, _e143) / 2.1865485f)) + phase);
+    let _e152 = amplitude;
+    let _e153 = window_1;
+    let _e154 = turns_2;
+    let _e157 = gabor_sin_turns((_e154 + 0.25f));
+    let _e158 = turns_2;
+    let _e159 = gabor_sin_turns(_e158);
+    let _e161 = gabor_times(_e153, vec2<f32>(_e157, _e159));
+    return (_e152 * _e161);
+}
+
+// The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
+// deviation, in the root mean square, of the noise seen through the filter, for footprints of up to a kernel radius; in
+// larger ones it fades as it should, but is no smoother. Its variance is 1 - gabor_removed, within 1 %: for two phases
+// from frequency 1.5 up.
+// Cost: (2 reach R + 1)^2 N impulses on average, reach from 1 to 1.8, each about four times that of gabor_field.
+fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec2<f32> {
+    var kernel_13: GaborKernel;
+    var whole_1: vec2<f32>;
+    var local_26: vec2<f32>;
+    var first_1: vec2<i32>;
+    var last: vec2<i32>;
+    var cell_3: vec2<i32>;
+    var time_2: f32;
+    var seed_word_2: u32;
+    var sum_2: vec2<f32> = vec2(0f);
+    var j_2: i32;
+    var row_word_2: u32;
+    var i_7: i32;
+    var column_2: i32;
+    var k_2: i32;
+    var word_8: u32;
+    var impulse_1: vec2<f32>;
+    var d_2: vec2<f32>;
+    var phase_1: f32;
+
+    kernel_13 = kernel;
+    whole_1 = floor(place.local);
+    let _e9 = whole_1;
+    local_26 = (place.local - _e9);
+    let _e12 = local_26;
+    first_1 = vec2<i32>(floor((_e12 - (place.radius * footprint.reach))));
+    let _e20 = local_26;
+    last = vec2<i32>(floor((_e20 + (place.radius * footprint.reach))));
+    let _e29 = whole_1;
+    cell_3 = (place.cell + vec2<i32>(_e29));
+    time_2 = fract(place.time);
+    let _e36 = gabor_seed_word(seed);
+    seed_word_2 = _e36;
+    let _e41 = first_1;
+    j_2 = _e41.y;
+    loop {
+        let _e44 = j_2;
+        let _e45 = last;
+        if !((_e44 <= _e45.y)) {
+            break;
+        }
+        {
+            let _e52 = cell_3;
+            let _e54 = j_2;
+            let _e58 = gabor_wrap((_e52.y + _e54), place.period.y);
+            let _e59 = seed_word_2;
+            let _e60 = gabor_row_word(_e58, _e59);
+            row_word_2 = _e60;
+            let _e62 = first_1;
+            i_7 = _e62.x;
+            loop {
+                let _e65 = i_7;
+                let _e66 = last;
+                if !((_e65 <= _e66.x)) {
+                    break;
+                }
+                {
+                    let _e73 = cell_3;
+                    let _e75 = i_7;
+                    let _e79 = gabor_wrap((_e73.x + _e75), place.period.x);
+                    column_2 = _e79;
+                    k_2 = 0i;
+                    loop {
+                        let _e83 = k_2;
+                        if !((_e83 < 1i)) {
+                            break;
+                        }
+                        {
+                            let _e90 = column_2;
+                            let _e91 = row_word_2;
+                            let _e92 = k_2;
+                            let _e93 = gabor_impulse_word(_e90, _e91, _e92);
+                            word_8 = _e93;
+                            let _e95 = word_8;
+                            let _e96 = gabor_place_plus_one(_e95);
+                            impulse_1 = _e96;
+                            let _e98 = local_26;
+                            let _e99 = impulse_1;
+                            let _e100 = i_7;
+                            let _e102 = j_2;
+                            d_2 = ((_e98 - (_e99 + (vec2<f32>(f32(_e100), f32(_e102)) - vec2(1f)))) / place.radius);
+                            let _e113 = d_2;
+                            if all((abs(_e113) < footprint.reach)) {
+                                {
+                                    let _e118 = impulse_1;
+                                    let _e119 = kernel_13;
+                                    let _e121 = gabor_phase(_e118, _e119.phases);
+                                    let _e122 = word_8;
+                                    let _e123 = gabor_tempo(_e122);
+                                    let _e124 = time_2;
+                                    phase_1 = (_e121 + (_e123 * _e124));
+                                    let _e128 = sum_2;
+                                    let _e129 = word_8;
+                                    let _e130 = gabor_magnitude(_e129);
+                                    let _e131 = d_2;
+                                    let _e132 = kernel_13;
+                                    let _e133 = word_8;
+                                    let _e134 = gabor_wave(_e132, _e133);
+                                    let _e135 = phase_1;
+                                    let _e136 = gabor_kernel_filtered(_e131, _e134, _e135, footprint);
+                                    sum_2 = (_e128 + (_e130 * _e136));
+                                }
+                            }
+                        }
+                        continuing {
+                            let _e87 = k_2;
+                            k_2 = (_e87 + 1i);
+                        }
+                    }
+                }
+                continuing {
+                    let _e70 = i_7;
+                    i_7 = (_e70 + 1i);
+                }
+            }
+        }
+        continuing {
+            let _e49 = j_2;
+            j_2 = (_e49 + 1i);
+        }
+    }
+    let _e139 = kernel_13;
+    let _e140 = gabor_scale(_e139, place);
+    let _e141 = sum_2;
+    return (_e140 * _e141);
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere: mean 0, variance 1 at every
 // place, nearly Gaussian, continuous with its first derivatives. See gabor_place, gabor_kernel and gabor_field.
 fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    let _e4 = gabor_place(cell, local);
-    let _e5 = gabor_field(_e4, kernel, seed);
-    return _e5.value.y;
+    var kernel_15: GaborKernel;
+
+    kernel_15 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_15;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
 }
 
 // Gabor noise at p: as gabor_noise_at, in one call.
@@ -848,28 +1678,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_17: f32;
-    var phase: f32;
-    var local_18: f32;
+    var local_28: f32;
+    var phase_2: f32;
+    var local_29: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_17 = (atan2(value.y, value.x) * 0.15915494f);
+        local_28 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_17 = 0f;
+        local_28 = 0f;
     }
-    let _e13 = local_17;
-    phase = _e13;
-    let _e15 = phase;
+    let _e13 = local_28;
+    phase_2 = _e13;
+    let _e15 = phase_2;
     if (_e15 < 0f) {
-        let _e18 = phase;
-        local_18 = min((_e18 + 1f), 0.99999994f);
+        let _e18 = phase_2;
+        local_29 = min((_e18 + 1f), 0.99999994f);
     } else {
-        let _e23 = phase;
-        local_18 = _e23;
+        let _e23 = phase_2;
+        local_29 = _e23;
     }
-    let _e25 = local_18;
+    let _e25 = local_29;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -882,8 +1712,8 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
     var radius: vec2<f32>;
-    var within_1: vec2<f32>;
-    var place_1: GaborPlace;
+    var within_2: vec2<f32>;
+    var place_3: GaborPlace;
 
     period_2 = period;
     let _e6 = period_2;
@@ -895,13 +1725,13 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     radius = (_e15 / _e16);
     let _e19 = period_2;
     let _e22 = period_2;
-    within_1 = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within_1;
+    within_2 = (p - (floor((p / _e19)) * _e22));
+    let _e28 = within_2;
     let _e29 = radius;
     let _e31 = radius;
     let _e32 = cells;
-    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
-    let _e37 = place_1;
+    place_3 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
+    let _e37 = place_3;
     let _e38 = gabor_kernel(frequency, orientation);
     let _e39 = gabor_field(_e37, _e38, seed);
     return _e39.value.y;
@@ -910,15 +1740,131 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
 // is gabor_noise of some instance; after a tenth of the period it has little in common with what it was.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
+    var place_4: GaborPlace;
 
     let _e9 = gabor_place(vec2(0i), (p * 1f));
-    place_2 = _e9;
-    place_2.time = time;
-    let _e12 = place_2;
+    place_4 = _e9;
+    place_4.time = time;
+    let _e12 = place_4;
     let _e13 = gabor_kernel(frequency, orientation);
     let _e14 = gabor_field(_e12, _e13, seed);
     return _e14.value.y;
+}
+
+// Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
+// `frequency_spread` of the frequency, both evenly spread. pi/2 radians are every direction: isotropic noise. As
+// gabor_noise, with the ranges of gabor_lobe.
+fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
+    var lobe_6: GaborLobe;
+
+    let _e7 = gabor_lobe(frequency, orientation, frequency_spread, orientation_spread, 1f);
+    lobe_6 = _e7;
+    let _e13 = gabor_place(vec2(0i), (p * 1f));
+    let _e14 = lobe_6;
+    let _e15 = gabor_kernel_lobe(_e14);
+    let _e16 = gabor_field(_e13, _e15, seed);
+    return _e16.value.y;
+}
+
+// Noise of a spectrum of several lobes at p, as many impulses as for one: see gabor_kernel_lobes.
+//     #define GABOR_LOBES 2              // before the file
+//     GaborLobes lobes;
+//     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 0.0, 0.1, 2.0);
+//     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.3, 0.0, 1.0);
+//     lobes.count = 2;
+fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
+    var lobes_4: GaborLobes;
+
+    lobes_4 = lobes;
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = lobes_4;
+    let _e10 = gabor_kernel_lobes(_e9);
+    let _e11 = gabor_field(_e8, _e10, seed);
+    return _e11.value.y;
+}
+
+// The same spectrum as a sum of independent noises, one for each lobe [TNVT19, figure 6]: at the cost of each. Every
+// place has waves of every lobe, which looks smoother where lobes differ much.
+fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
+    var lobes_6: GaborLobes;
+    var place_5: GaborPlace;
+    var power_2: f32 = 0f;
+    var sum_3: f32 = 0f;
+    var i_8: i32 = 0i;
+    var own_seed: u32;
+    var local_30: f32;
+
+    lobes_6 = lobes;
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    place_5 = _e8;
+    loop {
+        let _e16 = i_8;
+        if !((_e16 < 1i)) {
+            break;
+        }
+        {
+            let _e23 = i_8;
+            let _e24 = lobes_6;
+            if (_e23 >= _e24.count) {
+                break;
+            }
+            let _e27 = i_8;
+            let _e33 = gabor_mix((seed + (u32(_e27) * 2246822507u)), 2654435761u);
+            own_seed = _e33;
+            let _e35 = sum_3;
+            let _e36 = i_8;
+            let _e39 = lobes_6.lobe[_e36];
+            let _e42 = place_5;
+            let _e43 = i_8;
+            let _e46 = lobes_6.lobe[_e43];
+            let _e47 = gabor_kernel_lobe(_e46);
+            let _e48 = own_seed;
+            let _e49 = gabor_field(_e42, _e47, _e48);
+            sum_3 = (_e35 + (sqrt(_e39.power) * _e49.value.y));
+            let _e54 = power_2;
+            let _e55 = i_8;
+            let _e58 = lobes_6.lobe[_e55];
+            power_2 = (_e54 + _e58.power);
+        }
+        continuing {
+            let _e20 = i_8;
+            i_8 = (_e20 + 1i);
+        }
+    }
+    let _e61 = power_2;
+    if (_e61 > 0f) {
+        let _e64 = sum_3;
+        let _e65 = power_2;
+        local_30 = (_e64 * inverseSqrt(_e65));
+    } else {
+        local_30 = 0f;
+    }
+    let _e70 = local_30;
+    return _e70;
+}
+
+// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
+// share of the variance that this took away: what a material lost in roughness, or a picture in contrast. For small
+// steps it is gabor_noise, within 2 %. See gabor_footprint and gabor_field_filtered.
+fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    var kernel_16: GaborKernel;
+    var footprint_4: GaborFootprint;
+    var value_1: vec2<f32>;
+
+    let _e6 = gabor_kernel(frequency, orientation);
+    kernel_16 = _e6;
+    let _e8 = gabor_footprint(dx, dy);
+    footprint_4 = _e8;
+    let _e14 = gabor_place(vec2(0i), (p * 1f));
+    let _e15 = kernel_16;
+    let _e16 = footprint_4;
+    let _e17 = gabor_field_filtered(_e14, _e15, _e16, seed);
+    value_1 = _e17;
+    let _e19 = value_1;
+    let _e21 = kernel_16;
+    let _e22 = footprint_4;
+    let _e23 = gabor_removed(_e21, _e22);
+    return vec2<f32>(_e19.y, _e23);
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which

@@ -18,8 +18,10 @@ class Help(ProgramTest):
 
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
-                              "--region", "--tileable", "--time", "--frames",
-                              "--quadrature", "--gradient", "--like", "--png", "--compression", "--device", "--verbose"),
+                              "--region", "--tileable", "--time", "--frames", "--frequency-spread",
+                              "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
+                              "--values", "--phasor", "--quadrature", "--gradient", "--like", "--png", "--compression",
+                              "--device", "--verbose"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (),
                    "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():

@@ -13,7 +13,9 @@ from program import ProgramTest, gabor
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
-            "tileable": False, "time": 0, "quadrature": False, "gradient": False}
+            "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
+            "orientation_spread": 0, "lobes": [], "sum": False, "filter": False, "view": "flat", "paint": "",
+            "phasor": False, "values": 1}
 
 
 class RenderTest(ProgramTest):
@@ -34,9 +36,8 @@ class Files(RenderTest):
         self.assertEqual(exr.box("displayWindow"), (0, 0, 60, 46))
         self.assertEqual(exr.box("dataWindow"), (0, 0, 60, 46))
         self.assertEqual(exr.attributes["gabor"][0], "string")
-        self.assertEqual(exr.parameters, {"recipe": "one", "frequency": 3, "orientation": 30, "seed": 7, "scale": 9,
-                                          "width": 61, "height": 47, "tileable": False, "time": 0,
-                                          "quadrature": False, "gradient": False})
+        self.assertEqual(exr.parameters, {**DEFAULTS, "frequency": 3, "orientation": 30, "seed": 7, "scale": 9,
+                                          "width": 61, "height": 47})
 
     def test_defaults(self):
         exr = self.render()

@@ -173,6 +173,11 @@ class Foreign(StatsTest):
             self.write(parameters, Y=self.normal())
             self.assertEqual(self.stats()["channel"], "Y", parameters)
 
+    def test_parameters_nested_without_end(self):
+        self.write('[' * 200000 + ']' * 200000, Y=np.zeros((4, 4), "f4"))
+        self.assertIsNone(self.stats()["parameters"])
+        self.assert_refused(["not a JSON object"], "render", "--like", "in.exr", "-o", "out.exr")
+
 
 class Errors(StatsTest):
     def refuse(self, words, *options):

@@ -159,15 +159,9 @@ TEST_CASE("A full disk ends an EXR with an error", "[exr]") {
                       Contains("/dev/full: No space left on device"));
 }
 
-TEST_CASE("An EXR into a pipe fails at commit, when its table of offsets is due", "[exr]") {
+TEST_CASE("An EXR into a pipe is refused before anyone waits", "[exr]") {
     const ScratchFolder folder;
-    const auto path = folder / "fifo";
+    const auto path = folder / "fifo"; // that nobody reads: to open it would take for ever
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-    const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
-    {
-        ExrWriter writer(path, {small, small, {"Y"}, "none", {}});
-        writer.write_rows(any_floats(40));
-        CHECK_THROWS_AS(writer.commit(), std::runtime_error);
-    }
-    ::close(reader);
+    CHECK_THROWS_AS(ExrWriter(path, {small, small, {"Y"}, "none", {}}), gabor::RequestError);
 }

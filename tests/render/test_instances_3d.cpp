@@ -65,10 +65,10 @@ TEST_CASE("in space mean 0 and variance 1 at every frequency", "[instances]") {
         for (const float frequency : {0.002f, 0.7f, 30.0f}) {
             if (kind != Kind::oriented && frequency != 0.7f)
                 continue;
-            const Law law = measure(sampler, noise::recipe_3d(), kind, frequency, 8);
+            const Law law = measure(sampler, noise::recipe_3d(), kind, frequency, 6);
             fmt::print("kind {}, frequency {}: mean {:.5f}, variance {:.5f}\n", static_cast<int>(kind),
                        frequency, law.moments.mean(), law.moments.variance());
-            CHECK(law.moments.mean() == Approx(0).margin(0.002)); // four standard errors
+            CHECK(law.moments.mean() == Approx(0).margin(0.002)); // nearly four standard errors
             CHECK(law.moments.variance() == Approx(1).margin(0.003));
         }
     }
@@ -78,15 +78,19 @@ TEST_CASE("Gaussianity of the recipes in space", "[instances]") {
     const vulkan::Device device;
     struct Expected {
         noise::Recipe recipe;
+        Kind kind;
         double kurtosis;
     };
-    for (const auto& [recipe, kurtosis] :
-         {Expected{noise::recipe_3d(), 0.063}, Expected{noise::pure_recipe_3d(), -0.002}}) {
+    // By quadrature over the window, the cells and the weights.
+    for (const auto& [recipe, kind, kurtosis] : {Expected{noise::recipe_3d(), Kind::oriented, 0.048},
+                                                 Expected{noise::recipe_3d(), Kind::surface_isotropic, 0.064},
+                                                 Expected{noise::pure_recipe_3d(), Kind::oriented, -0.002}}) {
         test::Sampler3d sampler(device, recipe, per_batch);
-        const Law law = measure(sampler, recipe, Kind::oriented, 4, 16);
+        const Law law = measure(sampler, recipe, kind, 4, 16);
         const statistics::Estimate cvm = law.gaussianity.index();
-        fmt::print("{}: variance {:.5f}, excess kurtosis {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n", recipe.name,
-                   law.moments.variance(), law.moments.excess_kurtosis(), cvm.value, cvm.low, cvm.high);
+        fmt::print("{}, kind {}: variance {:.5f}, excess kurtosis {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
+                   recipe.name, static_cast<int>(kind), law.moments.variance(), law.moments.excess_kurtosis(),
+                   cvm.value, cvm.low, cvm.high);
         CHECK(law.moments.variance() == Approx(1).margin(0.002));
         CHECK(law.moments.excess_kurtosis() == Approx(kurtosis).margin(0.007));
         CHECK(cvm.high < 0.5);
@@ -168,18 +172,11 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
     }
     constexpr double frequency = 1.5;
     const double wave = std::pow(2 * std::numbers::pi * frequency, 2);
-    // In the plane the squared length of a wave vector is that of gabor_tangent_3d, averaged over the sphere.
-    double length = 0;
-    for (int i = 0; i < 100000; ++i) {
-        const double height = (i + 0.5) / 100000;
-        const double square = 1 - height * height;
-        length += (square > 1.0 / 64 ? 1 : square * std::pow(12 - 256 * square, 2)) / 100000;
-    }
     const noise::Vector3 normal = test::unit({0.3f, -0.8f, 0.2f});
     for (const Kind kind : {Kind::isotropic, Kind::surface_isotropic}) {
         Uniform draw;
         double products[3][3]{};
-        constexpr int batches = 4;
+        constexpr int batches = 2;
         for (int batch = 0; batch < batches; ++batch) {
             for (test::Sample3d& sample : sampler.samples()) {
                 sample = {};
@@ -201,9 +198,10 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
                 const double one = a == b ? 1 : 0;
                 const double expected =
                     slopes / energy * one +
-                    wave * (kind == Kind::isotropic ? one / 3 : length / 2 * (one - normal[a] * normal[b]));
+                    wave * (kind == Kind::isotropic ? one / 3 : 0.5 * (one - normal[a] * normal[b]));
                 INFO("kind " << static_cast<int>(kind) << ", axes " << a << " and " << b);
-                CHECK(products[a][b] == Approx(expected).margin(0.005 * wave)); // five standard errors
+                CHECK(products[a][b] ==
+                      Approx(expected).margin(0.005 * wave)); // four standard errors or more
             }
         }
     }

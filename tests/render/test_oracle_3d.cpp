@@ -273,6 +273,56 @@ TEST_CASE("kernels seen through a footprint agree with the reference", "[oracle]
         value[kind].check(kinds[kind]);
 }
 
+TEST_CASE("a kernel seen through a footprint is nearly the average over it", "[oracle]") {
+    Draw draw(9);
+    constexpr int places = 100;
+    constexpr int nodes = 8; // to each side of the Gaussian's middle, up to 4.5 standard deviations
+    for (const Kind kind : {Kind::oriented, Kind::surface_isotropic}) {
+        for (const double cycles : {0.125, 0.5, 0.75}) { // to a pixel
+            test::Sample3d sample;
+            sample.frequency = 4;
+            double error = 0;
+            double seen = 0;
+            double averaged = 0;
+            for (int i = 0; i < places; ++i) {
+                sample.direction = draw.vector(-1, 1);
+                noise::Waves waves = test::waves_of(sample, kind);
+                noise::Waves filtered = waves;
+                filtered.dx = {cycles / 4, 0, 0};
+                filtered.dy = {0, cycles / 8, 0};
+                const std::uint32_t seed = draw.word();
+                const noise::Reference3d reference(noise::recipe_3d(), waves, seed);
+                noise::Place3d place;
+                place.local = draw.vector(0, 1);
+                double sum = 0;
+                double weights = 0;
+                for (int k = -nodes; k <= nodes; ++k) {
+                    for (int l = -nodes; l <= nodes; ++l) {
+                        const double x = 4.5 * k / nodes;
+                        const double y = 4.5 * l / nodes;
+                        const double weight = std::exp(-(x * x + y * y) / 2);
+                        noise::Place3d moved = place;
+                        for (std::size_t axis = 0; axis < 3; ++axis)
+                            moved.local[axis] +=
+                                static_cast<float>((x * filtered.dx[axis] + y * filtered.dy[axis]) / 2);
+                        sum += weight * reference(moved);
+                        weights += weight;
+                    }
+                }
+                const double value = noise::Reference3d(noise::recipe_3d(), filtered, seed)(place);
+                error += std::pow(value - sum / weights, 2) / places;
+                seen += value * value / places;
+                averaged += std::pow(sum / weights, 2) / places;
+            }
+            fmt::print("kind {}, {} cycles to a pixel: standard deviation {:.3f} for {:.3f}, error {:.4f}\n",
+                       static_cast<int>(kind), cycles, std::sqrt(seen), std::sqrt(averaged),
+                       std::sqrt(error));
+            CHECK(std::sqrt(error) < 0.15 / 4);
+            CHECK(std::sqrt(seen) == Approx(std::sqrt(averaged)).margin(0.02));
+        }
+    }
+}
+
 TEST_CASE("the gradient in space is what differences of the reference say", "[oracle]") {
     Draw draw(6);
     for (const noise::Recipe& recipe : {noise::recipe_3d(), noise::pure_recipe_3d()}) {

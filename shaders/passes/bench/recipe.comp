@@ -30,11 +30,11 @@ float value(vec2 p, uint instance)
         return gabor_noise_spread(p, frequency, orientation, 0.2, 1.5707963, instance);
     case 7:
     case 8:
-        GaborLobe lobes[GABOR_LOBES];
+        GaborLobes lobes;
         for (int i = 0; i < GABOR_LOBES; ++i)
-            lobes[i] = gabor_lobe(frequency + float(i), orientation + float(i), 0.0, 0.0, 1.0);
-        GaborKernel kernel = gabor_kernel_lobes(lobes, entry == 7 ? 3 : 16);
-        return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), kernel, instance).value.y;
+            lobes.lobe[i] = gabor_lobe(frequency + float(i), orientation + float(i), 0.0, 0.0, 1.0);
+        lobes.count = entry == 7 ? 3 : 16;
+        return gabor_noise_lobes(p, lobes, instance);
     case 9:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
         return filtered.x + filtered.y;

@@ -1,0 +1,237 @@
+"""`gabor render` with spectra, the filter, views, paint, several values and the phasor: what is in the files."""
+
+import json
+import unittest
+
+import numpy as np
+
+from exr import Exr, write_exr
+from program import ProgramTest
+
+LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "orientation": 45, "power": 2.5},
+         {"frequency": 3.2, "orientation": 90, "power": 2}, {"frequency": 3.2, "orientation": 135, "power": 1.5},
+         {"frequency": 1.3, "orientation": 20, "power": 1}]
+
+
+def power(values):
+    """The power spectrum, of mean 1 for variance 1."""
+    return np.abs(np.fft.fft2(values - values.mean())) ** 2 / values.size
+
+
+def frequencies(side, scale):
+    """Of the spectrum's samples, in cycles per kernel radius: x, y."""
+    return np.meshgrid(np.fft.fftfreq(side, 1 / scale), np.fft.fftfreq(side, 1 / scale))
+
+
+def window_power(f):
+    """|Fourier transform|^2 of the recipe `one`'s window along an axis, of integral 1."""
+    x = (np.arange(4096) + 0.5) / 4096
+    u = 1 - x * x
+    q = u * u * (3 - 4.5 * u + 2.5 * u * u)
+    grid = np.linspace(0, 16, 4097)
+    transform = np.array([(q * np.cos(2 * np.pi * g * x)).mean() * 2 for g in grid])
+    return np.interp(np.abs(f), grid, transform ** 2) / (2 * np.mean(q * q))
+
+
+class SpectraTest(ProgramTest):
+    def render(self, *flags, output="out.exr", **options):
+        options = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+        self.succeed("render", "-o", output, *flags, *options)
+        return Exr(self.folder / output)
+
+    def write_lobes(self, lobes, name="lobes.json"):
+        (self.folder / name).write_text(json.dumps(lobes))
+        return name
+
+
+class Spectra(SpectraTest):
+    def assert_energies(self, values, scale, lobes):
+        """Each lobe's share of the energy within 3 % of what was asked for, around it and out to half way to the
+        others."""
+        measured = power(values)
+        x, y = frequencies(len(values), scale)
+        total = sum(lobe["power"] for lobe in lobes)
+        expected = np.zeros_like(measured)
+        nearest = np.full(measured.shape, np.inf)
+        owner = np.zeros(measured.shape, int)
+        for i, lobe in enumerate(lobes):
+            angle = np.radians(lobe["orientation"])
+            for sign in (1, -1):
+                dx = x - sign * lobe["frequency"] * np.cos(angle)
+                dy = y - sign * lobe["frequency"] * np.sin(angle)
+                expected += window_power(dx) * window_power(dy) * lobe["power"] / total / 2 * scale ** 2
+                distance = np.hypot(dx, dy)
+                owner[distance < nearest] = i
+                nearest = np.minimum(nearest, distance)
+        for i, lobe in enumerate(lobes):
+            ratio = measured[owner == i].sum() / expected[owner == i].sum()
+            self.assertAlmostEqual(ratio, 1, delta=0.03, msg=lobe)
+
+    def test_lobes_have_the_energies_asked_for(self):
+        name = self.write_lobes(LOBES)
+        for flags in ([], ["--sum"]):
+            exr = self.render("--tileable", *flags, lobes=name, size="4096x4096", scale=8, seed=5)
+            self.assertAlmostEqual(exr.pixels.var(), 1, delta=0.01)
+            self.assert_energies(exr.pixels, 8, LOBES)
+
+    def test_isotropic_noise_has_the_same_energy_in_every_direction(self):
+        values = self.render("--tileable", orientation_spread=90, frequency=2.5, size="2048x2048", scale=8).pixels
+        measured = power(values)
+        x, y = frequencies(2048, 8)
+        sector = np.floor(np.degrees(np.arctan2(y, x)) / 30).astype(int) % 6
+        energies = np.array([measured[sector == i].sum() for i in range(6)])
+        np.testing.assert_allclose(energies / energies.mean(), 1, atol=0.03)
+        radius = np.hypot(x, y)
+        self.assertAlmostEqual((measured * radius).sum() / measured.sum(), 2.513, delta=0.02)
+
+    def test_spreads_fill_what_they_say(self):
+        values = self.render("--tileable", orientation=30, orientation_spread=10, frequency=2.4,
+                             frequency_spread=0.25, size="2048x2048", scale=8).pixels
+        measured = power(values)
+        x, y = frequencies(2048, 8)
+        sign = np.where(x * np.cos(np.radians(30)) + y * np.sin(np.radians(30)) > 0, 1, -1)
+        weight = measured / measured.sum()
+        along = sign * (x * np.cos(np.radians(30)) + y * np.sin(np.radians(30)))
+        across = sign * (-x * np.sin(np.radians(30)) + y * np.cos(np.radians(30)))
+        # Variances add: of the waves, evenly spread, and of the window's spectrum.
+        f = np.linspace(-8, 8, 8193)
+        of_window = np.sum(window_power(f) * f * f) / np.sum(window_power(f))
+        angle = np.radians(np.linspace(-10, 10, 2001))
+        frequency = np.linspace(1.8, 3.0, 2001)
+        self.assertAlmostEqual((weight * across).sum(), 0, delta=0.01)
+        self.assertAlmostEqual((weight * across ** 2).sum() / (np.mean(np.sin(angle) ** 2) * np.mean(frequency ** 2)
+                                                               + of_window), 1, delta=0.03)
+        mean = np.mean(np.cos(angle)) * np.mean(frequency)
+        self.assertAlmostEqual((weight * along).sum() / mean, 1, delta=0.01)
+
+    def test_header_keeps_lobes_and_like_takes_them(self):
+        name = self.write_lobes({"lobes": LOBES[:2]})
+        first = self.render(output="a.exr", lobes=name, size="64x48", scale=16)
+        self.assertEqual([lobe["power"] for lobe in first.parameters["lobes"]], [3, 2.5])
+        again = self.render(output="b.exr", like="a.exr")
+        self.assertEqual(first.pixels.tobytes(), again.pixels.tobytes())
+        (self.folder / "a.json").write_text(json.dumps(first.parameters))
+        from_json = self.render(output="c.exr", like="a.json")
+        self.assertEqual(first.pixels.tobytes(), from_json.pixels.tobytes())
+
+    def test_regions_of_lobes_have_the_pixels_of_the_whole(self):
+        name = self.write_lobes(LOBES)
+        for flags in ([], ["--sum"], ["--filter"]):
+            whole = self.render(*flags, output="a.exr", lobes=name, size="150x110", scale=16).pixels
+            part = self.render(*flags, output="b.exr", lobes=name, size="150x110", scale=16,
+                               region="33,21,70,50").pixels
+            self.assertEqual(whole[21:71, 33:103].tobytes(), part.tobytes())
+
+    def test_presets(self):
+        names = [line for line in self.succeed("render", "--help").replace("\n", " ").split("preset: ")[1:]]
+        presets = names[0].split("  -")[0].replace(" ", "").split(",")
+        self.assertGreaterEqual(len(presets), 9)
+        for preset in presets:
+            exr = self.render(preset=preset.strip(), size="96x64", output=f"{preset}.exr")
+            self.assertTrue(np.isfinite(exr.pixels).all(), preset)
+            self.assertGreater(exr.pixels.std(), 0.3, preset)
+
+    def test_requests_that_make_no_sense(self):
+        good = self.write_lobes(LOBES)
+        for words, arguments in [
+            (["--lobes", "absent.json"], ["--lobes=absent.json"]),
+            (["list of lobes"], ["--lobes", self.write_lobes(3, "number.json")]),
+            (["empty"], ["--lobes", self.write_lobes([], "none.json")]),
+            (["16"], ["--lobes", self.write_lobes([{}] * 17, "many.json")]),
+            (["'colour'", "frequency_spread"], ["--lobes", self.write_lobes([{"colour": 1}], "unknown.json")]),
+            (["power", "number"], ["--lobes", self.write_lobes([{"power": "x"}], "text.json")]),
+            (["power"], ["--lobes", self.write_lobes([{"power": 0}], "powerless.json")]),
+            (["frequency", "0.001"], ["--lobes", self.write_lobes([{"frequency": -1}], "negative.json")]),
+            (["--frequency", "their own"], ["--lobes", good, "--frequency=3"]),
+            (["orientation_spread", "90"], ["--orientation-spread=91"]),
+            (["frequency_spread", "1"], ["--frequency-spread=1.5"]),
+            (["'sideways'", "flat", "horizon"], ["--view=sideways"]),
+            (["--values", "1 to 4"], ["--values=x"]),
+            (["values", "4"], ["--values=5"]),
+            (["filter", "gradient"], ["--filter", "--gradient"]),
+            (["tileable", "horizon"], ["--view=horizon", "--tileable"]),
+            (["'woood'", "marble"], ["--preset=woood"]),
+            (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
+            (["paint", "lobes"], ["--lobes", good, "--paint=x.exr"]),
+            (["absent.exr"], ["--paint=absent.exr"]),
+        ]:
+            self.assert_refused(words, "render", "-o", "out.exr", "--size=64x64", *arguments)
+
+
+class Filter(SpectraTest):
+    def test_it_is_the_normal_filter_of_a_finer_picture(self):
+        options = {"orientation": 40, "frequency": 1.5, "seed": 3}
+        seen = self.render("--filter", size="128x96", scale=4, **options)
+        fine = self.render(output="fine.exr", size="2048x1536", scale=64, **options).pixels
+        at = (np.arange(fine.shape[1]) + 0.5) / 16
+        def weights(pixels):
+            distance = at[None, :16 * pixels] - (np.arange(pixels)[:, None] + 0.5)
+            weight = np.exp(-2 * distance ** 2)
+            return weight / weight.sum(axis=1, keepdims=True)
+        expected = weights(96) @ fine @ weights(128).T
+        inside = (slice(3, -3), slice(3, -3))  # where the fine picture has all that the filter sees
+        error = np.sqrt(np.mean((seen.pixels - expected)[inside] ** 2))
+        self.assertLess(error, 0.02)
+        self.assertGreater(np.ptp(expected), 1)
+
+    def test_what_it_takes_is_in_a_channel_of_its_own(self):
+        exr = self.render("--filter", frequency=3, scale=6, size="1024x1024")
+        removed = exr.channels["removed"]
+        self.assertEqual(removed.min(), removed.max())
+        self.assertAlmostEqual(exr.pixels.var(), 1 - removed[0, 0], delta=0.01)
+
+    def test_a_plane_to_the_horizon(self):
+        exr = self.render("--filter", view="horizon", size="320x240", scale=24, frequency=2, orientation=90)
+        removed = exr.channels["removed"]
+        self.assertTrue((removed[:60] == 1).all() and (exr.pixels[:60] == 0).all())  # the sky
+        self.assertTrue((np.diff(removed[61:].mean(axis=1)) <= 1e-6).all())  # less and less towards the viewer
+        self.assertLess(removed[-1].mean(), 0.25)
+        self.assertGreater(removed[62].mean(), 0.99)
+        self.assertTrue(np.isfinite(exr.pixels).all())
+        near = slice(-60, None)
+        self.assertAlmostEqual(exr.pixels[near].var() / (1 - removed[near].mean()), 1, delta=0.25)
+
+
+class Channels(SpectraTest):
+    def test_pixel_by_pixel_it_is_the_noise_of_the_blocks(self):
+        options = {"size": "300x200", "scale": 20, "orientation": 25, "time": 0.2}
+        for flags in ([], ["--tileable"]):
+            for recipe in ("one", "pure", "paper"):
+                blocks = self.render("--quadrature", "--gradient", *flags, output="a.exr", recipe=recipe, **options)
+                pixels = self.render("--quadrature", "--gradient", "--phasor", *flags, output="b.exr", recipe=recipe,
+                                     **options)
+                for name, values in blocks.channels.items():
+                    np.testing.assert_allclose(pixels.channels[name], values,
+                                               atol=1e-3 if name.startswith("gradient") else 4e-5, err_msg=name)
+                turn = 2 * np.pi * pixels.channels["phase"]
+                np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
+
+    def test_several_values_do_not_correlate(self):
+        exr = self.render(size="1024x1024", scale=4, frequency=1, values=4)
+        self.assertEqual(set(exr.channels), {"Y", "second", "third", "fourth"})
+        values = np.array([channel.ravel() for channel in exr.channels.values()])
+        np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.03)
+
+    def test_paint(self):
+        plain = self.render(output="plain.exr", size="200x150", scale=20, frequency=3, orientation=40).pixels
+        write_exr(self.folder / "even.exr", {"frequency": np.full((5, 7), 3, "<f4"),
+                                             "orientation": np.full((5, 7), 40, "<f4")})
+        even = self.render("--paint=even.exr", output="a.exr", size="200x150", scale=20).pixels
+        np.testing.assert_allclose(even, plain, atol=4e-5)
+
+        # Left of the middle third the one noise, right of it the other, and no seam on the way.
+        frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)
+        write_exr(self.folder / "ramp.exr", {"frequency": frequency, "orientation": 9 * frequency})
+        ramp = self.render("--paint=ramp.exr", output="b.exr", size="400x200", scale=40).pixels
+        left = self.render(output="c.exr", size="400x200", scale=40, frequency=2, orientation=18).pixels
+        right = self.render(output="d.exr", size="400x200", scale=40, frequency=5, orientation=45).pixels
+        np.testing.assert_allclose(ramp[:, :149], left[:, :149], atol=1e-4)
+        np.testing.assert_allclose(ramp[:, 251:], right[:, 251:], atol=1e-4)
+        bend = np.abs(np.diff(ramp, n=2, axis=1)).max()
+        self.assertLess(bend, (2 * np.pi * 6 / 40) ** 2 * 5)
+        part = self.render("--paint=ramp.exr", output="e.exr", size="400x200", scale=40, region="140,30,90,80").pixels
+        np.testing.assert_allclose(part, ramp[30:110, 140:230], atol=1e-5)
+
+
+if __name__ == "__main__":
+    unittest.main()

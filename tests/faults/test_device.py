@@ -1,0 +1,68 @@
+"""A device that runs out of memory or is lost, at every call in turn: status 1, one line, no file, and an older file as
+it was. The layer in layer.cpp injects it."""
+
+import os
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
+from program import ProgramTest, gabor  # noqa: E402
+
+LAYER = os.environ["GABOR_FAULT_LAYER"]
+FOUR_BANDS = ("--size=2200x4000", "--compression=none")
+
+
+def broken(function, call):
+    """Without validation, which has a line of its own to say about a device that was not made."""
+    return {"GABOR_VALIDATION": None, "VK_ADD_LAYER_PATH": LAYER, "VK_INSTANCE_LAYERS": "VK_LAYER_GABOR_fault",
+            "GABOR_FAULT": f"{function}:{call}"}
+
+
+class Device(ProgramTest):
+    def fail_at_every_call(self, function, words, least, *arguments):
+        """Lets the first call fail, then the second, until the program makes no such call any more."""
+        for call in range(1, 100):
+            before = self.files()
+            if gabor(*arguments, cwd=self.folder, env=broken(function, call)).returncode == 0:
+                break
+            self.assertEqual(self.files(), before)
+            self.assert_fails(1, words, *arguments, env=broken(function, call))
+        self.assertGreater(call, least, f"{function} was called less often than expected")
+        return call - 1
+
+    def render(self, function, words, least):
+        (self.folder / "old.exr").write_text("older")
+        for output in ("new.exr", "old.exr"):
+            self.fail_at_every_call(function, words, least, "render", "-o", output, *FOUR_BANDS)
+
+    def test_no_memory_for_buffers(self):
+        self.render("vkAllocateMemory", ["OutOfDeviceMemory"], 4)
+
+    def test_no_memory_for_the_pipeline(self):
+        self.render("vkCreateComputePipelines", ["OutOfDeviceMemory"], 1)
+
+    def test_no_memory_for_the_device(self):
+        self.render("vkCreateDevice", ["OutOfDeviceMemory"], 1)
+
+    def test_lost_when_work_is_submitted(self):
+        self.render("vkQueueSubmit", ["DeviceLost"], 2)
+
+    def test_lost_while_it_works(self):
+        self.render("vkWaitForFences", ["DeviceLost"], 2)
+
+    def test_lost_during_a_study(self):
+        """What was measured is kept, and the study goes on from there."""
+        self.succeed("study", "figure1", "--quick", "-o", "whole")
+        result = gabor("study", "figure1", "--quick", "-o", "broken", cwd=self.folder,
+                       env=broken("vkWaitForFences", 3))
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"\Agabor: [^\n]*DeviceLost[^\n]*\n\Z")
+        self.assertFalse((self.folder / "broken" / "figure1.csv").exists())
+        self.succeed("study", "figure1", "--quick", "-o", "broken")
+        files = self.files()
+        self.assertEqual(files["broken/figure1.csv"], files["whole/figure1.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

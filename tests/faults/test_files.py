@@ -1,0 +1,124 @@
+"""Disks, folders and readers that fail while the program works, and its own sudden end: the file under its name is the
+old one, the complete new one, or none; the status says whose fault it was, in one line."""
+
+import os
+import pathlib
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
+from program import PROGRAM, ProgramTest, environment, gabor, start  # noqa: E402
+
+ROUNDS = int(os.environ.get("GABOR_ROUNDS", 3))
+STUDY = os.environ.get("GABOR_STUDY", "figure1")
+LARGE = ("--size=4000x4000", "--compression=zip")
+
+
+class Folders(ProgramTest):
+    def test_a_folder_that_may_only_be_read(self):
+        mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
+        read_only = "mount -t tmpfs -o size=1m tmpfs . && cd . && echo older >old.exr && mount -o remount,ro . && "
+        if subprocess.run([*mount, read_only + ":"], cwd=self.folder, capture_output=True).returncode != 0:
+            self.skipTest("may not mount a small disk")
+        for output in ("old.exr", "new.exr"):
+            script = read_only + '{ "$0" "$@"; status=$?; ls -A; cat old.exr; exit $status; }'
+            result = gabor("render", "-o", output, "--size=64x64", cwd=self.folder, command=[*mount, script, PROGRAM])
+            self.assertEqual((result.returncode, result.stdout), (2, "old.exr\nolder\n"), result.stderr)
+            self.assertRegex(result.stderr, r"\Agabor: cannot write [^\n]*Read-only file system[^\n]*\n\Z")
+
+    def test_a_folder_that_vanishes(self):
+        for turn in range(ROUNDS):
+            (self.folder / "folder").mkdir()
+            process = start("render", "-o", "folder/out.exr", *LARGE, cwd=self.folder)
+            while process.poll() is None and not any(
+                    "folder" in os.readlink(link) for link in self.descriptors(process)):
+                time.sleep(0.002)
+            shutil.rmtree(self.folder / "folder")
+            _, stderr = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 1)
+            self.assertRegex(stderr, r"\Agabor: cannot write folder/out.exr: No such file or directory\n\Z")
+            self.assertEqual(self.files(), {})
+
+    def descriptors(self, process):
+        """Those that a running process has open; what is closed meanwhile is left out."""
+        return [link for link in pathlib.Path(f"/proc/{process.pid}/fd").glob("*") if os.path.islink(link)]
+
+
+class Streams(ProgramTest):
+    def test_a_pipe_takes_no_exr(self):
+        self.assert_refused(["it is a pipe"], "render", "-o", "/dev/stdout")
+        os.mkfifo(self.folder / "pipe")
+        result = gabor("render", "-o", "pipe", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"\Agabor: cannot write pipe: it is a pipe[^\n]*\n\Z")
+
+    def test_nobody_reads_what_is_printed(self):
+        self.succeed("render", "-o", "out.exr", "--size=64x64")
+        before = self.files()
+        for arguments in (["devices"], ["--help"], ["stats", "out.exr"], ["stats", "out.exr", "--json", "-"],
+                          ["render", "-o", "out.exr", "--size=64x64"]):
+            with self.subTest(arguments):
+                reader, writer = os.pipe()
+                os.close(reader)
+                result = gabor(*arguments, cwd=self.folder, stdout=writer)
+                os.close(writer)
+                self.assertEqual(result.returncode, 1)
+                self.assertRegex(result.stderr, r"\Agabor: [^\n]+\n\Z")
+                self.assertEqual(self.files(), before)
+
+    def test_what_is_printed_never_goes_into_the_file(self):
+        """With a standard stream closed, the first file that is opened would be that stream."""
+        self.succeed("render", "-o", "out.exr", "--size=64x64", "--frames=2")
+        whole = self.files()
+        for closed in ("<&-", ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"):
+            with self.subTest(closed):
+                result = gabor("render", "-o", "out.exr", "--size=64x64", "--frames=2",
+                               cwd=self.folder, command=["sh", "-c", f'"$0" "$@" {closed}', PROGRAM])
+                self.assertEqual(result.returncode, 1 if " >&-" in " " + closed else 0)
+                self.assertEqual(self.files(), whole)
+                self.succeed("stats", "out.0001.exr", "--json", "whole.json")
+                gabor("stats", "out.0001.exr", "--json", "out.json", cwd=self.folder,
+                      command=["sh", "-c", f'"$0" "$@" {closed}', PROGRAM])
+                whole_json = (self.folder / "whole.json").read_bytes()
+                self.assertEqual((self.folder / "out.json").read_bytes(), whole_json)
+                (self.folder / "whole.json").unlink()
+                (self.folder / "out.json").unlink()
+
+
+class Studies(ProgramTest):
+    def test_killed_at_random_and_resumed(self):
+        """However often and whenever a study is killed, its table is that of one that was left alone, bit for bit."""
+        chance = random.Random(5)
+        began = time.monotonic()
+        self.succeed("study", STUDY, "--quick", "-o", "whole")
+        duration = time.monotonic() - began
+        whole = (self.folder / "whole" / f"{STUDY}.csv").read_bytes()
+        kills = 0
+        for turn in range(ROUNDS):
+            while True:
+                process = start("study", STUDY, "--quick", "-o", "broken", cwd=self.folder)
+                try:
+                    process.communicate(timeout=chance.uniform(0.05, 1.1) * duration)
+                    break
+                except subprocess.TimeoutExpired:
+                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGINT, signal.SIGTERM]))
+                    process.communicate(timeout=60)
+                    kills += 1
+                    self.assertLess(kills, 100 * ROUNDS)
+                csv = self.folder / "broken" / f"{STUDY}.csv"
+                self.assertTrue(not csv.exists() or csv.read_bytes() == whole)
+            self.assertEqual(process.returncode, 0)
+            self.assertEqual((self.folder / "broken" / f"{STUDY}.csv").read_bytes(), whole)
+            self.assertEqual([path.name for path in (self.folder / "broken").iterdir()], [f"{STUDY}.csv"])
+            shutil.rmtree(self.folder / "broken")
+        print(f"{kills} times ended, {ROUNDS} tables complete")
+        self.assertGreater(kills, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

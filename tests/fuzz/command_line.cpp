@@ -1,0 +1,17 @@
+// The command line, a word in each line of the input, up to where a device is needed.
+
+#include "program.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::string text(reinterpret_cast<const char*>(data), size);
+    std::ranges::replace(text, '/', '_'); // no path leads out of the folder
+    std::istringstream lines(text);
+    std::vector<std::string> arguments;
+    for (std::string line; std::getline(lines, line);)
+        arguments.push_back(line);
+    gabor::fuzz::run(arguments);
+    return 0;
+}

@@ -1,0 +1,58 @@
+// In place of host/vulkan/device.cpp when it is linked: a machine without Vulkan. A request then goes as far
+// as it can without a device, thousands of times in a second.
+
+#include "error.hpp"
+#include "vulkan/device.hpp"
+
+#include <stdexcept>
+
+namespace gabor::vulkan {
+
+namespace {
+
+[[noreturn]] void refuse() {
+    throw RequestError("there is no device here");
+}
+
+} // namespace
+
+struct Device::State {};
+struct Buffer::State {};
+
+std::vector<DeviceInfo> devices() {
+    refuse();
+}
+
+int validation_messages() {
+    return 0;
+}
+
+Device::Device(std::string_view) {
+    refuse();
+}
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+
+const DeviceInfo& Device::info() const {
+    refuse();
+}
+
+bool Device::unified() const {
+    refuse();
+}
+
+Buffer::Buffer(const Device&, std::size_t, Memory) {
+    refuse();
+}
+Buffer::~Buffer() = default;
+Buffer::Buffer(Buffer&&) noexcept = default;
+
+std::size_t Buffer::size() const {
+    refuse();
+}
+
+std::span<std::byte> Buffer::mapped() const {
+    refuse();
+}
+
+} // namespace gabor::vulkan

@@ -1,0 +1,21 @@
+// A picture's parameters as JSON, from the header of a file: refused, or the same again when written and
+// read.
+
+#include "error.hpp"
+#include "render/picture.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+
+using namespace gabor;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        const std::string text =
+            render::to_json(render::from_json({reinterpret_cast<const char*>(data), size}));
+        if (render::to_json(render::from_json(text)) != text)
+            std::abort();
+    } catch (const RequestError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "cli/program.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <fcntl.h>
+#include <span>
+#include <string>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vector>
+
+namespace gabor::fuzz {
+
+/// Runs the program in this process. Whatever it is given, it must not fail while working, which is status 1:
+/// a wrong request is 2. Relative names of files lead nowhere: it works in a folder where none can be made.
+inline void run(const std::vector<std::string>& arguments) {
+    static const bool nowhere = chdir("/proc/self/fdinfo") == 0;
+    std::vector<const char*> pointers{"gabor"};
+    for (const std::string& argument : arguments)
+        pointers.push_back(argument.c_str());
+    const int status = cli::run(static_cast<int>(pointers.size()), pointers.data());
+    if (!nowhere || (status != 0 && status != 2))
+        std::abort();
+}
+
+/// A file of these bytes, without a place on any disk.
+class MemoryFile {
+  public:
+    explicit MemoryFile(std::span<const std::uint8_t> bytes)
+        : descriptor_(memfd_create("input", MFD_CLOEXEC)) {
+        if (descriptor_ < 0 ||
+            write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+            std::abort();
+    }
+    ~MemoryFile() { close(descriptor_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+  private:
+    int descriptor_;
+};
+
+} // namespace gabor::fuzz

@@ -1,0 +1,248 @@
+// The words of impulses as random numbers. GABOR_DRAWS says how many are drawn for each figure;
+// tools/test-long draws 10^8.
+
+#include "noise/reference.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using gabor::noise::impulse_word;
+
+namespace {
+
+// Of normal figures, a hundred or a few thousand of which are looked at: one beyond is no chance.
+constexpr double far = 5.5;
+
+std::uint64_t draws() {
+    const char* text = std::getenv("GABOR_DRAWS");
+    return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
+}
+
+struct Input {
+    std::int32_t column;
+    std::int32_t row;
+    int index;
+    std::uint32_t seed;
+
+    std::uint32_t word() const { return impulse_word(column, row, index, seed); }
+};
+
+// The sequences in which pictures meet the words: in a square of cells around the origin, and over seeds and
+// impulses.
+Input in_square(std::uint64_t i) {
+    const auto along = static_cast<std::int32_t>(i & 0x3fff);
+    const auto across = static_cast<std::int32_t>(i >> 14);
+    return {along - 8192, across - 4096, 0, 7};
+}
+
+Input over_seeds(std::uint64_t i) {
+    return {3, -5, 0, static_cast<std::uint32_t>(i)};
+}
+
+Input over_impulses(std::uint64_t i) {
+    return {static_cast<std::int32_t>(i >> 5 & 0xfff), static_cast<std::int32_t>(i >> 17),
+            static_cast<int>(i & 31), 7};
+}
+
+struct Sequence {
+    std::string_view name;
+    Input (*input)(std::uint64_t);
+};
+
+constexpr std::array sequences{Sequence{"cells", in_square}, Sequence{"seeds", over_seeds},
+                               Sequence{"impulses", over_impulses}};
+
+// What the drop-in takes from a word, its six leading bits.
+struct Field {
+    std::string_view name;
+    int lowest;
+    int bits;
+
+    std::uint32_t of(std::uint32_t word) const {
+        return word >> (lowest + bits - std::min(bits, 6)) & ((1u << std::min(bits, 6)) - 1);
+    }
+    std::uint32_t values() const { return 1u << std::min(bits, 6); }
+};
+
+constexpr std::array fields{Field{"x", 8, 23}, Field{"y", 0, 23}, Field{"phase", 0, 8},
+                            Field{"magnitude", 31, 1}, Field{"tempo", 8, 3}};
+
+// Pearson's chi-square against equal counts, as a normal figure.
+double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total) {
+    const double expected = static_cast<double>(total) / static_cast<double>(counts.size());
+    double sum = 0;
+    for (const std::uint64_t count : counts)
+        sum += (static_cast<double>(count) - expected) * (static_cast<double>(count) - expected) / expected;
+    const double freedom = static_cast<double>(counts.size() - 1);
+    // Wilson and Hilferty's cube root, which is good for few degrees of freedom too.
+    return (std::cbrt(sum / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
+}
+
+// The largest of many figures, and which one.
+struct Largest {
+    double figure = 0;
+    std::string which = {};
+    int seen = 0;
+
+    void see(double value, const std::string& name) {
+        ++seen;
+        if (std::abs(value) >= std::abs(figure)) {
+            figure = value;
+            which = name;
+        }
+    }
+
+    void check(std::string_view what) const {
+        fmt::print("{}: {} figures of {} draws each, the largest {:.2f} sigma ({})\n", what, seen, draws(),
+                   figure, which);
+        CHECK(std::abs(figure) < far);
+    }
+};
+
+} // namespace
+
+TEST_CASE("every bit of an input turns every bit of the word half of the time", "[randomness]") {
+    Largest largest;
+    double bias = 0;
+    for (const Sequence& sequence : sequences) {
+        for (int bit = 0; bit < 32 * 3 + 5; ++bit) {
+            std::array<std::uint64_t, 32> turned{};
+            const std::uint64_t count = std::max<std::uint64_t>(draws() / 64, 1 << 14);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                Input input = sequence.input(i * 64);
+                const std::uint32_t before = input.word();
+                const std::uint32_t flip = 1u << bit % 32;
+                if (bit < 32)
+                    input.column = static_cast<std::int32_t>(static_cast<std::uint32_t>(input.column) ^ flip);
+                else if (bit < 64)
+                    input.row = static_cast<std::int32_t>(static_cast<std::uint32_t>(input.row) ^ flip);
+                else if (bit < 96)
+                    input.seed ^= flip;
+                else
+                    input.index ^= static_cast<int>(flip);
+                const std::uint32_t changed = before ^ input.word();
+                for (unsigned k = 0; k < 32; ++k)
+                    turned[k] += changed >> k & 1;
+            }
+            for (unsigned k = 0; k < 32; ++k) {
+                const double share = static_cast<double>(turned[k]) / static_cast<double>(count);
+                bias = std::max(bias, std::abs(share - 0.5));
+                largest.see((share - 0.5) * 2 * std::sqrt(static_cast<double>(count)),
+                            fmt::format("{}, input bit {}, output bit {}", sequence.name, bit, k));
+            }
+        }
+    }
+    fmt::print("avalanche: {} pairs of bits, {:.2f} sigma at most ({}), {:.5f} from one half\n", largest.seen,
+               largest.figure, largest.which, bias);
+    CHECK(bias < 0.03);
+}
+
+TEST_CASE("the fields of words are uniform", "[randomness]") {
+    Largest largest;
+    for (const Sequence& sequence : sequences) {
+        std::array<std::vector<std::uint64_t>, 4> counts; // the word's bytes, in twelve bits each
+        for (auto& field : counts)
+            field.resize(4096);
+        for (std::uint64_t i = 0; i < draws(); ++i) {
+            const std::uint32_t word = sequence.input(i).word();
+            for (unsigned k = 0; k < 4; ++k)
+                ++counts[k][std::rotl(word, static_cast<int>(8 * k)) & 0xfff];
+        }
+        for (unsigned k = 0; k < 4; ++k)
+            largest.see(chi_square(counts[k], draws()),
+                        fmt::format("{}, bits from {}", sequence.name, (32 - 8 * k) % 32));
+    }
+    largest.check("uniformity");
+}
+
+TEST_CASE("the fields of one word are independent", "[randomness]") {
+    Largest largest;
+    for (const Sequence& sequence : sequences) {
+        for (std::size_t a = 0; a < fields.size(); ++a) {
+            for (std::size_t b = a + 1; b < fields.size(); ++b) {
+                std::vector<std::uint64_t> counts(fields[a].values() * fields[b].values());
+                for (std::uint64_t i = 0; i < draws(); ++i) {
+                    const std::uint32_t word = sequence.input(i).word();
+                    ++counts[fields[a].of(word) * fields[b].values() + fields[b].of(word)];
+                }
+                largest.see(chi_square(counts, draws()),
+                            fmt::format("{}, {} and {}", sequence.name, fields[a].name, fields[b].name));
+            }
+        }
+    }
+    largest.check("fields of a word");
+}
+
+TEST_CASE("the words of neighbours are independent", "[randomness]") {
+    using Step = std::function<void(Input&)>;
+    const std::vector<std::pair<std::string_view, Step>> steps{
+        {"the next column", [](Input& input) { ++input.column; }},
+        {"the next row", [](Input& input) { ++input.row; }},
+        {"the diagonal", [](Input& input) { ++input.column, ++input.row; }},
+        {"the other diagonal", [](Input& input) { ++input.column, --input.row; }},
+        {"two columns on", [](Input& input) { input.column += 2; }},
+        {"two rows on", [](Input& input) { input.row += 2; }},
+        {"256 columns on", [](Input& input) { input.column += 256; }},
+        {"column and row exchanged", [](Input& input) { std::swap(input.column, ++input.row); }},
+        {"the next seed", [](Input& input) { ++input.seed; }},
+        {"the next impulse", [](Input& input) { ++input.index; }}};
+    Largest joint, linear;
+    for (const auto& [name, step] : steps) {
+        std::array<std::vector<std::uint64_t>, fields.size()> counts;
+        std::array<double, fields.size()> product{};
+        for (std::size_t f = 0; f < fields.size(); ++f)
+            counts[f].resize(fields[f].values() * fields[f].values());
+        for (std::uint64_t i = 0; i < draws(); ++i) {
+            Input input = in_square(i);
+            const std::uint32_t word = input.word();
+            step(input);
+            const std::uint32_t other = input.word();
+            for (std::size_t f = 0; f < fields.size(); ++f) {
+                const std::uint32_t a = fields[f].of(word);
+                const std::uint32_t b = fields[f].of(other);
+                ++counts[f][a * fields[f].values() + b];
+                const double middle = 0.5 * (fields[f].values() - 1);
+                product[f] += (a - middle) * (b - middle);
+            }
+        }
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            const double variance = (std::pow(fields[f].values(), 2) - 1) / 12;
+            const std::string which = fmt::format("{}, {}", fields[f].name, name);
+            joint.see(chi_square(counts[f], draws()), which);
+            linear.see(product[f] / variance / std::sqrt(static_cast<double>(draws())), which);
+        }
+    }
+    joint.check("neighbours, jointly");
+    linear.check("neighbours, correlation");
+}
+
+TEST_CASE("along a row of cells no word comes twice in 2^24", "[randomness]") {
+    for (const std::int32_t row : {0, 1, -77}) {
+        std::vector<std::uint32_t> words;
+        for (std::int32_t column = -(1 << 23); column < 1 << 23; ++column)
+            words.push_back(impulse_word(column, row, 0, 7));
+        std::ranges::sort(words);
+        CHECK(std::ranges::adjacent_find(words) == words.end());
+    }
+}
+
+TEST_CASE("along a row of cells all 2^32 words come once: the period is 2^32 cells", "[.][period]") {
+    std::vector<std::uint64_t> seen(std::size_t{1} << 26);
+    for (std::uint64_t column = 0; column < std::uint64_t{1} << 32; ++column) {
+        const std::uint32_t word =
+            impulse_word(static_cast<std::int32_t>(static_cast<std::uint32_t>(column)), -77, 0, 7);
+        seen[word >> 6] |= std::uint64_t{1} << (word & 63);
+    }
+    CHECK(std::ranges::all_of(seen, [](std::uint64_t bits) { return ~bits == 0; }));
+}
