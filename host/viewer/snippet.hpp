@@ -8,7 +8,7 @@
 namespace gabor::viewer {
 
 /// GLSL that draws what a view of `extent` pixels shows, with the drop-in: a function of the pixel's centre,
-/// counted from the upper left corner.
+/// counted from the upper left corner; of a body, a function of the place and the normal.
 std::string snippet(const Document& document, Extent extent);
 
 } // namespace gabor::viewer
