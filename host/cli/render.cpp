@@ -58,6 +58,8 @@ struct RenderOptions {
     std::optional<std::string> view;
     std::optional<std::string> paint;
     std::optional<std::string> values;
+    std::optional<std::string> depth;
+    bool solid = false;
     bool tileable = false;
     bool sum = false;
     bool filter = false;
@@ -171,6 +173,9 @@ Request make_request(const RenderOptions& options) {
         picture.paint = *options.paint;
     if (options.values)
         picture.values = parse_number<int>("--values", *options.values, "a whole number from 1 to 4");
+    if (options.depth)
+        picture.depth = parse_number<double>("--depth", *options.depth, "a number, kernel radii");
+    picture.solid |= options.solid;
     picture.tileable |= options.tileable;
     picture.sum |= options.sum;
     picture.filter |= options.filter;
@@ -392,8 +397,12 @@ void add_render_command(CLI::App& app) {
                       "`removed`, the share of the variance that this takes");
     command->add_option(
         "--view", options->view,
-        fmt::format("{} [{}]: `horizon` is a plane in perspective, of the scale at its bottom row",
-                    fmt::join(render::views(), " or "), defaults.view));
+        fmt::format("{} [{}]: `horizon` is a plane in perspective, of the scale at its bottom row; `slice` "
+                    "one through noise in space; bodies have surface noise",
+                    fmt::join(render::views(), ", "), defaults.view));
+    command->add_flag("--solid", options->solid, "Cut a sphere or a torus out of noise in space instead");
+    command->add_option("--depth", options->depth,
+                        fmt::format("Where a slice is, in kernel radii [{}]", defaults.depth));
     command->add_option("--values", options->values,
                         fmt::format("Uncorrelated noises in each pixel, 1 to 4 [{}]", defaults.values));
     command->add_flag("--phasor", options->phasor, "Add channels `phase`, in turns, and `intensity`");

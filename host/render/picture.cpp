@@ -15,11 +15,6 @@ namespace gabor::render {
 
 namespace {
 
-void check_range(std::string_view name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-        throw RequestError(fmt::format("{} is {}: it must be from {} to {}", name, value, low, high));
-}
-
 // Calls `use` with the name and the value of each, in the order in which files list them.
 template <typename AnyPicture, typename Use>
 void for_each_parameter(AnyPicture& picture, Use use) {
@@ -43,6 +38,8 @@ void for_each_parameter(AnyPicture& picture, Use use) {
     use("paint", picture.paint);
     use("phasor", picture.phasor);
     use("values", picture.values);
+    use("solid", picture.solid);
+    use("depth", picture.depth);
 }
 
 template <typename AnyLobe, typename Use>
@@ -135,7 +132,25 @@ void check_excluded(bool both, std::string_view what) {
         throw RequestError(fmt::format("{}: they exclude each other", what));
 }
 
+// Noise in space has neither lobes nor spreads other than none and all, and its own recipe.
+void check_in_space(const Picture& picture) {
+    if (!picture.lobes.empty() || picture.frequency_spread != 0 ||
+        (picture.orientation_spread != 0 && picture.orientation_spread != 90))
+        throw RequestError(fmt::format(
+            "view {}: noise in space has one frequency, and an orientation_spread of 0 or 90", picture.view));
+    if (picture.recipe != noise::recipes().front().name)
+        throw RequestError(fmt::format("view {}: noise in space has a recipe of its own", picture.view));
+    if (picture.quadrature || picture.gradient || picture.phasor || picture.values > 1 || picture.time != 0)
+        throw RequestError(fmt::format(
+            "view {}: it has no quadrature, gradient, phasor, further values or time", picture.view));
+}
+
 } // namespace
+
+void check_range(std::string_view name, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+        throw RequestError(fmt::format("{} is {}: it must be from {} to {}", name, value, low, high));
+}
 
 void check(const Picture& picture) {
     check_range("width", picture.width, 1, largest_side);
@@ -156,6 +171,9 @@ void check(const Picture& picture) {
     check_excluded(picture.filter && picture.gradient, "filter and gradient");
     check_excluded(picture.filter && picture.values > 1, "filter and several values");
     check_excluded(!picture.paint.empty() && !picture.lobes.empty(), "paint and lobes");
+    check_range("depth", picture.depth, -1e6, 1e6);
+    if (is_in_space(picture))
+        check_in_space(picture);
     check_excluded(!picture.paint.empty() && picture.view != "flat",
                    fmt::format("paint and view {}", picture.view));
     check_range("time", picture.time, -1e6, 1e6);
@@ -168,8 +186,12 @@ void check(const Picture& picture) {
 }
 
 std::span<const std::string_view> views() {
-    static constexpr std::array<std::string_view, 2> all{"flat", "horizon"};
+    static constexpr std::array<std::string_view, 5> all{"flat", "horizon", "slice", "sphere", "torus"};
     return all;
+}
+
+bool is_in_space(const Picture& picture) {
+    return picture.view == "slice" || picture.view == "sphere" || picture.view == "torus";
 }
 
 std::vector<noise::Lobe> spectrum(const Picture& picture) {
@@ -189,6 +211,8 @@ std::vector<noise::Lobe> spectrum(const Picture& picture) {
 }
 
 std::vector<std::string> channels(const Picture& picture) {
+    if (is_in_space(picture))
+        return {"Y", "A"};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + picture.values);
     if (picture.quadrature)

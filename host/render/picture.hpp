@@ -42,15 +42,21 @@ struct Picture {
     std::vector<Lobe> lobes = {};  ///< where there are any, instead of the four values of the one lobe
     bool sum = false;              ///< whether lobes are independent noises, not chosen for each impulse
     bool filter = false;           ///< whether pixels are seen through a normal filter of half a pixel
-    std::string view = "flat";     ///< or `horizon`: a plane in perspective, of the scale at its bottom row
+    std::string view = "flat";     ///< of `views`: `horizon` is a plane in perspective, of the scale at its
+                                   ///< bottom row; see SolidPicture for `slice`, `sphere` and `torus`
     std::string paint = {}; ///< an EXR with channels `frequency` and `orientation`, in degrees, that is
                             ///< stretched over the picture and takes the place of these two values
     bool phasor = false;    ///< whether phase, in turns, and intensity stand beside the noise
     int values = 1;         ///< uncorrelated noises in each pixel, 1 to 4
+    bool solid = false;     ///< whether a body is cut out of noise in space, not covered with surface noise
+    double depth = 0;       ///< of a slice, kernel radii, in [-1e6, 1e6]
 };
 
 /// The names that Picture::view may have, in the order in which help texts list them.
 std::span<const std::string_view> views();
+
+/// Whether the view is of noise in space: with a recipe of its own, and either one orientation or all.
+bool is_in_space(const Picture& picture);
 
 /// The lobes in effect, angles in radians.
 std::vector<noise::Lobe> spectrum(const Picture& picture);
@@ -66,6 +72,9 @@ constexpr double largest_frequency = 1024;
 constexpr std::size_t largest_spectrum = 16; ///< lobes
 
 /// Throws RequestError when a value is outside its range, naming it and the range.
+void check_range(std::string_view name, double value, double low, double high);
+
+/// Throws RequestError when a value is outside its range, or excludes another.
 void check(const Picture& picture);
 
 /// The picture as one JSON object, as kept in the `gabor` attribute of our EXR files, and back.

@@ -1,7 +1,6 @@
 #include "render/solid.hpp"
 
 #include "error.hpp"
-#include "render/picture.hpp"
 
 #include "passes/solid.h"
 
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gabor::render {
 
@@ -49,16 +49,7 @@ SolidPush make_push(const SolidPicture& picture, const image::Window& region) {
     return push;
 }
 
-void check_range(std::string_view name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-        throw RequestError(fmt::format("{} is {}: it must be from {} to {}", name, value, low, high));
-}
-
 } // namespace
-
-std::vector<std::string> channels(const SolidPicture&) {
-    return {"Y", "A"};
-}
 
 void check(const SolidPicture& picture) {
     check_range("width", picture.width, 1, largest_side);
@@ -72,6 +63,28 @@ void check(const SolidPicture& picture) {
         throw RequestError("direction is 0: at least one of its coordinates must be 1e-6 or larger");
 }
 
+SolidPicture in_space(const Picture& picture) {
+    const double radians = picture.orientation * std::numbers::pi / 180;
+    const bool isotropic = picture.orientation_spread > 0;
+    SolidPicture space;
+    space.width = picture.width;
+    space.height = picture.height;
+    space.view = picture.view == "slice"    ? SolidView::slice
+                 : picture.view == "sphere" ? SolidView::sphere
+                                            : SolidView::torus;
+    if (picture.solid || picture.view == "slice")
+        space.waves = isotropic ? SolidWaves::isotropic : SolidWaves::oriented;
+    else
+        space.waves = isotropic ? SolidWaves::surface_isotropic : SolidWaves::surface;
+    space.scale = picture.scale;
+    space.frequency = picture.frequency;
+    space.direction = {std::cos(radians), std::sin(radians), 0};
+    space.depth = picture.depth;
+    space.seed = picture.seed;
+    space.filtered = picture.filter;
+    return space;
+}
+
 double sphere_radius(const SolidPicture& picture) {
     // At distance 3 a unit takes 1 / (3 pixel) pixels.
     return 1 / (3 * pixel_side(picture) * picture.scale);
@@ -81,10 +94,10 @@ Solid::Solid(const vulkan::Device& device, const SolidPicture& picture, const im
     : height_(region.height), pass_(device, solid_spirv, {1, sizeof(SolidPush)}, constants_of(picture)),
       push_(make_push(picture, region)) {}
 
-std::vector<Solid::Band> Solid::bands(int most_rows) const {
+std::vector<Filler::Band> Solid::bands(int most_rows) const {
     std::vector<Band> bands;
     for (int row = 0; row < height_; row += most_rows)
-        bands.push_back({row, std::min(most_rows, height_ - row)});
+        bands.push_back({row, std::min(most_rows, height_ - row), 0, 0});
     return bands;
 }
 

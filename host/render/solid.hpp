@@ -1,13 +1,9 @@
 #pragma once
 
-#include "image/exr.hpp"
-#include "vulkan/pass.hpp"
+#include "render/filler.hpp"
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace gabor::render {
 
@@ -19,7 +15,8 @@ enum class SolidWaves : std::int32_t { oriented, isotropic, surface, surface_iso
 /// Everything that decides the pixels of a picture of noise in space, passes/solid.comp. A slice shows at
 /// pixel (x, y), rows growing downwards, the noise at ((x + 0.5) / scale, (y + 0.5) / scale, depth) kernel
 /// radii. A sphere or a torus, axis z, is seen in perspective from 30 degrees above, and fits the shorter
-/// side.
+/// side. Its channels are `Y`, the noise, 0 where nothing is seen, and `A`, the share of the pixel that is
+/// covered; Y is not multiplied by A.
 struct SolidPicture {
     int width = 1024;
     int height = 1024;
@@ -33,12 +30,11 @@ struct SolidPicture {
     bool filtered = true; ///< by a Gaussian footprint whose standard deviation is half a pixel
 };
 
-/// The channels of its pixels: `Y`, the noise, 0 where nothing is seen, and `A`, the share of the pixel that
-/// is covered. Y is not multiplied by A.
-std::vector<std::string> channels(const SolidPicture& picture);
-
 /// Throws RequestError when a value is outside its range, naming it and the range.
 void check(const SolidPicture& picture);
+
+/// What a picture of the views `slice`, `sphere` or `torus` comes to.
+SolidPicture in_space(const Picture& picture);
 
 /// Kernel radii in the radius of the sphere, which is the unit of bodies in passes/solid.comp.
 double sphere_radius(const SolidPicture& picture);
@@ -57,26 +53,15 @@ struct SolidPush {
 };
 
 /// The pass that fills a region of a picture of noise in space, passes/solid.comp.
-class Solid {
+class Solid : public Filler {
   public:
     /// `picture` must have passed `check`, and `region` lie within it.
     Solid(const vulkan::Device& device, const SolidPicture& picture, const image::Window& region);
 
-    /// Consecutive rows of the region that can be filled on their own.
-    struct Band {
-        int first_row;
-        int rows;
-    };
-
-    /// The region cut into bands of at most `most_rows`, from top to bottom.
-    std::vector<Band> bands(int most_rows) const;
-
-    /// A job that writes to `result`, which holds a band's pixels row by row, the channels of each side by
-    /// side.
-    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const;
-
-    /// Has `job` fill a band.
-    void submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy = {}) const;
+    std::vector<Band> bands(int most_rows) const override;
+    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
+    void submit(vulkan::Job& job, const Band& band,
+                const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
     int height_;

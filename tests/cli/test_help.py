@@ -20,8 +20,8 @@ class Help(ProgramTest):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
-                              "--values", "--phasor", "--quadrature", "--gradient", "--like", "--png", "--compression",
-                              "--device", "--verbose"),
+                              "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
+                              "--png", "--compression", "--device", "--verbose"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (),
                    "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():

@@ -15,7 +15,7 @@ SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "
 DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
             "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
             "orientation_spread": 0, "lobes": [], "sum": False, "filter": False, "view": "flat", "paint": "",
-            "phasor": False, "values": 1}
+            "phasor": False, "values": 1, "solid": False, "depth": 0}
 
 
 class RenderTest(ProgramTest):

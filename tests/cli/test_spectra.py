@@ -152,6 +152,9 @@ class Spectra(SpectraTest):
             (["tileable", "horizon"], ["--view=horizon", "--tileable"]),
             (["'woood'", "marble"], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
+            (["sphere", "orientation_spread"], ["--view=sphere", "--orientation-spread=30"]),
+            (["slice", "recipe"], ["--view=slice", "--recipe=pure"]),
+            (["torus", "gradient"], ["--view=torus", "--gradient"]),
             (["paint", "lobes"], ["--lobes", good, "--paint=x.exr"]),
             (["absent.exr"], ["--paint=absent.exr"]),
         ]:
@@ -190,6 +193,28 @@ class Filter(SpectraTest):
         self.assertTrue(np.isfinite(exr.pixels).all())
         near = slice(-60, None)
         self.assertAlmostEqual(exr.pixels[near].var() / (1 - removed[near].mean()), 1, delta=0.25)
+
+
+class Space(SpectraTest):
+    def test_bodies_cover_what_they_cover(self):
+        sphere = self.render("--filter", view="sphere", size="200x200", scale=12, orientation_spread=90)
+        self.assertEqual(set(sphere.channels), {"Y", "A"})
+        covered = sphere.channels["A"] == 1
+        self.assertAlmostEqual(covered.mean(), np.pi / 4 / 1.05 ** 2, delta=0.02)
+        self.assertEqual(np.abs(sphere.pixels[sphere.channels["A"] == 0]).max(), 0)
+        torus = self.render(view="torus", size="200x200", scale=12)
+        self.assertLess(torus.channels["A"].mean(), covered.mean())
+        solid = self.render("--solid", view="torus", size="200x200", scale=12)
+        self.assertTrue((solid.channels["A"] == torus.channels["A"]).all() and (solid.pixels != torus.pixels).any())
+
+    def test_slices_at_other_depths_are_others_of_the_same_noise(self):
+        slices = [self.render(view="slice", size="512x512", scale=8, frequency=2, depth=depth).pixels
+                  for depth in (0, 0, 0.01, 5)]
+        self.assertEqual(slices[0].tobytes(), slices[1].tobytes())
+        correlation = [np.mean(slices[0] * other) / slices[0].var() for other in slices]
+        self.assertGreater(correlation[2], 0.99)
+        self.assertAlmostEqual(correlation[3], 0, delta=0.06)
+        self.assertAlmostEqual(slices[0].var(), 1, delta=0.06)
 
 
 class Channels(SpectraTest):

@@ -22,7 +22,7 @@ std::vector<float> rendered(const vulkan::Device& device, const SolidPicture& pi
                             const image::Window& region, int most_rows) {
     render::check(picture);
     const render::Solid solid(device, picture, region);
-    const auto row_values = static_cast<std::size_t>(region.width) * channels(picture).size();
+    const auto row_values = 2 * static_cast<std::size_t>(region.width); // Y and A
     vulkan::Buffer buffer(device, static_cast<std::size_t>(most_rows) * row_values * sizeof(float),
                           vulkan::Memory::readback);
     vulkan::Job job = solid.job(device, buffer);
