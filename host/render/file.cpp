@@ -28,21 +28,23 @@ FileTimes render_file(const vulkan::Device& device, const Picture& picture, cons
                                      .channels = names,
                                      .compression = files.compression,
                                      .parameters = to_json(picture)});
+    const int colours = picture.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (files.png)
-        png.emplace(*files.png, region.width, region.height, 1);
+        png.emplace(*files.png, region.width, region.height, colours);
 
     FileTimes times;
-    std::vector<float> grey;
+    std::vector<float> unorm;
     times.rendering = render_bands(device, picture, region, [&](std::span<const float> values) {
         advance(values.size() / names.size());
         const Clock::time_point before = Clock::now();
         exr.write_rows(values);
         if (png) {
-            grey.clear();
+            unorm.clear();
             for (std::size_t i = 0; i < values.size(); i += names.size())
-                grey.push_back(shown(values[i]));
-            png->write_rows(grey);
+                for (int k = 0; k < colours; ++k)
+                    unorm.push_back(shown(values[i + static_cast<std::size_t>(k)]));
+            png->write_rows(unorm);
         }
         times.writing += seconds_since(before);
     });

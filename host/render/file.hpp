@@ -25,7 +25,7 @@ struct FileTimes {
 
 struct Files {
     std::filesystem::path exr;
-    std::optional<std::filesystem::path> png; ///< of the first channel, to look at
+    std::optional<std::filesystem::path> png; ///< of the noise, or in colour of three, to look at
     std::string_view compression = "none";
 };
 

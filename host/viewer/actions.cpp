@@ -52,7 +52,8 @@ void open_preset(Session& session, const std::string& path) {
         Document opened = document_of(read_preset(path));
         const Document& now = session.history.now;
         render::read_paint(opened.picture.paint); // it must be there
-        opened.waves = now.waves;
+        if (!opened.body)
+            opened.waves = now.waves;
         opened.output = now.output;
         opened.colours = now.colours;
         opened.contrast = now.contrast;
@@ -67,7 +68,7 @@ void open_preset(Session& session, const std::string& path) {
 
 void save_preset(Session& session, const std::string& path) {
     try {
-        const std::string text = render::to_json(session.document().picture) + "\n";
+        const std::string text = render::to_json(session.document().exported()) + "\n";
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();
@@ -90,7 +91,7 @@ void start_export(Session& session) {
         std::optional<std::filesystem::path> png;
         if (session.plan.png)
             png = std::filesystem::path(exr).replace_extension(".png");
-        session.exporter.start(session.document().picture, exr, png);
+        session.exporter.start(session.document().exported(), exr, png);
     } catch (const std::exception& error) {
         say(session, error.what());
     }

@@ -1,5 +1,7 @@
 #include "viewer/document.hpp"
 
+#include "error.hpp"
+
 namespace gabor::viewer {
 
 namespace {
@@ -46,6 +48,25 @@ void Document::set_view(View view) {
     camera = home_of(*this);
 }
 
+render::Picture Document::exported() const {
+    if (!body)
+        return picture;
+    const render::Lobe first = picture.lobes.empty() ? render::Lobe{picture.frequency, picture.orientation}
+                                                     : picture.lobes.front();
+    render::Picture result;
+    result.width = picture.width;
+    result.height = picture.height;
+    result.scale = picture.scale;
+    result.frequency = first.frequency;
+    result.orientation = first.orientation;
+    result.orientation_spread = waves == Waves::isotropic || waves == Waves::surface_isotropic ? 90 : 0;
+    result.solid = waves == Waves::oriented || waves == Waves::isotropic;
+    result.seed = picture.seed;
+    result.filter = picture.filter;
+    result.view = *body == View::sphere ? "sphere" : "torus";
+    return result;
+}
+
 Camera home_of(const Document& document) {
     const render::Picture& picture = document.picture;
     if (document.view() != View::plane)
@@ -56,6 +77,13 @@ Camera home_of(const Document& document) {
 Document document_of(const render::Picture& picture) {
     Document document;
     document.picture = picture;
+    if (render::is_in_space(picture)) {
+        if (picture.view == "slice")
+            throw RequestError("view slice: the viewer has the views flat, horizon, sphere and torus");
+        document.body = picture.view == "sphere" ? View::sphere : View::torus;
+        document.waves = render::in_space(picture).waves;
+        document.picture.view = "flat";
+    }
     document.camera = home_of(document);
     return document;
 }

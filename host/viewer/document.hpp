@@ -51,13 +51,17 @@ struct Document {
     View view() const;
     /// Another view, with the filter where it is needed, and the camera where it begins.
     void set_view(View view);
+    /// The picture with its view: what presets and exports hold. Noise in space has one lobe, a recipe of its
+    /// own and no time; what it cannot have is left out.
+    render::Picture exported() const;
     bool operator==(const Document& other) const;
 };
 
 /// Where the camera is for the view to show what gabor render does.
 Camera home_of(const Document& document);
 
-/// A document with the picture in the middle of the view.
+/// A document with the picture in the middle of the view. Throws RequestError for a view that the viewer does
+/// not have.
 Document document_of(const render::Picture& picture);
 
 /// Where one has been. What is edited is `now`; `settle` makes a step of what has changed since the last one.

@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
     app.add_option("--window", size, "Size of the window, WIDTHxHEIGHT");
     app.add_option("--script", script, "Play input from a file, for tests; host/viewer/script.hpp lists the commands");
     app.add_option("--shaders", shaders,
-                   "Folder of shaders, read again whenever one is saved [the sources', else those built in]");
+                   "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']");
     app.add_option("--device", options.device, "Vulkan device: its index, or a part of its name [the fastest kind]");
     try {
         app.parse(argc, argv);
@@ -65,9 +65,9 @@ int run(int argc, char** argv) {
         options.script = script;
     if (!screenshot.empty())
         options.screenshot = screenshot;
-    if (!shaders.empty())
+    if (!shaders.empty() && shaders != "built-in")
         options.shaders = shaders;
-    else if (std::filesystem::exists(GABOR_SHADER_SOURCES "/gabor_noise.glsl"))
+    else if (shaders.empty() && std::filesystem::exists(GABOR_SHADER_SOURCES "/gabor_noise.glsl"))
         options.shaders = GABOR_SHADER_SOURCES;
     {
         viewer::App viewer(options);

@@ -132,7 +132,7 @@ std::string of_body(const Document& document) {
     const noise::Lobe first = render::spectrum(picture).front();
     const std::string frequency = literal(first.frequency);
     const std::string direction =
-        fmt::format("vec3({}, 0.0, {})", literal(std::cos(first.orientation)), literal(std::sin(first.orientation)));
+        fmt::format("vec3({}, {}, 0.0)", literal(std::cos(first.orientation)), literal(std::sin(first.orientation)));
     std::string kernel;
     switch (document.waves) {
     case Waves::oriented:

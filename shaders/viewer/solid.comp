@@ -21,7 +21,7 @@ const float torus_small = 0.3;
 
 GaborKernel3d kernel_at(vec3 normal)
 {
-    vec3 direction = vec3(cos(orientation), 0.0, sin(orientation));
+    vec3 direction = vec3(cos(orientation), sin(orientation), 0.0);
     if (waves == 1)
         return gabor_kernel_isotropic_3d(frequency);
     if (waves == 2)

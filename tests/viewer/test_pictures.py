@@ -49,9 +49,31 @@ class Pictures(ViewerTest):
                 # Rounding differs where a value stands at the edge between two: in few places.
                 self.assertLess((off > 0).mean(), 0.01)
 
+    def test_bodies(self):
+        # The viewer has no blurred outline: within it the noise is that of gabor render.
+        for name, parameters in {
+            "sphere": {"view": "sphere", "orientation_spread": 90, "frequency": 3, "filter": True},
+            "torus": {"view": "torus", "solid": True, "orientation": 30, "frequency": 2, "seed": 5},
+        }.items():
+            with self.subTest(name):
+                preset = self.preset("preset.json", **parameters)
+                self.play(f"""
+                    open preset.json
+                    save again.json
+                    screenshot seen.png
+                    quit""")
+                self.assertEqual(json.loads((self.folder / "again.json").read_text()).items()
+                                 & {**parameters, "scale": 24}.items(), {**parameters, "scale": 24}.items())
+                expected = self.render(preset)
+                covered = Exr(self.folder / "noise.exr").channels["A"] == 1
+                seen = read_colour_png(self.folder / "seen.png").astype(int)
+                off = np.abs(seen[:, :, 0] - 255 * np.clip(0.5 + 0.25 * expected, 0, 1))[covered]
+                self.assertGreater(covered.mean(), 0.2)
+                self.assertLess(np.quantile(off, 0.99), 1.5, name)
+
     def test_built_in_shaders_give_the_same(self):
         preset = self.preset("preset.json")
-        self.run_viewer("--preset", preset, "--screenshot", "a.png")
+        self.run_viewer("--preset", preset, "--screenshot", "a.png", "--shaders", "built-in")
         self.run_viewer("--preset", preset, "--screenshot", "b.png", "--shaders", SHADERS)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
