@@ -23,8 +23,9 @@ constexpr std::array known{
 };
 
 std::string fields(const Recipe& recipe) {
-    return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius, recipe.weight_floor,
-                       recipe.phases, recipe.window[0], recipe.window[1], recipe.window[2]);
+    return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius,
+                       recipe.weight_floor, recipe.phases, recipe.window[0], recipe.window[1],
+                       recipe.window[2]);
 }
 
 } // namespace
@@ -40,15 +41,17 @@ Recipe find_recipe(std::string_view text) {
     Recipe own{"custom", 0, 0, 0, 0, {}, "spelled out"};
     const std::string copy(text);
     int length = 0;
-    const int read = std::sscanf(copy.c_str(), "N=%d,R=%f,A=%f,phases=%d,window=%f:%f:%f%n", &own.impulses, &own.radius,
-                                 &own.weight_floor, &own.phases, &own.window[0], &own.window[1], &own.window[2], &length);
+    const int read =
+        std::sscanf(copy.c_str(), "N=%d,R=%f,A=%f,phases=%d,window=%f:%f:%f%n", &own.impulses, &own.radius,
+                    &own.weight_floor, &own.phases, &own.window[0], &own.window[1], &own.window[2], &length);
     if (read == 7 && static_cast<std::size_t>(length) == copy.size() && acceptable(own))
         return own;
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
-    throw RequestError(fmt::format("unknown recipe '{}': the recipes are {}, and any like {} with N from 1 to {}, R from 1 "
-                                   "to {}, A from 0 to 1, and 2, 4, 8 ... or 256 phases",
-                                   text, fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius));
+    throw RequestError(
+        fmt::format("unknown recipe '{}': the recipes are {}, and any like {} with N from 1 to {}, R from 1 "
+                    "to {}, A from 0 to 1, and 2, 4, 8 ... or 256 phases",
+                    text, fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius));
 }
 
 std::string spelled_out(const Recipe& recipe) {
@@ -64,8 +67,8 @@ bool acceptable(const Recipe& recipe) {
     const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
     return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
            recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&
-           recipe.phases >= 2 && recipe.phases <= 256 && std::has_single_bit(static_cast<unsigned>(recipe.phases)) &&
-           energy >= 0.01 && energy <= 100;
+           recipe.phases >= 2 && recipe.phases <= 256 &&
+           std::has_single_bit(static_cast<unsigned>(recipe.phases)) && energy >= 0.01 && energy <= 100;
 }
 
 int visited_cells(const Recipe& recipe) {

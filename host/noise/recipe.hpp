@@ -25,7 +25,8 @@ std::span<const Recipe> recipes();
 /// for anything else.
 Recipe find_recipe(std::string_view text);
 
-/// A recipe of one's own as text: "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5", or its name where it has one.
+/// A recipe of one's own as text: "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5", or its name where it has
+/// one.
 std::string spelled_out(const Recipe& recipe);
 
 /// Whether these are values that the drop-in takes, and within reason.

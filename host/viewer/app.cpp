@@ -15,9 +15,10 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr double moving_budget = 0.022; // seconds of a frame for the noise, in which there must be time for the rest
+constexpr double moving_budget =
+    0.022; // seconds of a frame for the noise, in which there must be time for the rest
 constexpr double still_budget = 0.030;
-constexpr double sampling_budget = 0.004;       // while time plays
+constexpr double sampling_budget = 0.004; // while time plays
 
 constexpr std::uint32_t most_samples = 1 << 21;
 constexpr double reload_interval = 0.25; // seconds
@@ -27,11 +28,10 @@ struct ShaderFile {
     const char* path;
     Stage stage;
 };
-constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", Stage::compute},
-                                  ShaderFile{"viewer/ingredients.comp", Stage::compute},
-                                  ShaderFile{"viewer/solid.comp", Stage::compute},
-                                  ShaderFile{"viewer/show.vert", Stage::vertex},
-                                  ShaderFile{"viewer/show.frag", Stage::fragment}};
+constexpr std::array shader_files{
+    ShaderFile{"passes/pixels.comp", Stage::compute}, ShaderFile{"viewer/ingredients.comp", Stage::compute},
+    ShaderFile{"viewer/solid.comp", Stage::compute}, ShaderFile{"viewer/show.vert", Stage::vertex},
+    ShaderFile{"viewer/show.frag", Stage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
     if (count > 0)
@@ -59,7 +59,8 @@ vk::raii::CommandBuffer make_commands(const vulkan::Device& device) {
 App::App(const Options& options)
     : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
       device_(options.device, window_.presentation()), shaders_(options.shaders),
-      swapchain_(device_, window_.handle()), gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()),
+      swapchain_(device_, window_.handle()),
+      gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()),
       commands_(make_commands(device_)), session_(options.document, options.device),
       remember_(!options.script && !options.screenshot) {
     if (options.script)
@@ -165,7 +166,8 @@ bool App::work(Extent window) {
     return more || !measurer_.idle();
 }
 
-// While the view stands still: the spectrum of what it shows, and the law of the values, more of them with every frame.
+// While the view stands still: the spectrum of what it shows, and the law of the values, more of them with
+// every frame.
 void App::measure(std::size_t side, const Subject& subject) {
     Work& work = works_[side];
     // Other instances, times and scales have the same law.
@@ -192,7 +194,8 @@ void App::measure(std::size_t side, const Subject& subject) {
     } else if ((canvas.fine() || session_.playing) && work.samples < most_samples) {
         const std::span<const float> values = work.law->sample(
             session_.document(), work.draws++, session_.playing ? sampling_budget : still_budget);
-        work.samples += static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(work.law->channels());
+        work.samples +=
+            static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(work.law->channels());
         measurer_.add_samples(side, values, work.law->channels());
     }
 }
@@ -215,9 +218,9 @@ void App::panels() {
         const char* title;
         void (*panel)(Session&);
     };
-    constexpr std::array sections{Section{"Noise", noise_panel}, Section{"Spectrum", spectrum_panel},
-                                  Section{"Output", output_panel}, Section{"Measurements", measurements_panel},
-                                  Section{"Take it home", take_home_panel}};
+    constexpr std::array sections{
+        Section{"Noise", noise_panel}, Section{"Spectrum", spectrum_panel}, Section{"Output", output_panel},
+        Section{"Measurements", measurements_panel}, Section{"Take it home", take_home_panel}};
     for (const Section& section : sections)
         if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
             ImGui::PushID(section.title);
@@ -312,7 +315,8 @@ bool App::frame() {
         time -= std::floor(time);
     }
     const float panel = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
-    bool closing = view_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y, io.DisplayFramebufferScale.x);
+    bool closing =
+        view_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y, io.DisplayFramebufferScale.x);
     closing |= window_.close_asked();
     panels();
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())

@@ -14,11 +14,11 @@ namespace gabor::viewer {
 
 struct Options {
     Document document;
-    std::string device;                       ///< as for vulkan::Device
-    std::filesystem::path shaders;            ///< empty for those built in
-    std::optional<std::string> screenshot;    ///< one picture, and no window
+    std::string device;                    ///< as for vulkan::Device
+    std::filesystem::path shaders;         ///< empty for those built in
+    std::optional<std::string> screenshot; ///< one picture, and no window
     std::optional<std::filesystem::path> script;
-    std::optional<Extent> size;               ///< of the window
+    std::optional<Extent> size; ///< of the window
 };
 
 /// The program: a window, what it shows, and what is done in it.

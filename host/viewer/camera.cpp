@@ -23,8 +23,8 @@ AxisPlace place_at(const Coordinate& coordinate, double by, double radius) {
     return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), static_cast<float>(cells - whole)};
 }
 
-void add_places(std::vector<AxisPlace>& places, const Coordinate& middle, int pixels, double scale, int stride,
-                double radius) {
+void add_places(std::vector<AxisPlace>& places, const Coordinate& middle, int pixels, double scale,
+                int stride, double radius) {
     const int count = (pixels + stride - 1) / stride;
     for (int i = 0; i < count; ++i)
         places.push_back(place_at(middle, ((i + 0.5) * stride - pixels / 2.0) / scale, radius));

@@ -35,7 +35,7 @@ AxisPlace place_at(const Coordinate& coordinate, double by, double radius);
 
 /// The places along an axis of a view of `pixels` pixels, `scale` pixels per kernel radius, `stride` pixels
 /// apart: the first in the middle of the first `stride` pixels.
-void add_places(std::vector<AxisPlace>& places, const Coordinate& middle, int pixels, double scale, int stride,
-                double radius);
+void add_places(std::vector<AxisPlace>& places, const Coordinate& middle, int pixels, double scale,
+                int stride, double radius);
 
 } // namespace gabor::viewer

@@ -121,12 +121,14 @@ bool Canvas::work(const Subject& subject, const Document& document, Extent exten
     push.paint_width = paint_.width;
     push.paint_height = paint_.height;
     const Camera home = home_of(document);
-    const auto paint_along = [&](const Coordinate& at, const Coordinate& from, int side, int view, int samples) {
+    const auto paint_along = [&](const Coordinate& at, const Coordinate& from, int side, int view,
+                                 int samples) {
         const double moved = static_cast<double>(at.whole - from.whole) + at.part - from.part;
         return static_cast<float>((moved * document.picture.scale + (side - view) / 2.0) * samples / side);
     };
     push.paint_x = paint_along(document.camera.x, home.x, document.picture.width, extent.width, paint_.width);
-    push.paint_y = paint_along(document.camera.y, home.y, document.picture.height, extent.height, paint_.height);
+    push.paint_y =
+        paint_along(document.camera.y, home.y, document.picture.height, extent.height, paint_.height);
     const auto begin = [&](Grid& grid, int stride) {
         shown_.look.push.pixels.paint_scale_x =
             static_cast<float>(stride * static_cast<double>(paint_.width) / document.picture.width);
@@ -159,7 +161,9 @@ bool Canvas::work(const Subject& subject, const Document& document, Extent exten
 
 std::span<const float> Canvas::pixels() {
     Grid& grid = front();
-    return (grid.staging ? *grid.staging : grid.values).as<float>().first(count(grid.grid, subject_.channels));
+    return (grid.staging ? *grid.staging : grid.values)
+        .as<float>()
+        .first(count(grid.grid, subject_.channels));
 }
 
 std::span<const float> Law::sample(const Document& document, std::uint32_t draw, double seconds) {

@@ -21,8 +21,8 @@ Document still(Document document) {
 
 bool Document::operator==(const Document& other) const {
     return render::to_json(picture) == render::to_json(other.picture) && camera == other.camera &&
-           body == other.body && waves == other.waves && pose == other.pose && output == other.output && colours == other.colours && contrast == other.contrast &&
-           rival == other.rival;
+           body == other.body && waves == other.waves && pose == other.pose && output == other.output &&
+           colours == other.colours && contrast == other.contrast && rival == other.rival;
 }
 
 View Document::view() const {
@@ -51,8 +51,8 @@ void Document::set_view(View view) {
 render::Picture Document::exported() const {
     if (!body)
         return picture;
-    const render::Lobe first = picture.lobes.empty() ? render::Lobe{picture.frequency, picture.orientation}
-                                                     : picture.lobes.front();
+    const render::Lobe first =
+        picture.lobes.empty() ? render::Lobe{picture.frequency, picture.orientation} : picture.lobes.front();
     render::Picture result;
     result.width = picture.width;
     result.height = picture.height;

@@ -13,7 +13,8 @@ namespace gabor::viewer {
 enum class Output { value, gradient, phase, intensity, variance };
 
 enum class View { plane, perspective, sphere, torus };
-/// Of noise in space, on a sphere or a torus: along one direction or along all, in space or along the surface.
+/// Of noise in space, on a sphere or a torus: along one direction or along all, in space or along the
+/// surface.
 using Waves = render::SolidWaves;
 
 constexpr bool on_body(View view) {
@@ -22,8 +23,8 @@ constexpr bool on_body(View view) {
 
 /// From where a body is seen.
 struct Pose {
-    float yaw = 0;     ///< degrees around a body's axis
-    float pitch = 30;  ///< degrees above its equator
+    float yaw = 0;      ///< degrees around a body's axis
+    float pitch = 30;   ///< degrees above its equator
     float nearness = 1; ///< how much larger than to fit the view a body is
     bool operator==(const Pose&) const = default;
 };

@@ -41,9 +41,9 @@ void Exporter::start(const render::Picture& picture, const std::filesystem::path
                                         throw Cancelled();
                                     done_ += pixels;
                                 });
-            result_ = fmt::format(
-                "{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            result_ =
+                fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
+                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         } catch (const Cancelled&) {
             result_ = "cancelled; no file was written";
         } catch (const std::exception& error) {

@@ -41,14 +41,17 @@ int run(int argc, char** argv) {
     std::string shaders;
     std::string screenshot;
     viewer::Options options;
-    app.add_option("--preset", preset, "Parameters to begin with: a JSON file, or an EXR that gabor rendered");
+    app.add_option("--preset", preset,
+                   "Parameters to begin with: a JSON file, or an EXR that gabor rendered");
     app.add_option("--screenshot", screenshot,
                    "Save the picture as a PNG, of the preset's size, without a window around it, and end");
     app.add_option("--window", size, "Size of the window, WIDTHxHEIGHT");
-    app.add_option("--script", script, "Play input from a file, for tests; host/viewer/script.hpp lists the commands");
+    app.add_option("--script", script,
+                   "Play input from a file, for tests; host/viewer/script.hpp lists the commands");
     app.add_option("--shaders", shaders,
                    "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']");
-    app.add_option("--device", options.device, "Vulkan device: its index, or a part of its name [the fastest kind]");
+    app.add_option("--device", options.device,
+                   "Vulkan device: its index, or a part of its name [the fastest kind]");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -57,8 +60,7 @@ int run(int argc, char** argv) {
         app.exit(error);
         return 0;
     }
-    options.document =
-        viewer::document_of(preset.empty() ? render::Picture{} : viewer::read_preset(preset));
+    options.document = viewer::document_of(preset.empty() ? render::Picture{} : viewer::read_preset(preset));
     if (!size.empty())
         options.size = parse_size(size);
     if (!script.empty())

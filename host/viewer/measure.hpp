@@ -16,8 +16,8 @@
 
 namespace gabor::viewer {
 
-/// The power spectrum of the picture in the window: `side` x `side` cells of `step` x `step` cycles per kernel
-/// radius, frequency 0 at the corner where the four middle ones meet.
+/// The power spectrum of the picture in the window: `side` x `side` cells of `step` x `step` cycles per
+/// kernel radius, frequency 0 at the corner where the four middle ones meet.
 struct MeasuredSpectrum {
     int side = 0;
     double step = 0;
@@ -45,7 +45,8 @@ class Measurer {
     void reset(std::size_t side);
     void add_samples(std::size_t side, std::span<const float> values, int channels);
     /// The pixels of a flat picture. `scale`: pixels per kernel radius.
-    void add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent, double scale);
+    void add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent,
+                     double scale);
 
     Measured measured(std::size_t side) const;
     bool idle() const;

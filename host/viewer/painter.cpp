@@ -39,8 +39,8 @@ vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::ve
     return {device, {{}, spirv.size() * sizeof(std::uint32_t), spirv.data()}};
 }
 
-vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout, vk::RenderPass pass,
-                                 vk::ShaderModule vertex, vk::ShaderModule fragment,
+vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
+                                 vk::RenderPass pass, vk::ShaderModule vertex, vk::ShaderModule fragment,
                                  const Painter::Constants& constants) {
     std::vector<vk::SpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < constants.size(); ++i)
@@ -64,8 +64,8 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
     const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
     return {device, nullptr,
-            vk::GraphicsPipelineCreateInfo({}, stages, &no_input, &triangles, nullptr, &viewport, &raster, &single,
-                                           nullptr, &blend, &dynamic, layout, pass, 0)};
+            vk::GraphicsPipelineCreateInfo({}, stages, &no_input, &triangles, nullptr, &viewport, &raster,
+                                           &single, nullptr, &blend, &dynamic, layout, pass, 0)};
 }
 
 } // namespace
@@ -87,8 +87,8 @@ vk::Pipeline Painter::pipeline(const Constants& constants) {
     if (found != pipelines_.end())
         return *found->second;
     return *pipelines_
-                .emplace(constants, make_pipeline(device_.state().device, *layout_, pass_, *vertex_, *fragment_,
-                                                  constants))
+                .emplace(constants, make_pipeline(device_.state().device, *layout_, pass_, *vertex_,
+                                                  *fragment_, constants))
                 .first->second;
 }
 
@@ -98,8 +98,8 @@ void Painter::prepare(vk::CommandBuffer commands) const {
         vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eShaderRead), {}, {});
 }
 
-void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
-                    std::size_t index) {
+void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
+                    const Document& document, std::size_t index) {
     const vk::raii::DescriptorSet& set = sets_.at(index);
     const vk::DescriptorBufferInfo values(*canvas.values().state().buffer, 0, VK_WHOLE_SIZE);
     device_.state().device.updateDescriptorSets(
@@ -123,7 +123,7 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
     commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
     commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], static_cast<float>(area.width),
-                                          static_cast<float>(area.height), 0, 1));
+                                         static_cast<float>(area.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({area.x, area.y}, {static_cast<std::uint32_t>(area.width),
                                                          static_cast<std::uint32_t>(area.height)}));
     commands.draw(3, 1, 0, 0);

@@ -30,8 +30,8 @@ void screenshot(const vulkan::Device& device, Extent extent, const std::filesyst
     const auto height = static_cast<std::uint32_t>(extent.height);
     const std::uint32_t largest = state.physical.getProperties().limits.maxFramebufferWidth;
     if (width > largest || height > largest)
-        throw RequestError(fmt::format("a screenshot of {} x {} pixels: {} draws up to {} x {}", width, height,
-                                       device.info().name, largest, largest));
+        throw RequestError(fmt::format("a screenshot of {} x {} pixels: {} draws up to {} x {}", width,
+                                       height, device.info().name, largest, largest));
     const vk::raii::Image image(
         state.device,
         vk::ImageCreateInfo({}, vk::ImageType::e2D, target_format, {width, height, 1}, 1, 1,
@@ -58,9 +58,9 @@ void screenshot(const vulkan::Device& device, Extent extent, const std::filesyst
     commands.copyImageToBuffer(
         *image, vk::ImageLayout::eTransferSrcOptimal, *pixels.state().buffer,
         vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, {width, height, 1}));
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {},
-                             vk::MemoryBarrier(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead),
-                             {}, {});
+    commands.pipelineBarrier(
+        vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {},
+        vk::MemoryBarrier(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead), {}, {});
     commands.end();
     state.queue.submit(vk::SubmitInfo({}, {}, commands));
     state.queue.waitIdle();

@@ -25,16 +25,18 @@ constexpr double patience = 120;   // seconds for anything to settle
 constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},   {"press", 0},  {"release", 0}, {"click", 2},      {"drag", 4},   {"scroll", 3}, {"key", 1},
-    {"type", 1},   {"set", 2},    {"rival", 1},   {"resize", 2},     {"minimize", 0}, {"restore", 0}, {"hide", 0},
-    {"show", 0},   {"open", 1},   {"save", 1},    {"copy", 1},       {"export", 1}, {"screenshot", 1}, {"window", 1},
-    {"wait", 1},   {"settle", 0}, {"sleep", 1},   {"expect", 2},     {"random", 2}, {"quit", 0}};
+    {"move", 2},    {"press", 0},      {"release", 0}, {"click", 2}, {"drag", 4},   {"scroll", 3},
+    {"key", 1},     {"type", 1},       {"set", 2},     {"rival", 1}, {"resize", 2}, {"minimize", 0},
+    {"restore", 0}, {"hide", 0},       {"show", 0},    {"open", 1},  {"save", 1},   {"copy", 1},
+    {"export", 1},  {"screenshot", 1}, {"window", 1},  {"wait", 1},  {"settle", 0}, {"sleep", 1},
+    {"expect", 2},  {"random", 2},     {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
-    {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE},   {"home", GLFW_KEY_HOME}, {"escape", GLFW_KEY_ESCAPE},
-    {"enter", GLFW_KEY_ENTER},   {"left", GLFW_KEY_LEFT},     {"right", GLFW_KEY_RIGHT}, {"up", GLFW_KEY_UP},
-    {"down", GLFW_KEY_DOWN},     {"plus", GLFW_KEY_EQUAL},    {"minus", GLFW_KEY_MINUS},
-    {"backspace", GLFW_KEY_BACKSPACE}, {"delete", GLFW_KEY_DELETE}};
+    {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
+    {"escape", GLFW_KEY_ESCAPE}, {"enter", GLFW_KEY_ENTER}, {"left", GLFW_KEY_LEFT},
+    {"right", GLFW_KEY_RIGHT},   {"up", GLFW_KEY_UP},       {"down", GLFW_KEY_DOWN},
+    {"plus", GLFW_KEY_EQUAL},    {"minus", GLFW_KEY_MINUS}, {"backspace", GLFW_KEY_BACKSPACE},
+    {"delete", GLFW_KEY_DELETE}};
 
 int key_of(std::string_view name) {
     if (const auto found = named_keys.find(name); found != named_keys.end())

@@ -40,8 +40,8 @@ class Script {
     /// Throws RequestError where the file is missing or has a line that is no command.
     explicit Script(const std::filesystem::path& path);
 
-    /// Plays the next moment, between Dear ImGui's backends and its new frame. Throws std::runtime_error where
-    /// something expected does not hold. Returns false once it is to quit.
+    /// Plays the next moment, between Dear ImGui's backends and its new frame. Throws std::runtime_error
+    /// where something expected does not hold. Returns false once it is to quit.
     bool play(Session& session, const Hands& hands);
 
   private:

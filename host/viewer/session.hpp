@@ -27,7 +27,8 @@ struct ExportPlan {
 
 /// All that panels, short cuts and scripts see and change.
 struct Session {
-    explicit Session(Document document, std::string device) : history(std::move(document)), exporter(std::move(device)) {}
+    explicit Session(Document document, std::string device)
+        : history(std::move(document)), exporter(std::move(device)) {}
 
     History history;
     std::vector<Side> sides; ///< one, or two in the split view

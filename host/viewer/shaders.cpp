@@ -45,7 +45,9 @@ class Includer : public glslang::TShader::Includer {
 namespace {
 
 EShLanguage language(Stage stage) {
-    return stage == Stage::vertex ? EShLangVertex : stage == Stage::fragment ? EShLangFragment : EShLangCompute;
+    return stage == Stage::vertex     ? EShLangVertex
+           : stage == Stage::fragment ? EShLangFragment
+                                      : EShLangCompute;
 }
 
 // glslang says "ERROR: file:line: 'token' : message"; the first such line is the cause of the rest.

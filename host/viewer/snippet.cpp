@@ -58,8 +58,9 @@ std::string noise_at_place(const render::Picture& picture) {
     const std::string seed = fmt::format("{}u", picture.seed);
     const noise::Lobe& first = lobes.front();
     if (lobes.size() == 1 && first.frequency_spread == 0 && first.orientation_spread == 0)
-        return fmt::format("    GaborKernel kernel = gabor_kernel({}, {});\n    return {};\n", literal(first.frequency),
-                           literal(first.orientation), value(picture, "kernel", seed));
+        return fmt::format("    GaborKernel kernel = gabor_kernel({}, {});\n    return {};\n",
+                           literal(first.frequency), literal(first.orientation),
+                           value(picture, "kernel", seed));
     if (lobes.size() == 1)
         return fmt::format("    GaborKernel kernel = gabor_kernel_lobe({});\n    return {};\n", lobe(first),
                            value(picture, "kernel", seed));
@@ -95,18 +96,20 @@ std::string of_plane(const Document& document, Extent extent) {
     const AxisPlace x = place(document.camera.x, extent.width, x_axis.radius);
     const AxisPlace y = place(document.camera.y, extent.height, y_axis.radius);
     const double time = picture.time - std::floor(picture.time);
-    std::string text = fmt::format(R"(
+    std::string text =
+        fmt::format(R"(
 // pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
 // Mean 0, variance 1; gabor_unorm(noise_of_view(pixel)) is what to show.
 float noise_of_view(vec2 pixel)
 {{
     GaborPlace place = GaborPlace(ivec2({}, {}), {}, {}, ivec2({}, {}), {});
 )",
-                                   extent.width, extent.height, x.cell, y.cell, vec2(x.local, y.local),
-                                   vec2(x_axis.radius, y_axis.radius), x_axis.period, y_axis.period, literal(time));
+                    extent.width, extent.height, x.cell, y.cell, vec2(x.local, y.local),
+                    vec2(x_axis.radius, y_axis.radius), x_axis.period, y_axis.period, literal(time));
     if (horizon) {
         const double sky = render::sky_rows(extent.height);
-        text += fmt::format(R"(    vec2 at = pixel - {};
+        text +=
+            fmt::format(R"(    vec2 at = pixel - {};
     if (at.y <= 0.0)
         return 0.0;
     float near = {} / at.y; // kernel radii per pixel
@@ -114,10 +117,11 @@ float noise_of_view(vec2 pixel)
     vec2 dx = vec2(near, 0.0);
     vec2 dy = near / at.y * vec2(-at.x, {});
 )",
-                            vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / picture.scale),
-                            literal(-extent.width), literal(extent.width));
+                        vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / picture.scale),
+                        literal(-extent.width), literal(extent.width));
     } else {
-        text += fmt::format("    place.local += (pixel - 0.5) * {} * place.radius;\n", literal(1 / picture.scale));
+        text += fmt::format("    place.local += (pixel - 0.5) * {} * place.radius;\n",
+                            literal(1 / picture.scale));
         if (picture.filter)
             text += fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / picture.scale, 0),
                                 vec2(0, 1 / picture.scale));
@@ -131,8 +135,8 @@ std::string of_body(const Document& document) {
     const render::Picture& picture = document.picture;
     const noise::Lobe first = render::spectrum(picture).front();
     const std::string frequency = literal(first.frequency);
-    const std::string direction =
-        fmt::format("vec3({}, {}, 0.0)", literal(std::cos(first.orientation)), literal(std::sin(first.orientation)));
+    const std::string direction = fmt::format("vec3({}, {}, 0.0)", literal(std::cos(first.orientation)),
+                                              literal(std::sin(first.orientation)));
     std::string kernel;
     switch (document.waves) {
     case Waves::oriented:
@@ -148,7 +152,9 @@ std::string of_body(const Document& document) {
         kernel = fmt::format("gabor_kernel_surface_isotropic({}, normal)", frequency);
         break;
     }
-    const std::string filtered = !picture.filter ? "" : R"(    kernel = gabor_filtered_3d(kernel, dFdx(p), dFdy(p)); // in a fragment shader
+    const std::string filtered =
+        !picture.filter ? ""
+                        : R"(    kernel = gabor_filtered_3d(kernel, dFdx(p), dFdy(p)); // in a fragment shader
 )";
     return fmt::format(R"(#include "gabor_noise_3d.glsl" // and this one
 

@@ -51,8 +51,14 @@ Subject of_ingredients(const render::Picture& picture, View view, const study::I
             : fmt::format("{}, {}, {}, {}, N = {}", study::name(ingredients.points),
                           study::name(ingredients.weights), study::name(ingredients.kernel),
                           study::name(ingredients.envelope), ingredients.impulses);
-    return {"viewer/ingredients.comp", constants,  picture, view, ingredients, name,
-            across * across * ingredients.impulses, 1};
+    return {"viewer/ingredients.comp",
+            constants,
+            picture,
+            view,
+            ingredients,
+            name,
+            across * across * ingredients.impulses,
+            1};
 }
 
 Subject of_body(const render::Picture& picture, View view, Waves waves) {
@@ -155,7 +161,8 @@ Look look_of(const Subject& subject, const Document& document, Extent extent) {
         look.push.amplitude = static_cast<float>(
             1 / std::sqrt(study::variance(*subject.ingredients, {first.frequency, first.orientation})));
     if (subject.view == View::perspective) {
-        push.pixel = static_cast<float>((extent.height - 0.5 - render::sky_rows(extent.height)) / picture.scale);
+        push.pixel =
+            static_cast<float>((extent.height - 0.5 - render::sky_rows(extent.height)) / picture.scale);
         push.camera_x = place_at(document.camera.x, 0, axes.x.radius).local;
         push.camera_y = place_at(document.camera.y, 0, axes.y.radius).local;
     } else if (on_body(subject.view)) {
@@ -179,8 +186,10 @@ Places places_of(const Subject& subject, const Document& document, Extent extent
     Places places;
     switch (subject.view) {
     case View::plane:
-        add_places(places.columns, document.camera.x, extent.width, subject.picture.scale, stride, axes.x.radius);
-        add_places(places.rows, document.camera.y, extent.height, subject.picture.scale, stride, axes.y.radius);
+        add_places(places.columns, document.camera.x, extent.width, subject.picture.scale, stride,
+                   axes.x.radius);
+        add_places(places.rows, document.camera.y, extent.height, subject.picture.scale, stride,
+                   axes.y.radius);
         break;
     case View::perspective:
         add_pixels(places.columns, place_at(document.camera.x, 0, axes.x.radius).cell, extent.width, stride,

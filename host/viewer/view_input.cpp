@@ -145,7 +145,8 @@ void mouse(Session& session, float width, float height, float density) {
     }
     if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
         drag(document, io.MouseDelta.x, io.MouseDelta.y, density);
-    const bool inside = io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
+    const bool inside =
+        io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
     if (inside && ImGui::IsMouseDoubleClicked(0))
         go_home(session);
     if (inside && io.MouseWheel != 0 && on_body(document.view())) {
@@ -155,7 +156,8 @@ void mouse(Session& session, float width, float height, float density) {
         const bool right = split && io.MousePos.x >= divider;
         const float left = right ? divider : 0;
         const float across = !split ? width : right ? width - divider : divider;
-        zoom(document, std::pow(wheel_step, io.MouseWheel), double{(io.MousePos.x - left - across / 2) * density},
+        zoom(document, std::pow(wheel_step, io.MouseWheel),
+             double{(io.MousePos.x - left - across / 2) * density},
              double{(io.MousePos.y - height / 2) * density});
     }
 }

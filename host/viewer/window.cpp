@@ -91,17 +91,17 @@ bool Window::close_asked() const {
 
 vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::Format format,
                                       vk::ImageLayout final_layout) {
-    const vk::AttachmentDescription colour({}, format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,
-                                           vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
-                                           vk::AttachmentStoreOp::eDontCare, vk::ImageLayout::eUndefined,
-                                           final_layout);
+    const vk::AttachmentDescription colour({}, format, vk::SampleCountFlagBits::e1,
+                                           vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                           vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
+                                           vk::ImageLayout::eUndefined, final_layout);
     const vk::AttachmentReference reference(0, vk::ImageLayout::eColorAttachmentOptimal);
     const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, reference);
     using Stage = vk::PipelineStageFlagBits;
     using Access = vk::AccessFlagBits;
     const std::array dependencies{
-        vk::SubpassDependency(VK_SUBPASS_EXTERNAL, 0, Stage::eColorAttachmentOutput, Stage::eColorAttachmentOutput,
-                              {}, Access::eColorAttachmentWrite),
+        vk::SubpassDependency(VK_SUBPASS_EXTERNAL, 0, Stage::eColorAttachmentOutput,
+                              Stage::eColorAttachmentOutput, {}, Access::eColorAttachmentWrite),
         vk::SubpassDependency(0, VK_SUBPASS_EXTERNAL, Stage::eColorAttachmentOutput, Stage::eTransfer,
                               Access::eColorAttachmentWrite, Access::eTransferRead)};
     return {device, vk::RenderPassCreateInfo({}, colour, subpass, dependencies)};
@@ -112,9 +112,9 @@ Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Imag
     Target target;
     target.image = image;
     target.extent = extent;
-    target.view = vk::raii::ImageView(
-        device, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format, {},
-                                        {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
+    target.view =
+        vk::raii::ImageView(device, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format, {},
+                                                            {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
     target.framebuffer = vk::raii::Framebuffer(
         device, vk::FramebufferCreateInfo({}, pass, *target.view, static_cast<std::uint32_t>(extent.width),
                                           static_cast<std::uint32_t>(extent.height), 1));
@@ -140,7 +140,8 @@ Swapchain::Swapchain(const vulkan::Device& device, GLFWwindow* window)
     const vulkan::Device::State& state = device.state();
     const auto formats = state.physical.getSurfaceFormatsKHR(*surface_);
     if (!state.physical.getSurfaceSupportKHR(state.family, *surface_) ||
-        std::ranges::none_of(formats, [](const vk::SurfaceFormatKHR& f) { return f.format == target_format; }))
+        std::ranges::none_of(formats,
+                             [](const vk::SurfaceFormatKHR& f) { return f.format == target_format; }))
         throw std::runtime_error(
             fmt::format("{} cannot show 8-bit BGRA pictures in this window", device.info().name));
     int width = 0;
@@ -171,10 +172,10 @@ void Swapchain::rebuild(Extent wanted) {
     const vk::SurfaceCapabilitiesKHR can = state.physical.getSurfaceCapabilitiesKHR(*surface_);
     vk::Extent2D extent = can.currentExtent;
     if (extent.width == std::numeric_limits<std::uint32_t>::max())
-        extent = vk::Extent2D(
-            std::clamp(static_cast<std::uint32_t>(wanted.width), can.minImageExtent.width, can.maxImageExtent.width),
-            std::clamp(static_cast<std::uint32_t>(wanted.height), can.minImageExtent.height,
-                       can.maxImageExtent.height));
+        extent = vk::Extent2D(std::clamp(static_cast<std::uint32_t>(wanted.width), can.minImageExtent.width,
+                                         can.maxImageExtent.width),
+                              std::clamp(static_cast<std::uint32_t>(wanted.height), can.minImageExtent.height,
+                                         can.maxImageExtent.height));
     targets_.clear();
     extent_ = {static_cast<int>(extent.width), static_cast<int>(extent.height)};
     if (extent.width == 0 || extent.height == 0)
@@ -187,10 +188,10 @@ void Swapchain::rebuild(Extent wanted) {
                            : vk::CompositeAlphaFlagBitsKHR::eInherit;
     const vk::raii::SwapchainKHR old = std::move(swapchain_);
     swapchain_ = vk::raii::SwapchainKHR(
-        state.device,
-        vk::SwapchainCreateInfoKHR({}, *surface_, count, target_format, vk::ColorSpaceKHR::eSrgbNonlinear, extent, 1,
-                                   vk::ImageUsageFlagBits::eColorAttachment, vk::SharingMode::eExclusive, {},
-                                   can.currentTransform, alpha, vk::PresentModeKHR::eFifo, VK_TRUE, *old));
+        state.device, vk::SwapchainCreateInfoKHR(
+                          {}, *surface_, count, target_format, vk::ColorSpaceKHR::eSrgbNonlinear, extent, 1,
+                          vk::ImageUsageFlagBits::eColorAttachment, vk::SharingMode::eExclusive, {},
+                          can.currentTransform, alpha, vk::PresentModeKHR::eFifo, VK_TRUE, *old));
     drawn_.clear();
     for (const VkImage image : swapchain_.getImages()) {
         targets_.push_back(make_target(state.device, *pass_, image, target_format, extent_));

@@ -37,9 +37,9 @@ class Window {
     GLFWwindow* handle() const { return window_; }
     vulkan::Presentation presentation() const;
     Placement placement() const;
-    Extent pixels() const;      ///< of the framebuffer
-    bool shown() const;         ///< neither minimized nor hidden
-    float density() const;      ///< how much larger than usual the desktop wants text
+    Extent pixels() const; ///< of the framebuffer
+    bool shown() const;    ///< neither minimized nor hidden
+    float density() const; ///< how much larger than usual the desktop wants text
     bool close_asked() const;
 
   private:

@@ -49,8 +49,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     std::vector<const char*> extensions = presentation.instance_extensions;
     const std::array features{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
     if (validating()) {
-        extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                             VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+        extensions.insert(extensions.end(),
+                          {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
         chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
         chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
     } else {
@@ -116,10 +116,9 @@ std::string driver_name(const vk::raii::PhysicalDevice& physical,
 }
 
 bool has_extension(const vk::raii::PhysicalDevice& physical, std::string_view name) {
-    return std::ranges::any_of(physical.enumerateDeviceExtensionProperties(),
-                               [&](const vk::ExtensionProperties& extension) {
-                                   return name == extension.extensionName.data();
-                               });
+    return std::ranges::any_of(
+        physical.enumerateDeviceExtensionProperties(),
+        [&](const vk::ExtensionProperties& extension) { return name == extension.extensionName.data(); });
 }
 
 std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Presentation& presentation) {
@@ -135,9 +134,9 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         const auto family = std::ranges::find_if(families, [&](const vk::QueueFamilyProperties& properties) {
             const auto index = static_cast<std::uint32_t>(&properties - families.data());
             const bool computes = static_cast<bool>(properties.queueFlags & vk::QueueFlagBits::eCompute);
-            return computes && (!presentation.can_present ||
-                                (properties.queueFlags & vk::QueueFlagBits::eGraphics &&
-                                 presentation.can_present(*instance, *physical, index)));
+            return computes &&
+                   (!presentation.can_present || (properties.queueFlags & vk::QueueFlagBits::eGraphics &&
+                                                  presentation.can_present(*instance, *physical, index)));
         });
         if (family == families.end() || physical.getProperties().apiVersion < VK_API_VERSION_1_1 ||
             (presentation.can_present && !has_extension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)))

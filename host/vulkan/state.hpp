@@ -1,6 +1,7 @@
 #pragma once
 
-// The Vulkan objects behind device.hpp and pass.hpp; included by this room, and by the viewer, which draws with them.
+// The Vulkan objects behind device.hpp and pass.hpp; included by this room, and by the viewer, which draws
+// with them.
 
 #include "vulkan/device.hpp"
 #include "vulkan/pass.hpp"

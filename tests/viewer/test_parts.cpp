@@ -33,8 +33,8 @@ TEST_CASE("places continue across the end of the world") {
         for (std::size_t i = 1; i < places.size(); ++i) {
             const auto cells =
                 static_cast<std::uint32_t>(places[i].cell) - static_cast<std::uint32_t>(places[i - 1].cell);
-            const double step = static_cast<double>(static_cast<std::int32_t>(cells)) + double{places[i].local} -
-                                double{places[i - 1].local};
+            const double step = static_cast<double>(static_cast<std::int32_t>(cells)) +
+                                double{places[i].local} - double{places[i - 1].local};
             REQUIRE(step == Approx(radius / 32).margin(1e-6));
         }
         CHECK(places.front().cell > 0);
@@ -71,8 +71,9 @@ TEST_CASE("a shader's error names the file and the line") {
     std::filesystem::create_directories(folder);
     const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
     write("gabor_noise.glsl", "float one()\n{\n    return nothing;\n}\n");
-    write("pass.comp", "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
-                       "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
+    write("pass.comp",
+          "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
+          "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
     Shaders shaders(folder);
     const Compiled broken = shaders.compile("pass.comp", Stage::compute);
     CHECK(broken.spirv.empty());
@@ -105,9 +106,10 @@ TEST_CASE("recipes of one's own can be spelled out") {
     CHECK(noise::spelled_out(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
     for (const noise::Recipe& recipe : noise::recipes())
         CHECK(noise::spelled_out(recipe) == recipe.name);
-    for (const char* wrong : {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
-                              "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",
-                              "N=1,R=1,A=0.5,phases=64,window=0:0:0", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
-                              "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
+    for (const char* wrong :
+         {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
+          "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",
+          "N=1,R=1,A=0.5,phases=64,window=0:0:0", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
+          "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
         CHECK_THROWS_AS(noise::find_recipe(wrong), RequestError);
 }

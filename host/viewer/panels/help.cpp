@@ -45,8 +45,8 @@ void help_window(Session& session) {
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     if (ImGui::Begin("Help", &session.help,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings)) {
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
             for (const ShortCut& cut : short_cuts) {
                 ImGui::TableNextColumn();
@@ -57,9 +57,10 @@ void help_window(Session& session) {
             ImGui::EndTable();
         }
         ImGui::Separator();
-        ImGui::TextUnformatted("Ctrl and a click on a slider lets you type. Hold the pointer over anything to\n"
-                               "read what it is. Drag a lobe in the drawing of the frequency plane.\n"
-                               "Shaders are read again whenever one is saved; the last good picture stays.");
+        ImGui::TextUnformatted(
+            "Ctrl and a click on a slider lets you type. Hold the pointer over anything to\n"
+            "read what it is. Drag a lobe in the drawing of the frequency plane.\n"
+            "Shaders are read again whenever one is saved; the last good picture stays.");
     }
     ImGui::End();
     ImGui::PopStyleColor();
@@ -70,8 +71,8 @@ namespace {
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = ImGui::GetStyle().FramePadding.x;
-    draw.AddRectFilled({at.x, at.y}, {at.x + size.x + 2 * pad, at.y + size.y + pad}, IM_COL32(12, 13, 15, 200),
-                       ImGui::GetStyle().FrameRounding);
+    draw.AddRectFilled({at.x, at.y}, {at.x + size.x + 2 * pad, at.y + size.y + pad},
+                       IM_COL32(12, 13, 15, 200), ImGui::GetStyle().FrameRounding);
     draw.AddText({at.x + pad, at.y + pad / 2}, colour, text.c_str());
 }
 
@@ -87,7 +88,8 @@ void overlay(const Session& session, float width, float height) {
         const Side& side = session.sides[i];
         const float left = i == 0 ? 0 : width * session.divider;
         label(draw, {left + margin, margin},
-              fmt::format("{}   {:.1f} ns per pixel   {:.0f} impulses", side.name, side.nanoseconds, side.visited),
+              fmt::format("{}   {:.1f} ns per pixel   {:.0f} impulses", side.name, side.nanoseconds,
+                          side.visited),
               text);
         if (i == 1) {
             draw.AddLine({left, 0}, {left, height}, IM_COL32(12, 13, 15, 255), 3);

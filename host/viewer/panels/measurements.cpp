@@ -27,7 +27,8 @@ void histogram(const std::vector<Side>& sides) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetTextLineHeight()};
     ImGui::InvisibleButton("histogram", size);
-    tip("Values at random places of independent instances, in standard deviations; the line is the normal law");
+    tip("Values at random places of independent instances, in standard deviations; the line is the normal "
+        "law");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg),
                        ImGui::GetStyle().FrameRounding);
@@ -59,7 +60,8 @@ void histogram(const std::vector<Side>& sides) {
         const double x = histogram_end * (2.0 * static_cast<double>(i) / (curve.size() - 1) - 1);
         curve[i] = place(x, std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi));
     }
-    draw.AddPolyline(curve.data(), static_cast<int>(curve.size()), ImGui::GetColorU32(ImGuiCol_Text), 0, 1.2f);
+    draw.AddPolyline(curve.data(), static_cast<int>(curve.size()), ImGui::GetColorU32(ImGuiCol_Text), 0,
+                     1.2f);
 }
 
 void row(const char* name, const char* meaning, const std::vector<Side>& sides,
@@ -111,8 +113,9 @@ void measurements_panel(Session& session) {
     row("variance", "Of the samples; 1 is exact", sides, [&](const Side& side) {
         return known(side) ? fmt::format("{:.4f}", side.measured.moments.variance()) : "-";
     });
-    row("cvm", "How far the values are from the normal law: the Cramer-von Mises index at 2^18 samples, with its "
-               "95 % interval. 0.5 is where one stops to see it, 0 is perfect.",
+    row("cvm",
+        "How far the values are from the normal law: the Cramer-von Mises index at 2^18 samples, with its "
+        "95 % interval. 0.5 is where one stops to see it, 0 is perfect.",
         sides, [&](const Side& side) {
             const statistics::Estimate& cvm = side.measured.cvm;
             return known(side) ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-";

@@ -33,7 +33,8 @@ void ingredients(render::Picture& picture) {
     tip("A weight's magnitude is A or 1, equally likely");
     int power = static_cast<int>(std::lround(std::log2(recipe.phases)));
     constexpr std::array names{"2, a sine", "4", "8", "16", "32", "64", "128", "256"};
-    if (ImGui::SliderInt("phases", &power, 1, 8, names.at(static_cast<std::size_t>(std::clamp(power, 1, 8) - 1)),
+    if (ImGui::SliderInt("phases", &power, 1, 8,
+                         names.at(static_cast<std::size_t>(std::clamp(power, 1, 8) - 1)),
                          ImGuiSliderFlags_NoInput)) {
         recipe.phases = 1 << std::clamp(power, 1, 8);
         changed = true;
@@ -57,7 +58,8 @@ void noise_panel(Session& session) {
 
     auto scale = static_cast<float>(picture.scale);
     if (ImGui::SliderFloat("scale", &scale, static_cast<float>(render::smallest_scale),
-                           static_cast<float>(render::largest_scale), "%.1f px", ImGuiSliderFlags_Logarithmic))
+                           static_cast<float>(render::largest_scale), "%.1f px",
+                           ImGuiSliderFlags_Logarithmic))
         picture.scale = std::clamp(double{scale}, render::smallest_scale, render::largest_scale);
     tip("Pixels per kernel radius, which the wheel changes too");
     const std::uint32_t step = 1;
@@ -69,7 +71,8 @@ void noise_panel(Session& session) {
         session.playing = !session.playing;
     tip("Space: lets time go by, and begin again after 1");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() + ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() +
+                            ImGui::GetStyle().WindowPadding.x);
     if (ImGui::SliderFloat("time", &time, 0, 1, "%.3f"))
         picture.time = time;
     tip("In periods of an animation in place that ends where it began");

@@ -9,14 +9,13 @@ namespace gabor::viewer {
 namespace {
 
 constexpr std::array outputs{"value", "gradient", "phase", "intensity", "variance"};
-constexpr std::array output_tips{"The noise itself, of mean 0 and variance 1",
-                                 "Its analytic gradient, as a normal map",
-                                 "The phase of the complex noise, for patterns of even contrast",
-                                 "The magnitude of the complex noise",
-                                 "The share of its variance that the filter leaves at each place; all of it without a filter"};
+constexpr std::array output_tips{
+    "The noise itself, of mean 0 and variance 1", "Its analytic gradient, as a normal map",
+    "The phase of the complex noise, for patterns of even contrast", "The magnitude of the complex noise",
+    "The share of its variance that the filter leaves at each place; all of it without a filter"};
 constexpr std::array views{"plane", "plane in perspective", "sphere", "torus"};
-constexpr std::array waves{"one direction, in space", "all directions, in space", "one direction, along the surface",
-                           "all directions, along the surface"};
+constexpr std::array waves{"one direction, in space", "all directions, in space",
+                           "one direction, along the surface", "all directions, along the surface"};
 constexpr std::array maps{"grey", "viridis", "cool to warm", "ember", "sea"};
 
 template <typename Enum, std::size_t count>
@@ -73,7 +72,8 @@ void view_choice(Document& document) {
         auto chosen = static_cast<int>(document.waves);
         if (ImGui::Combo("waves", &chosen, waves.data(), static_cast<int>(waves.size())))
             document.waves = static_cast<Waves>(chosen);
-        tip("Solid noise, whose waves go through the body, or surface noise, whose waves go along its surface");
+        tip("Solid noise, whose waves go through the body, or surface noise, whose waves go along its "
+            "surface");
     }
     if (ImGui::Checkbox("filtered", &document.picture.filter) && document.picture.filter) {
         document.picture.gradient = false; // they exclude each other

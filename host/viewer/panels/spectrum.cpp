@@ -14,14 +14,16 @@ namespace {
 constexpr float floor_decibels = -50;
 constexpr int cells_across = 72; ///< of the measured spectrum's drawing
 
-// The drawing of the frequency plane: which point of the screen is which wave vector, in cycles per kernel radius.
+// The drawing of the frequency plane: which point of the screen is which wave vector, in cycles per kernel
+// radius.
 struct Plane {
     ImVec2 middle;
     float half;     ///< side, in pixels
     double reaches; ///< frequency at the edge
 
     ImVec2 at(double fx, double fy) const {
-        return {middle.x + half * static_cast<float>(fx / reaches), middle.y + half * static_cast<float>(fy / reaches)};
+        return {middle.x + half * static_cast<float>(fx / reaches),
+                middle.y + half * static_cast<float>(fy / reaches)};
     }
 };
 
@@ -32,16 +34,18 @@ void draw_measured(ImDrawList& draw, const Plane& plane, const MeasuredSpectrum&
             const double fx = -plane.reaches + x * cell;
             const double fy = -plane.reaches + y * cell;
             // The strongest of what falls into the cell: a narrow lobe must not get lost.
-            const auto first = [&](double f) { return static_cast<int>(std::floor(f / spectrum.step + 0.5)) + spectrum.side / 2; };
+            const auto first = [&](double f) {
+                return static_cast<int>(std::floor(f / spectrum.step + 0.5)) + spectrum.side / 2;
+            };
             const int last_x = std::max(first(fx) + 1, first(fx + cell));
             const int last_y = std::max(first(fy) + 1, first(fy + cell));
             float strongest = floor_decibels;
             for (int j = std::max(first(fy), 0); j < std::min(last_y, spectrum.side); ++j)
                 for (int i = std::max(first(fx), 0); i < std::min(last_x, spectrum.side); ++i)
-                    strongest = std::max(
-                        strongest,
-                        spectrum.decibels[static_cast<std::size_t>(j) * static_cast<std::size_t>(spectrum.side) +
-                                          static_cast<std::size_t>(i)]);
+                    strongest =
+                        std::max(strongest, spectrum.decibels[static_cast<std::size_t>(j) *
+                                                                  static_cast<std::size_t>(spectrum.side) +
+                                                              static_cast<std::size_t>(i)]);
             if (strongest <= floor_decibels)
                 continue;
             const float t = 1 - strongest / floor_decibels;
@@ -70,7 +74,8 @@ void draw_scale(ImDrawList& draw, const Plane& plane) {
 std::vector<render::Lobe> lobes_of(const render::Picture& picture) {
     if (!picture.lobes.empty())
         return picture.lobes;
-    return {{picture.frequency, picture.orientation, picture.frequency_spread, picture.orientation_spread, 1}};
+    return {
+        {picture.frequency, picture.orientation, picture.frequency_spread, picture.orientation_spread, 1}};
 }
 
 void set_lobes(render::Picture& picture, const std::vector<render::Lobe>& lobes) {
@@ -106,13 +111,14 @@ void draw_lobe(ImDrawList& draw, const Plane& plane, const render::Lobe& lobe, b
                 for (int i = 0; i <= steps; ++i) {
                     // Out along one edge and back along the other.
                     const int step = edge < 1 ? i : steps - i;
-                    draw.PathLineTo(point(lobe.frequency * edge, half + lobe.orientation +
-                                                                     lobe.orientation_spread * (2.0 * step / steps - 1)));
+                    draw.PathLineTo(
+                        point(lobe.frequency * edge,
+                              half + lobe.orientation + lobe.orientation_spread * (2.0 * step / steps - 1)));
                 }
             draw.PathStroke(colour, ImDrawFlags_Closed, 1);
         }
-        draw.AddCircle(point(lobe.frequency, half + lobe.orientation), half == 0 ? radius : 0.6f * radius, colour, 0,
-                       half == 0 ? 2.0f : 1.0f);
+        draw.AddCircle(point(lobe.frequency, half + lobe.orientation), half == 0 ? radius : 0.6f * radius,
+                       colour, 0, half == 0 ? 2.0f : 1.0f);
     }
 }
 
@@ -123,8 +129,8 @@ std::size_t nearest(const Plane& plane, const std::vector<render::Lobe>& lobes, 
     for (std::size_t i = 0; i < lobes.size(); ++i)
         for (const double sign : {1.0, -1.0}) {
             const double angle = radians(lobes[i].orientation);
-            const ImVec2 at =
-                plane.at(sign * lobes[i].frequency * std::cos(angle), sign * lobes[i].frequency * std::sin(angle));
+            const ImVec2 at = plane.at(sign * lobes[i].frequency * std::cos(angle),
+                                       sign * lobes[i].frequency * std::sin(angle));
             const float distance = std::hypot(at.x - point.x, at.y - point.y);
             if (distance < closest) {
                 closest = distance;
@@ -144,11 +150,11 @@ void drag_lobe(const Plane& plane, render::Lobe& lobe) {
     lobe.orientation = std::atan2(fy, fx) * 180 / std::numbers::pi;
 }
 
-bool slider(const char* label, double& value, double low, double high, const char* format, const char* meaning,
-            ImGuiSliderFlags flags = 0) {
+bool slider(const char* label, double& value, double low, double high, const char* format,
+            const char* meaning, ImGuiSliderFlags flags = 0) {
     auto shown = static_cast<float>(value);
-    const bool changed = ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high), format,
-                                            flags | ImGuiSliderFlags_NoRoundToFormat);
+    const bool changed = ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high),
+                                            format, flags | ImGuiSliderFlags_NoRoundToFormat);
     tip(meaning);
     if (changed)
         value = double{shown};
@@ -160,7 +166,8 @@ bool lobe_list(Session& session, std::vector<render::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < lobes.size(); ++i) {
-        const std::string text = fmt::format("{:.3g} at {:.0f}##{}", lobes[i].frequency, lobes[i].orientation, i);
+        const std::string text =
+            fmt::format("{:.3g} at {:.0f}##{}", lobes[i].frequency, lobes[i].orientation, i);
         if (ImGui::Selectable(text.c_str(), i == session.lobe))
             session.lobe = i;
     }
@@ -185,8 +192,9 @@ bool lobe_list(Session& session, std::vector<render::Lobe>& lobes) {
 }
 
 bool lobe_sliders(render::Lobe& lobe, bool one_of_many) {
-    bool changed = slider("frequency", lobe.frequency, 0.1, 64, "%.3f",
-                          "Cycles per kernel radius; Ctrl and click to type one", ImGuiSliderFlags_Logarithmic);
+    bool changed =
+        slider("frequency", lobe.frequency, 0.1, 64, "%.3f",
+               "Cycles per kernel radius; Ctrl and click to type one", ImGuiSliderFlags_Logarithmic);
     changed |= slider("orientation", lobe.orientation, -180, 180, "%.1f deg",
                       "Direction of the waves, from right towards down");
     changed |= slider("freq. spread", lobe.frequency_spread, 0, 1, "+- %.2f",
@@ -233,14 +241,16 @@ void spectrum_panel(Session& session) {
         drag_lobe(plane, lobes[session.lobe]);
         set_lobes(picture, lobes);
     } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("The frequency plane, in cycles per kernel radius: what was measured in the picture,\n"
-                          "50 dB from dark to bright, and the lobes that were asked for. Drag them.");
+        ImGui::SetTooltip(
+            "The frequency plane, in cycles per kernel radius: what was measured in the picture,\n"
+            "50 dB from dark to bright, and the lobes that were asked for. Drag them.");
     }
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    if (!session.sides.empty() && session.sides[0].measured.spectrum && session.document().view() == View::plane)
+    if (!session.sides.empty() && session.sides[0].measured.spectrum &&
+        session.document().view() == View::plane)
         draw_measured(draw, plane, *session.sides[0].measured.spectrum);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)
@@ -254,7 +264,8 @@ void spectrum_panel(Session& session) {
         set_lobes(picture, lobes);
     if (!picture.lobes.empty()) {
         ImGui::Checkbox("independent noises", &picture.sum);
-        tip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many noises");
+        tip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
+            "noises");
     }
 }
 

@@ -16,7 +16,8 @@ void take_home_panel(Session& session) {
     tip("Ctrl C: a function that draws this view with gabor_noise.glsl, on the clipboard");
 
     ImGui::InputText("preset", &session.preset);
-    tip("A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be dropped "
+    tip("A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
+        "dropped "
         "on the window.");
     if (ImGui::Button("Open", {half, 0}))
         open_preset(session, session.preset);
