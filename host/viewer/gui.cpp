@@ -8,10 +8,20 @@
 
 #include <array>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace gabor::viewer {
 
 namespace {
+
+// Keys whose press came since the last frame: one that is let go before the frame ends must be seen all the same.
+std::vector<int> tapped;
+
+void note_key(GLFWwindow*, int key, int, int action, int) {
+    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown))
+        tapped.push_back(key);
+}
 
 void check_result(VkResult result) {
     if (result < 0)
@@ -94,6 +104,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     ImGui::GetIO().IniFilename = nullptr; // settings.hpp remembers
     set_style(window.density());
     load_font(window.density());
+    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls it
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     const vulkan::Device::State& state = device.state();
     ImGui_ImplVulkan_InitInfo info{};
@@ -120,6 +131,15 @@ Gui::~Gui() {
 void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : released_)
+        io.KeysDown[key] = false;
+    released_.clear();
+    for (const int key : std::exchange(tapped, {}))
+        if (!io.KeysDown[key]) {
+            io.KeysDown[key] = true;
+            released_.push_back(key);
+        }
 }
 
 void Gui::end() {

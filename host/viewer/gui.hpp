@@ -24,6 +24,7 @@ class Gui {
 
   private:
     vk::raii::DescriptorPool descriptors_;
+    std::vector<int> released_; ///< keys held down for this frame alone
 };
 
 } // namespace gabor::viewer

@@ -8,6 +8,7 @@ namespace gabor::viewer {
 namespace {
 
 constexpr std::uint32_t most_canvases = 2;
+constexpr std::size_t most_pipelines = 16;
 
 // As in shaders/viewer/show.frag.
 struct ShowPush {
@@ -92,7 +93,9 @@ vk::Pipeline Painter::pipeline(const Constants& constants) {
                 .first->second;
 }
 
-void Painter::prepare(vk::CommandBuffer commands) const {
+void Painter::prepare(vk::CommandBuffer commands) {
+    if (pipelines_.size() > most_pipelines) // lavapipe takes a megabyte for each
+        pipelines_.clear();
     commands.pipelineBarrier(
         vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eFragmentShader, {},
         vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eShaderRead), {}, {});

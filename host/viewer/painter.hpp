@@ -20,8 +20,9 @@ class Painter {
     Painter(const vulkan::Device& device, vk::RenderPass pass, const std::vector<std::uint32_t>& vertex,
             const std::vector<std::uint32_t>& fragment);
 
-    /// Makes the values of `canvases` visible to `paint`; outside a render pass.
-    void prepare(vk::CommandBuffer commands) const;
+    /// Makes the values of canvases visible to `paint`; outside a render pass, once what was painted before
+    /// has been drawn.
+    void prepare(vk::CommandBuffer commands);
     /// Records the drawing of a canvas, inside a render pass. `index`: which of the canvases of this frame.
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                std::size_t index);

@@ -89,7 +89,7 @@ TEST_CASE("a shader's error names the file and the line") {
 
 TEST_CASE("every shader that is built in compiles") {
     Shaders shaders{{}};
-    for (const char* path : {"viewer/noise.comp", "viewer/ingredients.comp", "viewer/solid.comp"}) {
+    for (const char* path : {"passes/pixels.comp", "viewer/ingredients.comp", "viewer/solid.comp"}) {
         const Compiled compiled = shaders.compile(path, Stage::compute);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());

@@ -106,7 +106,7 @@ class Window(ViewerTest):
             window broken.png
             expect no error
             screenshot mended.png
-            expect error noise.comp:
+            expect error pixels.comp:
             screenshot other.png
             expect no error
             screenshot brighter.png
@@ -120,9 +120,9 @@ class Window(ViewerTest):
                 time.sleep(0.05)
             path.write_text(text)
 
-        noise = shaders / "viewer/noise.comp"
+        noise = shaders / "passes/pixels.comp"
         pass_text = noise.read_text()
-        after("before.png", drop_in, good.replace("float fract_", "").replace("vec2 gabor_place_plus_one", "vec2 spoilt("))
+        after("before.png", drop_in, good.replace("vec2 gabor_place_plus_one", "vec2 spoilt("))
         after("broken.png", drop_in, good)
         after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
         after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))
