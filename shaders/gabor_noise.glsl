@@ -267,15 +267,17 @@ struct GaborLobe {
 // The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
 //   frequency_spread    a share of the frequency, within [0, 1]
 //   orientation_spread  radians: pi/2 and more is every direction, isotropic
-//   power               in any unit, at least 0
+//   power               in any unit, up to 10^9
+// What is less than 0 or NaN counts as 0.
 GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread, float orientation_spread, float power)
 {
     float magnitude = abs(frequency);
     magnitude = magnitude > 1.0e-6 ? min(magnitude, 1.0e6) : 1.0e-6;
     GaborLobe lobe;
     lobe.wave = magnitude * gabor_direction(orientation);
-    lobe.spread = clamp(vec2(frequency_spread, orientation_spread * 0.15915494), vec2(0.0), vec2(1.0, 0.25));
-    lobe.power = max(power, 0.0);
+    lobe.spread.x = frequency_spread > 0.0 ? min(frequency_spread, 1.0) : 0.0;
+    lobe.spread.y = orientation_spread > 0.0 ? 0.15915494 * min(orientation_spread, 1.5707963) : 0.0;
+    lobe.power = power > 0.0 ? min(power, 1.0e9) : 0.0;
     return lobe;
 }
 
@@ -576,17 +578,23 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
 {
     vec3 unit = vec3(1.0, 1.0, 0.0);
     vec3 covariance = 0.25 * (vec3(dx * dx, dx.x * dx.y) + vec3(dy * dy, dy.x * dy.y));
-    if (!(covariance.x + covariance.y < 2.5e5))
+    if (!(covariance.x + covariance.y < 2.5e5)) {
+        dx = vec2(1.0e3, 0.0);
+        dy = vec2(0.0, 1.0e3);
         covariance = 2.5e5 * unit;
+    }
     GaborFootprint footprint;
     footprint.covariance = covariance;
 
-    // The eigenvalues are mean +- apart. What they have above 1/4 is cut off, in their directions.
+    // The eigenvalues are mean +- apart, the smaller one precisely the determinant over the larger one.
     float mean = 0.5 * (covariance.x + covariance.y);
     float apart = length(vec2(0.5 * (covariance.x - covariance.y), covariance.z));
-    vec2 cut = max(vec2(mean + apart, mean - apart) - 0.25, vec2(0.0));
+    float larger = mean + apart;
+    float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
+    float smaller = larger > 1.0e-12 ? min(side / larger * side, mean) : 0.0;
+    vec2 kept = min(vec2(larger, smaller), vec2(0.25));
     vec3 direction = apart > 0.0 ? (covariance - mean * unit) / apart : vec3(0.0);
-    footprint.widening = covariance - 0.5 * ((cut.x + cut.y) * unit + (cut.x - cut.y) * direction);
+    footprint.widening = 0.5 * ((kept.x + kept.y) * unit + (kept.x - kept.y) * direction);
     footprint.widening.xy = max(footprint.widening.xy, vec2(0.0));
 
     footprint.inverse = gabor_inverse(GABOR_NORMAL_VARIANCE * unit + footprint.widening);
@@ -595,7 +603,8 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
     footprint.reach = 1.045 + 1.5 * sqrt(footprint.widening.xy);
     vec3 v = unit - GABOR_NORMAL_VARIANCE * footprint.inverse;
     vec2 variance = max(v.xy, vec2(0.0));
-    float correlation = v.z == 0.0 ? 0.0 : min(abs(v.z) * inversesqrt(variance.x * variance.y), 1.0);
+    float product = variance.x * variance.y;
+    float correlation = product > 0.0 ? min(abs(v.z) * inversesqrt(product), 1.0) : 0.0;
     footprint.joint = sqrt(correlation * variance) * vec2(1.0, v.z < 0.0 ? -1.0 : 1.0);
     vec2 rest = (1.0 - correlation) * variance;
     footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
@@ -651,12 +660,12 @@ vec2 gabor_kernel_filtered(vec2 d, vec2 wave, float phase, GaborFootprint footpr
     vec2 real = gabor_symmetric(footprint.inverse, d);
     vec2 imaginary = gabor_symmetric(footprint.inverse, shift);
     float exponent = 0.5 * (dot(shift, imaginary) - dot(6.2831853 * wave, shift) - dot(d, real));
-    if (exponent < -20.0)
+    real *= GABOR_NORMAL_DEVIATION;
+    imaginary *= GABOR_NORMAL_DEVIATION;
+    if (exponent < -20.0 || dot(imaginary, imaginary) > 40.0) // the second follows from the first, but for rounding
         return vec2(0.0);
 
     // The part of v that the axes share, by Gauss and Hermite's rule of five points.
-    real *= GABOR_NORMAL_DEVIATION;
-    imaginary *= GABOR_NORMAL_DEVIATION;
     vec2 window = vec2(0.0);
     for (int i = -2; i <= 2; ++i) {
         float point = i == 0 ? 0.0 : float(i) * (abs(i) == 1 ? 1.3556262 : 1.4284850);

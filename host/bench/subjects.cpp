@@ -5,6 +5,7 @@
 #include "passes/bench/gradient.h"
 #include "passes/bench/recipe.h"
 #include "passes/bench/seminal.h"
+#include "passes/bench/space.h"
 #include "passes/bench/write.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,10 @@ std::vector<Subject> subjects() {
         all.push_back({fmt::format("gabor_noise_{}, {}", function, one.name),
                        static_cast<double>(noise::visited_impulses(one)), recipe_spirv, &one, 0, false,
                        ++entry});
+    entry = 0; // of passes/bench/space.comp, where 3 x 3 x 3 cells are visited
+    for (const char* function : {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient",
+                                 "gabor_noise_surface", "gabor_noise_surface_isotropic"})
+        all.push_back({function, 27, space_spirv, nullptr, 0, false, ++entry});
     all.push_back({"gradient noise", 0, gradient_spirv, nullptr, 0, false});
     all.push_back({"writing alone", 0, write_spirv, nullptr, 0, false});
     return all;

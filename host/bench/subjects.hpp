@@ -30,7 +30,7 @@ struct Subject {
     const noise::Recipe* recipe = nullptr; ///< of the drop-in
     std::uint32_t mean_impulses = 0;       ///< of the seminal noise and the advice; 0 for all others
     bool advice = false;
-    std::uint32_t entry = 0; ///< which function, as in passes/bench/recipe.comp
+    std::uint32_t entry = 0; ///< which function, as in passes/bench/recipe.comp or space.comp
 
     /// Whether it is a Gabor noise by itself, whose law is worth measuring.
     bool is_gabor() const { return visited > 0 && entry == 0; }

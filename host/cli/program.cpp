@@ -30,7 +30,7 @@ int parse_and_work(int argc, const char* const* argv) {
     CLI::App app("Renders Gabor noise, and measures it.", "gabor");
     app.set_version_flag("--version", "gabor " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
-    app.require_subcommand(0, 1); // with 1, CLI11 would not say which word it does not know
+    app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
     add_render_command(app);
     add_stats_command(app);
     add_bench_command(app);

@@ -48,9 +48,13 @@ Placement placement(const Options& options, const Settings& settings) {
     return placement;
 }
 
-vk::raii::CommandBuffer make_commands(const vulkan::Device& device) {
-    vk::raii::CommandBuffers buffers(device.state().device,
-                                     {*device.state().pool, vk::CommandBufferLevel::ePrimary, 1});
+vk::raii::CommandPool make_pool(const vulkan::Device& device) {
+    return {device.state().device,
+            {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, device.state().family}};
+}
+
+vk::raii::CommandBuffer make_commands(const vulkan::Device& device, const vk::raii::CommandPool& pool) {
+    vk::raii::CommandBuffers buffers(device.state().device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
     return std::move(buffers.front());
 }
 
@@ -60,8 +64,8 @@ App::App(const Options& options)
     : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
       device_(options.device, window_.presentation()), shaders_(options.shaders),
       swapchain_(device_, window_.handle()),
-      gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()),
-      commands_(make_commands(device_)), session_(options.document, options.device),
+      gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()), pool_(make_pool(device_)),
+      commands_(make_commands(device_, pool_)), session_(options.document, options.device),
       remember_(!options.script && !options.screenshot) {
     if (options.script)
         script_.emplace(*options.script);

@@ -64,6 +64,7 @@ class App {
     Swapchain swapchain_;
     Gui gui_;
     std::unique_ptr<Painter> painter_;
+    vk::raii::CommandPool pool_;
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
     Measurer measurer_;

@@ -15,7 +15,8 @@ namespace gabor::viewer {
 
 namespace {
 
-// Keys whose press came since the last frame: one that is let go before the frame ends must be seen all the same.
+// Keys whose press came since the last frame: one that is let go before the frame ends must be seen all the
+// same.
 std::vector<int> tapped;
 
 void note_key(GLFWwindow*, int key, int, int action, int) {
@@ -81,7 +82,8 @@ void load_font(float density) {
 
 void upload_font(const vulkan::Device& device) {
     const vulkan::Device::State& state = device.state();
-    vk::raii::CommandBuffers commands(state.device, {*state.pool, vk::CommandBufferLevel::ePrimary, 1});
+    const vk::raii::CommandPool pool(state.device, {vk::CommandPoolCreateFlagBits::eTransient, state.family});
+    vk::raii::CommandBuffers commands(state.device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
     commands.front().begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     ImGui_ImplVulkan_CreateFontsTexture(*commands.front());
     commands.front().end();

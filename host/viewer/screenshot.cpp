@@ -46,7 +46,8 @@ void screenshot(const vulkan::Device& device, Extent extent, const std::filesyst
     const Target target = make_target(state.device, *pass, *image, target_format, extent);
     const vulkan::Buffer pixels(device, std::size_t{4} * width * height, vulkan::Memory::readback);
 
-    const vk::raii::CommandBuffers buffers(state.device, {*state.pool, vk::CommandBufferLevel::ePrimary, 1});
+    const vk::raii::CommandPool pool(state.device, {vk::CommandPoolCreateFlagBits::eTransient, state.family});
+    const vk::raii::CommandBuffers buffers(state.device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
     const vk::CommandBuffer commands = *buffers.front();
     commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
     prepare(commands);

@@ -27,9 +27,13 @@ VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, Vk
     return VK_FALSE;
 }
 
-bool validating() {
+std::string_view validation() {
     const char* value = std::getenv("GABOR_VALIDATION");
-    return value && *value && std::string_view(value) != "0";
+    return value && std::string_view(value) != "0" ? value : "";
+}
+
+bool validating() {
+    return !validation().empty();
 }
 
 vk::raii::Context load() {
@@ -47,7 +51,14 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    const std::array features{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    // What instruments the shaders takes many times as long, and its buffers are not for the other checks to
+    // see.
+    using Check = vk::ValidationFeatureEnableEXT;
+    const std::vector<Check> features =
+        validation() == "gpu" ? std::vector{Check::eGpuAssisted}
+        : presentation.can_present // Dear ImGui's backend allocates in its own way
+            ? std::vector{Check::eSynchronizationValidation}
+            : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
     if (validating()) {
         extensions.insert(extensions.end(),
                           {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
@@ -215,6 +226,9 @@ vk::raii::Device make_device(const Candidate& candidate, const Presentation& pre
     return {candidate.physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
+// A process has a handful of buffers, each with memory of its own; drivers want no crumbs.
+constexpr vk::DeviceSize least_memory = 1 << 20;
+
 constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
@@ -227,7 +241,6 @@ std::unique_ptr<Device::State> make_state(std::string_view selector, const Prese
         has_extension(chosen.physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
     vk::raii::Device device = make_device(chosen, presentation);
     vk::raii::Queue queue(device, chosen.family, 0);
-    vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, chosen.family});
     const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
     const std::uint64_t mask =
         chosen.timestamp_bits < 64 ? (std::uint64_t{1} << chosen.timestamp_bits) - 1 : ~std::uint64_t{0};
@@ -241,7 +254,7 @@ std::unique_ptr<Device::State> make_state(std::string_view selector, const Prese
     return std::unique_ptr<Device::State>(
         new Device::State{std::move(context), std::move(instance), std::move(messenger),
                           std::move(chosen.physical), chosen.info, chosen.family, std::move(device),
-                          std::move(queue), std::move(pool), tick, mask, unified, executable_properties});
+                          std::move(queue), tick, mask, unified, executable_properties});
 }
 
 // The first allowed memory type with `required` and, if one exists, also with `preferred`.
@@ -297,7 +310,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(
                                    : vk::MemoryPropertyFlags(Flag::eDeviceLocal);
     const std::uint32_t type = memory_type(device.state(), needs.memoryTypeBits,
                                            host ? coherent : vk::MemoryPropertyFlags(), preferred);
-    state_->memory = vk::raii::DeviceMemory(logical, {needs.size, type});
+    state_->memory = vk::raii::DeviceMemory(logical, {std::max(needs.size, least_memory), type});
     state_->buffer.bindMemory(*state_->memory, 0);
     if (host)
         state_->mapped = {static_cast<std::byte*>(state_->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes};

@@ -30,8 +30,9 @@ struct DeviceInfo {
 /// Every Vulkan 1.1 device with a compute queue. Throws RequestError when there is none, or no Vulkan loader.
 std::vector<DeviceInfo> devices();
 
-/// Messages of the validation layers so far. The layers are loaded, core and synchronization, when the
-/// environment variable GABOR_VALIDATION is set and not 0; each message also goes to stderr.
+/// Messages of the validation layers so far. The layers are loaded when the environment variable
+/// GABOR_VALIDATION is set and not 0: core checks, synchronization and best practices, or, where it is `gpu`,
+/// core checks and those that run within the shaders. Each message also goes to stderr.
 int validation_messages();
 
 /// What a device takes to show pictures in windows; the defaults ask for nothing.

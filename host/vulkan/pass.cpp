@@ -63,6 +63,7 @@ struct Job::State {
     const Pass::State& pass;
     vk::raii::DescriptorPool descriptors = nullptr;
     vk::raii::DescriptorSet set = nullptr;
+    vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
     vk::raii::QueryPool queries = nullptr;
     vk::raii::Fence fence = nullptr;
@@ -89,7 +90,8 @@ Job::Job(const Device& device, const Pass& pass, const Buffers& buffers)
     logical.updateDescriptorSets(
         vk::WriteDescriptorSet(*state_->set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
 
-    vk::raii::CommandBuffers commands(logical, {*device.state().pool, vk::CommandBufferLevel::ePrimary, 1});
+    state_->pool = vk::raii::CommandPool(logical, {{}, device.state().family});
+    vk::raii::CommandBuffers commands(logical, {*state_->pool, vk::CommandBufferLevel::ePrimary, 1});
     state_->commands = std::move(commands.front());
     if (device.info().timestamps)
         state_->queries = vk::raii::QueryPool(logical, {{}, vk::QueryType::eTimestamp, 2});
@@ -112,6 +114,7 @@ void Job::submit(std::span<const std::byte> push, Groups groups, const std::opti
     using Stage = vk::PipelineStageFlagBits;
     const vk::raii::CommandBuffer& commands = state_->commands;
     const bool timed = state_->device.info.timestamps;
+    state_->pool.reset();
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     if (timed) {
         commands.resetQueryPool(*state_->queries, 0, 2);

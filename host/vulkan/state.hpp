@@ -19,7 +19,6 @@ struct Device::State {
     std::uint32_t family = 0;
     vk::raii::Device device;
     vk::raii::Queue queue;
-    vk::raii::CommandPool pool;
     double timestamp_seconds = 0;     ///< length of a timestamp's tick
     std::uint64_t timestamp_mask = 0; ///< the bits of it that count
     bool unified = false;

@@ -55,18 +55,23 @@ void main()
     GaborKernel kernel = gabor_kernel_lobes(lobes);
     GaborPlace place = GaborPlace(s.cell, s.local, s.radius, s.period, s.time);
     GaborField field = gabor_field(place, kernel, s.seed);
-    GaborFootprint footprint = gabor_footprint(s.dx, s.dy);
     vec2 p = s.local / GABOR_RADIUS;
 
     Answer answer;
     answer.value = field.value;
     answer.slope_x = field.slope_x;
     answer.slope_y = field.slope_y;
-    answer.value_filtered = gabor_field_filtered(place, kernel, footprint, s.seed);
-    answer.removed = gabor_removed(kernel, footprint);
     answer.spread = gabor_noise_spread(p, s.lobes[0], s.lobes[1], s.lobes[2], s.lobes[3], s.seed);
-    answer.filtered = gabor_noise_filtered(p, s.dx, s.dy, s.lobes[0], s.lobes[1], s.seed);
     answer.chosen = gabor_noise_lobes(p, lobes, s.seed);
     answer.sum = gabor_noise_sum(p, lobes, s.seed);
+    answer.value_filtered = vec2(0.0);
+    answer.removed = 0.0;
+    answer.filtered = vec2(0.0);
+    if (s.dx != vec2(0.0) || s.dy != vec2(0.0)) { // else it would take most of the time for nothing
+        GaborFootprint footprint = gabor_footprint(s.dx, s.dy);
+        answer.value_filtered = gabor_field_filtered(place, kernel, footprint, s.seed);
+        answer.removed = gabor_removed(kernel, footprint);
+        answer.filtered = gabor_noise_filtered(p, s.dx, s.dy, s.lobes[0], s.lobes[1], s.seed);
+    }
     answers[i] = answer;
 }

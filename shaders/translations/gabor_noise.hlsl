@@ -285,7 +285,8 @@ struct GaborLobe
 // The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
 //   frequency_spread    a share of the frequency, within [0, 1]
 //   orientation_spread  radians: pi/2 and more is every direction, isotropic
-//   power               in any unit, at least 0
+//   power               in any unit, up to 10^9
+// What is less than 0 or NaN counts as 0.
 GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread, float orientation_spread, float power)
 {
     float magnitude = abs(frequency);
@@ -301,8 +302,36 @@ GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread,
     magnitude = _880;
     GaborLobe lobe;
     lobe.wave = gabor_direction(orientation) * magnitude;
-    lobe.spread = clamp(float2(frequency_spread, orientation_spread * 0.15915493667125701904296875f), 0.0f.xx, float2(1.0f, 0.25f));
-    lobe.power = max(power, 0.0f);
+    float _895;
+    if (frequency_spread > 0.0f)
+    {
+        _895 = min(frequency_spread, 1.0f);
+    }
+    else
+    {
+        _895 = 0.0f;
+    }
+    lobe.spread.x = _895;
+    float _903;
+    if (orientation_spread > 0.0f)
+    {
+        _903 = 0.15915493667125701904296875f * min(orientation_spread, 1.5707962512969970703125f);
+    }
+    else
+    {
+        _903 = 0.0f;
+    }
+    lobe.spread.y = _903;
+    float _914;
+    if (power > 0.0f)
+    {
+        _914 = min(power, 1000000000.0f);
+    }
+    else
+    {
+        _914 = 0.0f;
+    }
+    lobe.power = _914;
     return lobe;
 }
 
@@ -334,18 +363,18 @@ GaborKernel gabor_kernel_lobes(GaborLobes lobes)
     kernel.lobes = lobes;
     kernel.lobes.count = clamp(lobes.count, 1, 1);
     float together = 0.0f;
-    float _926;
+    float _945;
     for (int i = 0; i < 1; i++)
     {
         if (i < kernel.lobes.count)
         {
-            _926 = lobes.lobe[i].power;
+            _945 = lobes.lobe[i].power;
         }
         else
         {
-            _926 = 0.0f;
+            _945 = 0.0f;
         }
-        together += _926;
+        together += _945;
         kernel.lobes.lobe[i].power = together;
     }
     kernel.phases = 256.0f;
@@ -394,10 +423,10 @@ GaborKernel gabor_kernel(float frequency, float orientation)
 float2 gabor_within(GaborLobe lobe, float2 spread)
 {
     float param = spread.y + 0.25f;
-    float _1025 = gabor_sin_turns(param);
+    float _1044 = gabor_sin_turns(param);
     float param_1 = spread.y;
-    float _1028 = gabor_sin_turns(param_1);
-    float2 turn = float2(_1025, _1028);
+    float _1047 = gabor_sin_turns(param_1);
+    float2 turn = float2(_1044, _1047);
     return gabor_times(lobe.wave, turn) * (1.0f + spread.x);
 }
 
@@ -406,40 +435,40 @@ float2 gabor_wave(GaborKernel kernel, uint word)
 {
     GaborLobe lobe = kernel.lobes.lobe[0];
     uint param = word;
-    uint _1043 = gabor_mix(param, 2654435761u);
-    uint choice = _1043;
+    uint _1062 = gabor_mix(param, 2654435761u);
+    uint choice = _1062;
     if (kernel.lobes.count > 1)
     {
         float chosen = kernel.lobes.lobe[0].power * ((float(choice >> 16u) + 0.5f) / 65536.0f);
         for (int i = 1; i < 1; i++)
         {
-            bool _1070 = i < kernel.lobes.count;
-            bool _1079;
-            if (_1070)
+            bool _1089 = i < kernel.lobes.count;
+            bool _1098;
+            if (_1089)
             {
-                _1079 = chosen >= kernel.lobes.lobe[i - 1].power;
+                _1098 = chosen >= kernel.lobes.lobe[i - 1].power;
             }
             else
             {
-                _1079 = _1070;
+                _1098 = _1089;
             }
-            if (_1079)
+            if (_1098)
             {
                 lobe = kernel.lobes.lobe[i];
             }
         }
     }
-    bool _1089 = lobe.spread.x == 0.0f;
-    bool _1095;
-    if (_1089)
+    bool _1108 = lobe.spread.x == 0.0f;
+    bool _1114;
+    if (_1108)
     {
-        _1095 = lobe.spread.y == 0.0f;
+        _1114 = lobe.spread.y == 0.0f;
     }
     else
     {
-        _1095 = _1089;
+        _1114 = _1108;
     }
-    if (_1095)
+    if (_1114)
     {
         return lobe.wave;
     }
@@ -477,8 +506,8 @@ struct GaborPlace
 // cells each way, where it wraps around.
 GaborPlace gabor_place(int2 cell, float2 local)
 {
-    GaborPlace _1178 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
-    return _1178;
+    GaborPlace _1197 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
+    return _1197;
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part is the same with cosines
@@ -499,16 +528,16 @@ int gabor_wrap(int cell, int period)
         return cell;
     }
     int within = cell - ((cell / period) * period);
-    int _1191;
+    int _1210;
     if (within < 0)
     {
-        _1191 = within + period;
+        _1210 = within + period;
     }
     else
     {
-        _1191 = within;
+        _1210 = within;
     }
-    return _1191;
+    return _1210;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
@@ -520,14 +549,14 @@ float gabor_tempo_gain(GaborKernel kernel, float time)
         return 1.0f;
     }
     float param = time;
-    float _1211 = gabor_sin_turns(param);
+    float _1230 = gabor_sin_turns(param);
     float param_1 = 2.0f * time;
-    float _1214 = gabor_sin_turns(param_1);
+    float _1233 = gabor_sin_turns(param_1);
     float param_2 = 3.0f * time;
-    float _1217 = gabor_sin_turns(param_2);
+    float _1236 = gabor_sin_turns(param_2);
     float param_3 = 4.0f * time;
-    float _1220 = gabor_sin_turns(param_3);
-    float4 sines = float4(_1211, _1214, _1217, _1220);
+    float _1239 = gabor_sin_turns(param_3);
+    float4 sines = float4(_1230, _1233, _1236, _1239);
     float u = 0.5f * dot(sines, sines);
     return rsqrt(1.0f + ((u * (1.0f - kernel.deficit)) / kernel.deficit));
 }
@@ -545,7 +574,7 @@ float gabor_scale(GaborKernel kernel, GaborPlace place)
 // Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 {
-    static const GaborField _1292 = { 0.0f.xx, 0.0f.xx, 0.0f.xx, 0.0f.xxxx };
+    static const GaborField _1312 = { 0.0f.xx, 0.0f.xx, 0.0f.xx, 0.0f.xxxx };
     int visited = 3;
     float2 whole = floor(place.local);
     float2 local = place.local - whole;
@@ -555,7 +584,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     float2 cell_side = 1.0f.xx / place.radius;
     float time = frac(place.time);
     uint seed_word = gabor_seed_word(seed);
-    GaborField sum = _1292;
+    GaborField sum = _1312;
     for (int j = 0; j < visited; j++)
     {
         uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
@@ -575,10 +604,10 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
                     float magnitude = gabor_magnitude(word);
                     float2 window = float2(gabor_window(d.x), gabor_window(d.y));
                     float param_1 = turns + 0.25f;
-                    float _1402 = gabor_sin_turns(param_1);
+                    float _1422 = gabor_sin_turns(param_1);
                     float param_2 = turns;
-                    float _1405 = gabor_sin_turns(param_2);
-                    float2 wave = float2(_1402, _1405) * magnitude;
+                    float _1425 = gabor_sin_turns(param_2);
+                    float2 wave = float2(_1422, _1425) * magnitude;
                     float2 turned = float2(-wave.y, wave.x) * ((6.283185482025146484375f * window.x) * window.y);
                     sum.value += (wave * (window.x * window.y));
                     sum.slope_x += ((wave * (gabor_window_slope(d.x) * window.y)) + (turned * cycles.x));
@@ -590,8 +619,8 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     }
     GaborKernel param_3 = kernel;
     float scale = gabor_scale(param_3, place);
-    GaborField _1506 = { sum.value * scale, sum.slope_x * scale, sum.slope_y * scale, sum.four * scale };
-    return _1506;
+    GaborField _1526 = { sum.value * scale, sum.slope_x * scale, sum.slope_y * scale, sum.four * scale };
+    return _1526;
 }
 
 // Even polynomial p0 + p1 x^2 + ... + p5 x^10.
@@ -670,43 +699,58 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy)
     float3 covariance = (float3(dx * dx, dx.x * dx.y) + float3(dy * dy, dy.x * dy.y)) * 0.25f;
     if (!((covariance.x + covariance.y) < 250000.0f))
     {
+        dx = float2(1000.0f, 0.0f);
+        dy = float2(0.0f, 1000.0f);
         covariance = unit * 250000.0f;
     }
     GaborFootprint footprint;
     footprint.covariance = covariance;
     float mean = 0.5f * (covariance.x + covariance.y);
     float apart = length(float2(0.5f * (covariance.x - covariance.y), covariance.z));
-    float2 cut = max(float2(mean + apart, mean - apart) - 0.25f.xx, 0.0f.xx);
-    float3 _1782;
-    if (apart > 0.0f)
+    float larger = mean + apart;
+    float side = 0.25f * ((dx.x * dy.y) - (dx.y * dy.x));
+    float _1820;
+    if (larger > 9.9999999600419720025001879548654e-13f)
     {
-        _1782 = (covariance - (unit * mean)) / apart.xxx;
+        _1820 = min((side / larger) * side, mean);
     }
     else
     {
-        _1782 = 0.0f.xxx;
+        _1820 = 0.0f;
     }
-    float3 direction = _1782;
-    footprint.widening = covariance - (((unit * (cut.x + cut.y)) + (direction * (cut.x - cut.y))) * 0.5f);
-    float3 _1816 = footprint.widening;
-    float2 _1818 = max(_1816.xy, 0.0f.xx);
-    footprint.widening.x = _1818.x;
-    footprint.widening.y = _1818.y;
+    float smaller = _1820;
+    float2 kept = min(float2(larger, smaller), 0.25f.xx);
+    float3 _1841;
+    if (apart > 0.0f)
+    {
+        _1841 = (covariance - (unit * mean)) / apart.xxx;
+    }
+    else
+    {
+        _1841 = 0.0f.xxx;
+    }
+    float3 direction = _1841;
+    footprint.widening = ((unit * (kept.x + kept.y)) + (direction * (kept.x - kept.y))) * 0.5f;
+    float3 _1873 = footprint.widening;
+    float2 _1875 = max(_1873.xy, 0.0f.xx);
+    footprint.widening.x = _1875.x;
+    footprint.widening.y = _1875.y;
     footprint._inverse = gabor_inverse((unit * 0.1211040019989013671875f) + footprint.widening);
     footprint.amplitude = 0.1211040019989013671875f * sqrt((footprint._inverse.x * footprint._inverse.y) - (footprint._inverse.z * footprint._inverse.z));
     footprint.reach = 1.04499995708465576171875f.xx + (sqrt(footprint.widening.xy) * 1.5f);
     float3 v = unit - (footprint._inverse * 0.1211040019989013671875f);
     float2 variance = max(v.xy, 0.0f.xx);
-    float _1869;
-    if (v.z == 0.0f)
+    float product = variance.x * variance.y;
+    float _1931;
+    if (product > 0.0f)
     {
-        _1869 = 0.0f;
+        _1931 = min(abs(v.z) * rsqrt(product), 1.0f);
     }
     else
     {
-        _1869 = min(abs(v.z) * rsqrt(variance.x * variance.y), 1.0f);
+        _1931 = 0.0f;
     }
-    float correlation = _1869;
+    float correlation = _1931;
     footprint.joint = sqrt(variance * correlation) * float2(1.0f, (v.z < 0.0f) ? (-1.0f) : 1.0f);
     float2 rest = variance * (1.0f - correlation);
     footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
@@ -741,17 +785,17 @@ float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
         }
         GaborLobe lobe = kernel.lobes.lobe[i];
         float mean = 0.0f;
-        bool _2036 = lobe.spread.x == 0.0f;
-        bool _2042;
-        if (_2036)
+        bool _2094 = lobe.spread.x == 0.0f;
+        bool _2100;
+        if (_2094)
         {
-            _2042 = lobe.spread.y == 0.0f;
+            _2100 = lobe.spread.y == 0.0f;
         }
         else
         {
-            _2042 = _2036;
+            _2100 = _2094;
         }
-        if (_2042)
+        if (_2100)
         {
             mean = gabor_kept(lobe.wave, footprint.covariance);
         }
@@ -766,16 +810,16 @@ float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
         kept += ((lobe.power - before) * mean);
         before = lobe.power;
     }
-    float _2102;
+    float _2160;
     if (before > 0.0f)
     {
-        _2102 = clamp(1.0f - (kept / before), 0.0f, 1.0f);
+        _2160 = clamp(1.0f - (kept / before), 0.0f, 1.0f);
     }
     else
     {
-        _2102 = 0.0f;
+        _2160 = 0.0f;
     }
-    return _2102;
+    return _2160;
 }
 
 // A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
@@ -785,35 +829,45 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     float2 real = gabor_symmetric(footprint._inverse, d);
     float2 imaginary = gabor_symmetric(footprint._inverse, shift);
     float exponent = 0.5f * ((dot(shift, imaginary) - dot(wave * 6.283185482025146484375f, shift)) - dot(d, real));
-    if (exponent < (-20.0f))
+    real *= 0.347999989986419677734375f;
+    imaginary *= 0.347999989986419677734375f;
+    bool _2202 = exponent < (-20.0f);
+    bool _2211;
+    if (!_2202)
+    {
+        _2211 = dot(imaginary, imaginary) > 40.0f;
+    }
+    else
+    {
+        _2211 = _2202;
+    }
+    if (_2211)
     {
         return 0.0f.xx;
     }
-    real *= 0.347999989986419677734375f;
-    imaginary *= 0.347999989986419677734375f;
     float2 window = 0.0f.xx;
-    float _2161;
-    float _2178;
+    float _2228;
+    float _2245;
     for (int i = -2; i <= 2; i++)
     {
         if (i == 0)
         {
-            _2161 = 0.0f;
+            _2228 = 0.0f;
         }
         else
         {
-            _2161 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125f : 1.42848503589630126953125f);
+            _2228 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125f : 1.42848503589630126953125f);
         }
-        float _point = _2161;
+        float _point = _2228;
         if (i == 0)
         {
-            _2178 = 0.533333301544189453125f;
+            _2245 = 0.533333301544189453125f;
         }
         else
         {
-            _2178 = (abs(i) == 1) ? 0.22207592427730560302734375f : 0.0112574100494384765625f;
+            _2245 = (abs(i) == 1) ? 0.22207592427730560302734375f : 0.0112574100494384765625f;
         }
-        float weight = _2178;
+        float weight = _2245;
         float2 v = footprint.joint * _point;
         window += (gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)), gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y))) * weight);
     }
@@ -824,10 +878,10 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     }
     float turns = (dot(wave, d) - (dot(shift, real) / 2.1865484714508056640625f)) + phase;
     float param = turns + 0.25f;
-    float _2257 = gabor_sin_turns(param);
+    float _2324 = gabor_sin_turns(param);
     float param_1 = turns;
-    float _2260 = gabor_sin_turns(param_1);
-    return gabor_times(window, float2(_2257, _2260)) * amplitude;
+    float _2327 = gabor_sin_turns(param_1);
+    return gabor_times(window, float2(_2324, _2327)) * amplitude;
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -856,8 +910,8 @@ float2 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint
                 uint word = gabor_impulse_word(column, row_word, k);
                 float2 impulse = gabor_place_plus_one(word);
                 float2 d = (local - (impulse + (float2(float(i), float(j)) - 1.0f.xx))) / place.radius;
-                float2 _2371 = abs(d);
-                if (all(bool2(_2371.x < footprint.reach.x, _2371.y < footprint.reach.y)))
+                float2 _2438 = abs(d);
+                if (all(bool2(_2438.x < footprint.reach.x, _2438.y < footprint.reach.y)))
                 {
                     float phase = gabor_phase(impulse, kernel.phases) + (gabor_tempo(word) * time);
                     GaborKernel param = kernel;
@@ -924,26 +978,26 @@ float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 float2 gabor_phasor(float2 value)
 {
     float intensity = length(value);
-    float _2462;
+    float _2529;
     if (intensity > 0.0f)
     {
-        _2462 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
+        _2529 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
     }
     else
     {
-        _2462 = 0.0f;
+        _2529 = 0.0f;
     }
-    float phase = _2462;
-    float _2473;
+    float phase = _2529;
+    float _2540;
     if (phase < 0.0f)
     {
-        _2473 = min(phase + 1.0f, 0.999999940395355224609375f);
+        _2540 = min(phase + 1.0f, 0.999999940395355224609375f);
     }
     else
     {
-        _2473 = phase;
+        _2540 = phase;
     }
-    return float2(_2473, intensity);
+    return float2(_2540, intensity);
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
@@ -956,8 +1010,8 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
     float2 cells = floor(period * 1.0f);
     float2 radius = cells / period;
     float2 within = p - (floor(p / period) * period);
-    GaborPlace _2513 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
-    GaborPlace place = _2513;
+    GaborPlace _2580 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
+    GaborPlace place = _2580;
     GaborKernel param = gabor_kernel(frequency, orientation);
     return gabor_field(place, param, seed).value.y;
 }
@@ -1009,22 +1063,22 @@ float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
             break;
         }
         uint param = seed + (uint(i) * 2246822507u);
-        uint _2579 = gabor_mix(param, 2654435761u);
-        uint own_seed = _2579;
+        uint _2646 = gabor_mix(param, 2654435761u);
+        uint own_seed = _2646;
         GaborKernel param_1 = gabor_kernel_lobe(lobes.lobe[i]);
         sum += (sqrt(lobes.lobe[i].power) * gabor_field(place, param_1, own_seed).value.y);
         power += lobes.lobe[i].power;
     }
-    float _2605;
+    float _2672;
     if (power > 0.0f)
     {
-        _2605 = sum * rsqrt(power);
+        _2672 = sum * rsqrt(power);
     }
     else
     {
-        _2605 = 0.0f;
+        _2672 = 0.0f;
     }
-    return _2605;
+    return _2672;
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -1033,11 +1087,14 @@ float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
 float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-    GaborFootprint footprint = gabor_footprint(dx, dy);
-    GaborKernel param = kernel;
-    float2 value = gabor_field_filtered(gabor_place(int2(0, 0), p * 1.0f), param, footprint, seed);
-    GaborKernel param_1 = kernel;
-    return float2(value.y, gabor_removed(param_1, footprint));
+    float2 param = dx;
+    float2 param_1 = dy;
+    GaborFootprint _2688 = gabor_footprint(param, param_1);
+    GaborFootprint footprint = _2688;
+    GaborKernel param_2 = kernel;
+    float2 value = gabor_field_filtered(gabor_place(int2(0, 0), p * 1.0f), param_2, footprint, seed);
+    GaborKernel param_3 = kernel;
+    return float2(value.y, gabor_removed(param_3, footprint));
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which

@@ -303,7 +303,8 @@ struct GaborLobe
 // The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
 //   frequency_spread    a share of the frequency, within [0, 1]
 //   orientation_spread  radians: pi/2 and more is every direction, isotropic
-//   power               in any unit, at least 0
+//   power               in any unit, up to 10^9
+// What is less than 0 or NaN counts as 0.
 static inline __attribute__((always_inline))
 GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread, float orientation_spread, float power)
 {
@@ -320,8 +321,36 @@ GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread,
     magnitude = _880;
     GaborLobe lobe;
     lobe.wave = gabor_direction(orientation) * magnitude;
-    lobe.spread = fast::clamp(float2(frequency_spread, orientation_spread * 0.15915493667125701904296875), float2(0.0), float2(1.0, 0.25));
-    lobe.power = fast::max(power, 0.0);
+    float _895;
+    if (frequency_spread > 0.0)
+    {
+        _895 = fast::min(frequency_spread, 1.0);
+    }
+    else
+    {
+        _895 = 0.0;
+    }
+    lobe.spread.x = _895;
+    float _903;
+    if (orientation_spread > 0.0)
+    {
+        _903 = 0.15915493667125701904296875 * fast::min(orientation_spread, 1.5707962512969970703125);
+    }
+    else
+    {
+        _903 = 0.0;
+    }
+    lobe.spread.y = _903;
+    float _914;
+    if (power > 0.0)
+    {
+        _914 = fast::min(power, 1000000000.0);
+    }
+    else
+    {
+        _914 = 0.0;
+    }
+    lobe.power = _914;
     return lobe;
 }
 
@@ -354,18 +383,18 @@ GaborKernel gabor_kernel_lobes(const GaborLobes lobes)
     kernel0.lobes = lobes;
     kernel0.lobes.count = clamp(lobes.count, 1, 1);
     float together = 0.0;
-    float _926;
+    float _945;
     for (int i = 0; i < 1; i++)
     {
         if (i < kernel0.lobes.count)
         {
-            _926 = lobes.lobe[i].power;
+            _945 = lobes.lobe[i].power;
         }
         else
         {
-            _926 = 0.0;
+            _945 = 0.0;
         }
-        together += _926;
+        together += _945;
         kernel0.lobes.lobe[i].power = together;
     }
     kernel0.phases = 256.0;
@@ -417,10 +446,10 @@ static inline __attribute__((always_inline))
 float2 gabor_within(GaborLobe lobe, float2 spread)
 {
     float param = spread.y + 0.25;
-    float _1025 = gabor_sin_turns(param);
+    float _1044 = gabor_sin_turns(param);
     float param_1 = spread.y;
-    float _1028 = gabor_sin_turns(param_1);
-    float2 turn = float2(_1025, _1028);
+    float _1047 = gabor_sin_turns(param_1);
+    float2 turn = float2(_1044, _1047);
     return gabor_times(lobe.wave, turn) * (1.0 + spread.x);
 }
 
@@ -430,40 +459,40 @@ float2 gabor_wave(const GaborKernel kernel0, uint word)
 {
     GaborLobe lobe = kernel0.lobes.lobe[0];
     uint param = word;
-    uint _1043 = gabor_mix(param, 2654435761u);
-    uint choice = _1043;
+    uint _1062 = gabor_mix(param, 2654435761u);
+    uint choice = _1062;
     if (kernel0.lobes.count > 1)
     {
         float chosen = kernel0.lobes.lobe[0].power * ((float(choice >> 16u) + 0.5) / 65536.0);
         for (int i = 1; i < 1; i++)
         {
-            bool _1070 = i < kernel0.lobes.count;
-            bool _1079;
-            if (_1070)
+            bool _1089 = i < kernel0.lobes.count;
+            bool _1098;
+            if (_1089)
             {
-                _1079 = chosen >= kernel0.lobes.lobe[i - 1].power;
+                _1098 = chosen >= kernel0.lobes.lobe[i - 1].power;
             }
             else
             {
-                _1079 = _1070;
+                _1098 = _1089;
             }
-            if (_1079)
+            if (_1098)
             {
                 lobe = kernel0.lobes.lobe[i];
             }
         }
     }
-    bool _1089 = lobe.spread.x == 0.0;
-    bool _1095;
-    if (_1089)
+    bool _1108 = lobe.spread.x == 0.0;
+    bool _1114;
+    if (_1108)
     {
-        _1095 = lobe.spread.y == 0.0;
+        _1114 = lobe.spread.y == 0.0;
     }
     else
     {
-        _1095 = _1089;
+        _1114 = _1108;
     }
-    if (_1095)
+    if (_1114)
     {
         return lobe.wave;
     }
@@ -526,16 +555,16 @@ int gabor_wrap(int cell, int period)
         return cell;
     }
     int within = cell - ((cell / period) * period);
-    int _1191;
+    int _1210;
     if (within < 0)
     {
-        _1191 = within + period;
+        _1210 = within + period;
     }
     else
     {
-        _1191 = within;
+        _1210 = within;
     }
-    return _1191;
+    return _1210;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
@@ -548,14 +577,14 @@ float gabor_tempo_gain(const GaborKernel kernel0, float time)
         return 1.0;
     }
     float param = time;
-    float _1211 = gabor_sin_turns(param);
+    float _1230 = gabor_sin_turns(param);
     float param_1 = 2.0 * time;
-    float _1214 = gabor_sin_turns(param_1);
+    float _1233 = gabor_sin_turns(param_1);
     float param_2 = 3.0 * time;
-    float _1217 = gabor_sin_turns(param_2);
+    float _1236 = gabor_sin_turns(param_2);
     float param_3 = 4.0 * time;
-    float _1220 = gabor_sin_turns(param_3);
-    float4 sines = float4(_1211, _1214, _1217, _1220);
+    float _1239 = gabor_sin_turns(param_3);
+    float4 sines = float4(_1230, _1233, _1236, _1239);
     float u = 0.5 * dot(sines, sines);
     return rsqrt(1.0 + ((u * (1.0 - kernel0.deficit)) / kernel0.deficit));
 }
@@ -604,10 +633,10 @@ GaborField gabor_field(GaborPlace place, const GaborKernel kernel0, uint seed)
                     float magnitude = gabor_magnitude(word);
                     float2 window = float2(gabor_window(d.x), gabor_window(d.y));
                     float param_1 = turns + 0.25;
-                    float _1402 = gabor_sin_turns(param_1);
+                    float _1422 = gabor_sin_turns(param_1);
                     float param_2 = turns;
-                    float _1405 = gabor_sin_turns(param_2);
-                    float2 wave = float2(_1402, _1405) * magnitude;
+                    float _1425 = gabor_sin_turns(param_2);
+                    float2 wave = float2(_1422, _1425) * magnitude;
                     float2 turned = float2(-wave.y, wave.x) * ((6.283185482025146484375 * window.x) * window.y);
                     sum.value += (wave * (window.x * window.y));
                     sum.slope_x += ((wave * (gabor_window_slope(d.x) * window.y)) + (turned * cycles.x));
@@ -704,43 +733,58 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy)
     float3 covariance = (float3(dx * dx, dx.x * dx.y) + float3(dy * dy, dy.x * dy.y)) * 0.25;
     if (!((covariance.x + covariance.y) < 250000.0))
     {
+        dx = float2(1000.0, 0.0);
+        dy = float2(0.0, 1000.0);
         covariance = unit * 250000.0;
     }
     GaborFootprint footprint;
     footprint.covariance = covariance;
     float mean = 0.5 * (covariance.x + covariance.y);
     float apart = length(float2(0.5 * (covariance.x - covariance.y), covariance.z));
-    float2 cut = fast::max(float2(mean + apart, mean - apart) - float2(0.25), float2(0.0));
-    float3 _1782;
-    if (apart > 0.0)
+    float larger = mean + apart;
+    float side = 0.25 * ((dx.x * dy.y) - (dx.y * dy.x));
+    float _1820;
+    if (larger > 9.9999999600419720025001879548654e-13)
     {
-        _1782 = (covariance - (unit * mean)) / float3(apart);
+        _1820 = fast::min((side / larger) * side, mean);
     }
     else
     {
-        _1782 = float3(0.0);
+        _1820 = 0.0;
     }
-    float3 direction = _1782;
-    footprint.widening = covariance - (((unit * (cut.x + cut.y)) + (direction * (cut.x - cut.y))) * 0.5);
-    float3 _1816 = footprint.widening;
-    float2 _1818 = fast::max(_1816.xy, float2(0.0));
-    footprint.widening.x = _1818.x;
-    footprint.widening.y = _1818.y;
+    float smaller = _1820;
+    float2 kept = fast::min(float2(larger, smaller), float2(0.25));
+    float3 _1841;
+    if (apart > 0.0)
+    {
+        _1841 = (covariance - (unit * mean)) / float3(apart);
+    }
+    else
+    {
+        _1841 = float3(0.0);
+    }
+    float3 direction = _1841;
+    footprint.widening = ((unit * (kept.x + kept.y)) + (direction * (kept.x - kept.y))) * 0.5;
+    float3 _1873 = footprint.widening;
+    float2 _1875 = fast::max(_1873.xy, float2(0.0));
+    footprint.widening.x = _1875.x;
+    footprint.widening.y = _1875.y;
     footprint._inverse = gabor_inverse((unit * 0.1211040019989013671875) + footprint.widening);
     footprint.amplitude = 0.1211040019989013671875 * sqrt((footprint._inverse.x * footprint._inverse.y) - (footprint._inverse.z * footprint._inverse.z));
     footprint.reach = float2(1.04499995708465576171875) + (sqrt(footprint.widening.xy) * 1.5);
     float3 v = unit - (footprint._inverse * 0.1211040019989013671875);
     float2 variance = fast::max(v.xy, float2(0.0));
-    float _1869;
-    if (v.z == 0.0)
+    float product = variance.x * variance.y;
+    float _1931;
+    if (product > 0.0)
     {
-        _1869 = 0.0;
+        _1931 = fast::min(abs(v.z) * rsqrt(product), 1.0);
     }
     else
     {
-        _1869 = fast::min(abs(v.z) * rsqrt(variance.x * variance.y), 1.0);
+        _1931 = 0.0;
     }
-    float correlation = _1869;
+    float correlation = _1931;
     footprint.joint = sqrt(variance * correlation) * float2(1.0, (v.z < 0.0) ? (-1.0) : 1.0);
     float2 rest = variance * (1.0 - correlation);
     footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
@@ -777,17 +821,17 @@ float gabor_removed(const GaborKernel kernel0, GaborFootprint footprint)
         }
         GaborLobe lobe = kernel0.lobes.lobe[i];
         float mean = 0.0;
-        bool _2036 = lobe.spread.x == 0.0;
-        bool _2042;
-        if (_2036)
+        bool _2094 = lobe.spread.x == 0.0;
+        bool _2100;
+        if (_2094)
         {
-            _2042 = lobe.spread.y == 0.0;
+            _2100 = lobe.spread.y == 0.0;
         }
         else
         {
-            _2042 = _2036;
+            _2100 = _2094;
         }
-        if (_2042)
+        if (_2100)
         {
             mean = gabor_kept(lobe.wave, footprint.covariance);
         }
@@ -802,16 +846,16 @@ float gabor_removed(const GaborKernel kernel0, GaborFootprint footprint)
         kept += ((lobe.power - before) * mean);
         before = lobe.power;
     }
-    float _2102;
+    float _2160;
     if (before > 0.0)
     {
-        _2102 = fast::clamp(1.0 - (kept / before), 0.0, 1.0);
+        _2160 = fast::clamp(1.0 - (kept / before), 0.0, 1.0);
     }
     else
     {
-        _2102 = 0.0;
+        _2160 = 0.0;
     }
-    return _2102;
+    return _2160;
 }
 
 // A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
@@ -822,35 +866,45 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     float2 real = gabor_symmetric(footprint._inverse, d);
     float2 imaginary = gabor_symmetric(footprint._inverse, shift);
     float exponent = 0.5 * ((dot(shift, imaginary) - dot(wave * 6.283185482025146484375, shift)) - dot(d, real));
-    if (exponent < (-20.0))
+    real *= 0.347999989986419677734375;
+    imaginary *= 0.347999989986419677734375;
+    bool _2202 = exponent < (-20.0);
+    bool _2211;
+    if (!_2202)
+    {
+        _2211 = dot(imaginary, imaginary) > 40.0;
+    }
+    else
+    {
+        _2211 = _2202;
+    }
+    if (_2211)
     {
         return float2(0.0);
     }
-    real *= 0.347999989986419677734375;
-    imaginary *= 0.347999989986419677734375;
     float2 window = float2(0.0);
-    float _2161;
-    float _2178;
+    float _2228;
+    float _2245;
     for (int i = -2; i <= 2; i++)
     {
         if (i == 0)
         {
-            _2161 = 0.0;
+            _2228 = 0.0;
         }
         else
         {
-            _2161 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125 : 1.42848503589630126953125);
+            _2228 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125 : 1.42848503589630126953125);
         }
-        float point = _2161;
+        float point = _2228;
         if (i == 0)
         {
-            _2178 = 0.533333301544189453125;
+            _2245 = 0.533333301544189453125;
         }
         else
         {
-            _2178 = (abs(i) == 1) ? 0.22207592427730560302734375 : 0.0112574100494384765625;
+            _2245 = (abs(i) == 1) ? 0.22207592427730560302734375 : 0.0112574100494384765625;
         }
-        float weight = _2178;
+        float weight = _2245;
         float2 v = footprint.joint * point;
         window += (gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)), gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y))) * weight);
     }
@@ -861,10 +915,10 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
     }
     float turns = (dot(wave, d) - (dot(shift, real) / 2.1865484714508056640625)) + phase;
     float param = turns + 0.25;
-    float _2257 = gabor_sin_turns(param);
+    float _2324 = gabor_sin_turns(param);
     float param_1 = turns;
-    float _2260 = gabor_sin_turns(param_1);
-    return gabor_times(window, float2(_2257, _2260)) * amplitude;
+    float _2327 = gabor_sin_turns(param_1);
+    return gabor_times(window, float2(_2324, _2327)) * amplitude;
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -967,26 +1021,26 @@ static inline __attribute__((always_inline))
 float2 gabor_phasor(float2 value)
 {
     float intensity = length(value);
-    float _2462;
+    float _2529;
     if (intensity > 0.0)
     {
-        _2462 = precise::atan2(value.y, value.x) * 0.15915493667125701904296875;
+        _2529 = precise::atan2(value.y, value.x) * 0.15915493667125701904296875;
     }
     else
     {
-        _2462 = 0.0;
+        _2529 = 0.0;
     }
-    float phase = _2462;
-    float _2473;
+    float phase = _2529;
+    float _2540;
     if (phase < 0.0)
     {
-        _2473 = fast::min(phase + 1.0, 0.999999940395355224609375);
+        _2540 = fast::min(phase + 1.0, 0.999999940395355224609375);
     }
     else
     {
-        _2473 = phase;
+        _2540 = phase;
     }
-    return float2(_2473, intensity);
+    return float2(_2540, intensity);
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
@@ -1056,22 +1110,22 @@ float gabor_noise_sum(float2 p, const GaborLobes lobes, uint seed)
             break;
         }
         uint param = seed + (uint(i) * 2246822507u);
-        uint _2579 = gabor_mix(param, 2654435761u);
-        uint own_seed = _2579;
+        uint _2646 = gabor_mix(param, 2654435761u);
+        uint own_seed = _2646;
         GaborKernel param_1 = gabor_kernel_lobe(lobes.lobe[i]);
         sum += (sqrt(lobes.lobe[i].power) * gabor_field(place, param_1, own_seed).value.y);
         power += lobes.lobe[i].power;
     }
-    float _2605;
+    float _2672;
     if (power > 0.0)
     {
-        _2605 = sum * rsqrt(power);
+        _2672 = sum * rsqrt(power);
     }
     else
     {
-        _2605 = 0.0;
+        _2672 = 0.0;
     }
-    return _2605;
+    return _2672;
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -1081,11 +1135,14 @@ static inline __attribute__((always_inline))
 float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
     GaborKernel kernel0 = gabor_kernel(frequency, orientation);
-    GaborFootprint footprint = gabor_footprint(dx, dy);
-    GaborKernel param = kernel0;
-    float2 value = gabor_field_filtered(gabor_place(int2(0), p * 1.0), param, footprint, seed);
-    GaborKernel param_1 = kernel0;
-    return float2(value.y, gabor_removed(param_1, footprint));
+    float2 param = dx;
+    float2 param_1 = dy;
+    GaborFootprint _2688 = gabor_footprint(param, param_1);
+    GaborFootprint footprint = _2688;
+    GaborKernel param_2 = kernel0;
+    float2 value = gabor_field_filtered(gabor_place(int2(0), p * 1.0), param_2, footprint, seed);
+    GaborKernel param_3 = kernel0;
+    return float2(value.y, gabor_removed(param_3, footprint));
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which

@@ -474,11 +474,15 @@ struct GaborLobe {
 // The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
 //   frequency_spread    a share of the frequency, within [0, 1]
 //   orientation_spread  radians: pi/2 and more is every direction, isotropic
-//   power               in any unit, at least 0
+//   power               in any unit, up to 10^9
+// What is less than 0 or NaN counts as 0.
 fn gabor_lobe(frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, power: f32) -> GaborLobe {
     var magnitude: f32;
     var local_13: f32;
     var lobe: GaborLobe;
+    var local_14: f32;
+    var local_15: f32;
+    var local_16: f32;
 
     magnitude = abs(frequency);
     let _e7 = magnitude;
@@ -493,10 +497,29 @@ fn gabor_lobe(frequency: f32, orientation: f32, frequency_spread: f32, orientati
     let _e18 = magnitude;
     let _e19 = gabor_direction(orientation);
     lobe.wave = (_e18 * _e19);
-    lobe.spread = clamp(vec2<f32>(frequency_spread, (orientation_spread * 0.15915494f)), vec2(0f), vec2<f32>(1f, 0.25f));
-    lobe.power = max(power, 0f);
-    let _e34 = lobe;
-    return _e34;
+    if (frequency_spread > 0f) {
+        local_14 = min(frequency_spread, 1f);
+    } else {
+        local_14 = 0f;
+    }
+    let _e29 = local_14;
+    lobe.spread.x = _e29;
+    if (orientation_spread > 0f) {
+        local_15 = (0.15915494f * min(orientation_spread, 1.5707963f));
+    } else {
+        local_15 = 0f;
+    }
+    let _e40 = local_15;
+    lobe.spread.y = _e40;
+    if (power > 0f) {
+        local_16 = min(power, 1000000000f);
+    } else {
+        local_16 = 0f;
+    }
+    let _e48 = local_16;
+    lobe.power = _e48;
+    let _e49 = lobe;
+    return _e49;
 }
 
 // A spectrum: what gabor_noise_lobes and gabor_noise_sum take.
@@ -524,7 +547,7 @@ fn gabor_kernel_lobes(lobes: GaborLobes) -> GaborKernel {
     var kernel: GaborKernel;
     var together: f32 = 0f;
     var i_1: i32 = 0i;
-    var local_14: f32;
+    var local_17: f32;
     var density: f32 = 1f;
     var power_1: f32 = 0.7278125f;
     var energy_2: f32;
@@ -546,11 +569,11 @@ fn gabor_kernel_lobes(lobes: GaborLobes) -> GaborKernel {
             if (_e24 < _e25.lobes.count) {
                 let _e29 = i_1;
                 let _e32 = lobes_1.lobe[_e29];
-                local_14 = _e32.power;
+                local_17 = _e32.power;
             } else {
-                local_14 = 0f;
+                local_17 = 0f;
             }
-            let _e36 = local_14;
+            let _e36 = local_17;
             together = (_e23 + _e36);
             let _e38 = i_1;
             let _e43 = together;
@@ -770,7 +793,7 @@ struct GaborField {
 // A cell's coordinate within a period.
 fn gabor_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
-    var local_16: i32;
+    var local_19: i32;
 
     if (period == 0i) {
         return cell;
@@ -779,12 +802,12 @@ fn gabor_wrap(cell: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local_16 = (_e11 + period);
+        local_19 = (_e11 + period);
     } else {
         let _e13 = within;
-        local_16 = _e13;
+        local_19 = _e13;
     }
-    let _e15 = local_16;
+    let _e15 = local_19;
     return _e15;
 }
 
@@ -833,7 +856,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var kernel_9: GaborKernel;
     var visited: i32 = 3i;
     var whole: vec2<f32>;
-    var local_17: vec2<f32>;
+    var local_20: vec2<f32>;
     var first: vec2<f32>;
     var cell_2: vec2<i32>;
     var cell_side: vec2<f32>;
@@ -859,8 +882,8 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     kernel_9 = kernel;
     whole = floor(place.local);
     let _e16 = whole;
-    local_17 = (place.local - _e16);
-    let _e19 = local_17;
+    local_20 = (place.local - _e16);
+    let _e19 = local_20;
     first = floor((_e19 - place.radius));
     let _e25 = whole;
     let _e26 = first;
@@ -911,7 +934,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                             let _e105 = word_7;
                             let _e106 = gabor_place_plus_one(_e105);
                             impulse = _e106;
-                            let _e108 = local_17;
+                            let _e108 = local_20;
                             let _e109 = impulse;
                             let _e110 = first;
                             let _e111 = i_4;
@@ -1118,119 +1141,159 @@ struct GaborFootprint {
 //   dx, dy   steps from the pixel's place to its neighbours', dFdx(p) and dFdy(p), in kernel radii. Where they are NaN
 //            or infinite or longer than 10^3, 10^3 is taken.
 fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
+    var dx_1: vec2<f32>;
+    var dy_1: vec2<f32>;
     var unit: vec3<f32> = vec3<f32>(1f, 1f, 0f);
     var covariance: vec3<f32>;
     var footprint: GaborFootprint;
     var mean_1: f32;
     var apart: f32;
-    var cut: vec2<f32>;
-    var local_18: vec3<f32>;
+    var larger: f32;
+    var side: f32;
+    var local_21: f32;
+    var smaller: f32;
+    var kept: vec2<f32>;
+    var local_22: vec3<f32>;
     var direction: vec3<f32>;
     var v_2: vec3<f32>;
     var variance_1: vec2<f32>;
-    var local_19: f32;
+    var product: f32;
+    var local_23: f32;
     var correlation: f32;
-    var local_20: f32;
+    var local_24: f32;
     var rest: vec2<f32>;
 
-    let _e8 = (dx * dx);
-    let _e15 = (dy * dy);
-    covariance = (0.25f * (vec3<f32>(_e8.x, _e8.y, (dx.x * dx.y)) + vec3<f32>(_e15.x, _e15.y, (dy.x * dy.y))));
-    let _e25 = covariance;
-    let _e27 = covariance;
-    if !(((_e25.x + _e27.y) < 250000f)) {
-        let _e34 = unit;
-        covariance = (250000f * _e34);
+    dx_1 = dx;
+    dy_1 = dy;
+    let _e10 = dx_1;
+    let _e11 = dx_1;
+    let _e12 = (_e10 * _e11);
+    let _e13 = dx_1;
+    let _e15 = dx_1;
+    let _e21 = dy_1;
+    let _e22 = dy_1;
+    let _e23 = (_e21 * _e22);
+    let _e24 = dy_1;
+    let _e26 = dy_1;
+    covariance = (0.25f * (vec3<f32>(_e12.x, _e12.y, (_e13.x * _e15.y)) + vec3<f32>(_e23.x, _e23.y, (_e24.x * _e26.y))));
+    let _e35 = covariance;
+    let _e37 = covariance;
+    if !(((_e35.x + _e37.y) < 250000f)) {
+        {
+            dx_1 = vec2<f32>(1000f, 0f);
+            dy_1 = vec2<f32>(0f, 1000f);
+            let _e50 = unit;
+            covariance = (250000f * _e50);
+        }
     }
-    let _e38 = covariance;
-    footprint.covariance = _e38;
-    let _e40 = covariance;
-    let _e42 = covariance;
-    mean_1 = (0.5f * (_e40.x + _e42.y));
-    let _e48 = covariance;
-    let _e50 = covariance;
     let _e54 = covariance;
-    apart = length(vec2<f32>((0.5f * (_e48.x - _e50.y)), _e54.z));
-    let _e59 = mean_1;
-    let _e60 = apart;
-    let _e62 = mean_1;
-    let _e63 = apart;
-    cut = max((vec2<f32>((_e59 + _e60), (_e62 - _e63)) - vec2(0.25f)), vec2(0f));
-    let _e73 = apart;
-    if (_e73 > 0f) {
-        let _e76 = covariance;
-        let _e77 = mean_1;
-        let _e78 = unit;
-        let _e81 = apart;
-        local_18 = ((_e76 - (_e77 * _e78)) / vec3(_e81));
+    footprint.covariance = _e54;
+    let _e56 = covariance;
+    let _e58 = covariance;
+    mean_1 = (0.5f * (_e56.x + _e58.y));
+    let _e64 = covariance;
+    let _e66 = covariance;
+    let _e70 = covariance;
+    apart = length(vec2<f32>((0.5f * (_e64.x - _e66.y)), _e70.z));
+    let _e75 = mean_1;
+    let _e76 = apart;
+    larger = (_e75 + _e76);
+    let _e80 = dx_1;
+    let _e82 = dy_1;
+    let _e85 = dx_1;
+    let _e87 = dy_1;
+    side = (0.25f * ((_e80.x * _e82.y) - (_e85.y * _e87.x)));
+    let _e93 = larger;
+    if (_e93 > 0.000000000001f) {
+        let _e96 = side;
+        let _e97 = larger;
+        let _e99 = side;
+        let _e101 = mean_1;
+        local_21 = min(((_e96 / _e97) * _e99), _e101);
     } else {
-        local_18 = vec3(0f);
+        local_21 = 0f;
     }
-    let _e87 = local_18;
-    direction = _e87;
-    let _e90 = covariance;
-    let _e92 = cut;
-    let _e94 = cut;
-    let _e97 = unit;
-    let _e99 = cut;
-    let _e101 = cut;
-    let _e104 = direction;
-    footprint.widening = (_e90 - (0.5f * (((_e92.x + _e94.y) * _e97) + ((_e99.x - _e101.y) * _e104))));
-    let _e110 = footprint.widening;
-    let _e112 = footprint;
-    let _e117 = max(_e112.widening.xy, vec2(0f));
-    footprint.widening.x = _e117.x;
-    footprint.widening.y = _e117.y;
-    let _e124 = unit;
-    let _e126 = footprint;
-    let _e129 = gabor_inverse(((0.121104f * _e124) + _e126.widening));
-    footprint.inverse = _e129;
-    let _e132 = footprint;
-    let _e135 = footprint;
-    let _e139 = footprint;
-    let _e142 = footprint;
-    footprint.amplitude = (0.121104f * sqrt(((_e132.inverse.x * _e135.inverse.y) - (_e139.inverse.z * _e142.inverse.z))));
-    let _e152 = footprint;
-    footprint.reach = (vec2(1.045f) + (1.5f * sqrt(_e152.widening.xy)));
-    let _e159 = unit;
-    let _e161 = footprint;
-    v_2 = (_e159 - (0.121104f * _e161.inverse));
-    let _e166 = v_2;
-    variance_1 = max(_e166.xy, vec2(0f));
-    let _e172 = v_2;
-    if (_e172.z == 0f) {
-        local_19 = 0f;
+    let _e105 = local_21;
+    smaller = _e105;
+    let _e107 = larger;
+    let _e108 = smaller;
+    kept = min(vec2<f32>(_e107, _e108), vec2(0.25f));
+    let _e114 = apart;
+    if (_e114 > 0f) {
+        let _e117 = covariance;
+        let _e118 = mean_1;
+        let _e119 = unit;
+        let _e122 = apart;
+        local_22 = ((_e117 - (_e118 * _e119)) / vec3(_e122));
     } else {
-        let _e177 = v_2;
-        let _e180 = variance_1;
-        let _e182 = variance_1;
-        local_19 = min((abs(_e177.z) * inverseSqrt((_e180.x * _e182.y))), 1f);
+        local_22 = vec3(0f);
     }
-    let _e190 = local_19;
-    correlation = _e190;
-    let _e193 = correlation;
-    let _e194 = variance_1;
-    let _e198 = v_2;
-    if (_e198.z < 0f) {
-        local_20 = -1f;
+    let _e128 = local_22;
+    direction = _e128;
+    let _e132 = kept;
+    let _e134 = kept;
+    let _e137 = unit;
+    let _e139 = kept;
+    let _e141 = kept;
+    let _e144 = direction;
+    footprint.widening = (0.5f * (((_e132.x + _e134.y) * _e137) + ((_e139.x - _e141.y) * _e144)));
+    let _e149 = footprint.widening;
+    let _e151 = footprint;
+    let _e156 = max(_e151.widening.xy, vec2(0f));
+    footprint.widening.x = _e156.x;
+    footprint.widening.y = _e156.y;
+    let _e163 = unit;
+    let _e165 = footprint;
+    let _e168 = gabor_inverse(((0.121104f * _e163) + _e165.widening));
+    footprint.inverse = _e168;
+    let _e171 = footprint;
+    let _e174 = footprint;
+    let _e178 = footprint;
+    let _e181 = footprint;
+    footprint.amplitude = (0.121104f * sqrt(((_e171.inverse.x * _e174.inverse.y) - (_e178.inverse.z * _e181.inverse.z))));
+    let _e191 = footprint;
+    footprint.reach = (vec2(1.045f) + (1.5f * sqrt(_e191.widening.xy)));
+    let _e198 = unit;
+    let _e200 = footprint;
+    v_2 = (_e198 - (0.121104f * _e200.inverse));
+    let _e205 = v_2;
+    variance_1 = max(_e205.xy, vec2(0f));
+    let _e211 = variance_1;
+    let _e213 = variance_1;
+    product = (_e211.x * _e213.y);
+    let _e217 = product;
+    if (_e217 > 0f) {
+        let _e220 = v_2;
+        let _e223 = product;
+        local_23 = min((abs(_e220.z) * inverseSqrt(_e223)), 1f);
     } else {
-        local_20 = 1f;
+        local_23 = 0f;
     }
-    let _e206 = local_20;
-    footprint.joint = (sqrt((_e193 * _e194)) * vec2<f32>(1f, _e206));
-    let _e210 = correlation;
-    let _e212 = variance_1;
-    rest = ((1f - _e210) * _e212);
-    let _e216 = gabor_normal_window();
-    let _e217 = rest;
-    let _e219 = gabor_averaged(_e216, _e217.x);
-    footprint.x = _e219;
-    let _e221 = gabor_normal_window();
-    let _e222 = rest;
-    let _e224 = gabor_averaged(_e221, _e222.y);
-    footprint.y = _e224;
-    let _e225 = footprint;
-    return _e225;
+    let _e230 = local_23;
+    correlation = _e230;
+    let _e233 = correlation;
+    let _e234 = variance_1;
+    let _e238 = v_2;
+    if (_e238.z < 0f) {
+        local_24 = -1f;
+    } else {
+        local_24 = 1f;
+    }
+    let _e246 = local_24;
+    footprint.joint = (sqrt((_e233 * _e234)) * vec2<f32>(1f, _e246));
+    let _e250 = correlation;
+    let _e252 = variance_1;
+    rest = ((1f - _e250) * _e252);
+    let _e256 = gabor_normal_window();
+    let _e257 = rest;
+    let _e259 = gabor_averaged(_e256, _e257.x);
+    footprint.x = _e259;
+    let _e261 = gabor_normal_window();
+    let _e262 = rest;
+    let _e264 = gabor_averaged(_e261, _e262.y);
+    footprint.y = _e264;
+    let _e265 = footprint;
+    return _e265;
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe taken as normal, of
@@ -1280,14 +1343,14 @@ fn gabor_kept(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
 // The share of its variance that all of a kernel's noise loses under the footprint: in [0, 1].
 fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
     var kernel_11: GaborKernel;
-    var kept: f32 = 0f;
+    var kept_1: f32 = 0f;
     var before: f32 = 0f;
     var i_5: i32 = 0i;
     var lobe_5: GaborLobe;
     var mean_2: f32;
     var j_1: i32;
     var within_1: vec2<f32>;
-    var local_21: f32;
+    var local_25: f32;
 
     kernel_11 = kernel;
     loop {
@@ -1340,11 +1403,11 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
                     }
                 }
             }
-            let _e91 = kept;
+            let _e91 = kept_1;
             let _e92 = lobe_5;
             let _e94 = before;
             let _e96 = mean_2;
-            kept = (_e91 + ((_e92.power - _e94) * _e96));
+            kept_1 = (_e91 + ((_e92.power - _e94) * _e96));
             let _e99 = lobe_5;
             before = _e99.power;
         }
@@ -1355,13 +1418,13 @@ fn gabor_removed(kernel: GaborKernel, footprint: GaborFootprint) -> f32 {
     }
     let _e101 = before;
     if (_e101 > 0f) {
-        let _e105 = kept;
+        let _e105 = kept_1;
         let _e106 = before;
-        local_21 = clamp((1f - (_e105 / _e106)), 0f, 1f);
+        local_25 = clamp((1f - (_e105 / _e106)), 0f, 1f);
     } else {
-        local_21 = 0f;
+        local_25 = 0f;
     }
-    let _e114 = local_21;
+    let _e114 = local_25;
     return _e114;
 }
 
@@ -1373,11 +1436,11 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
     var exponent: f32;
     var window_1: vec2<f32> = vec2(0f);
     var i_6: i32 = -2i;
-    var local_22: f32;
-    var local_23: f32;
+    var local_26: f32;
+    var local_27: f32;
     var point: f32;
-    var local_24: f32;
-    var local_25: f32;
+    var local_28: f32;
+    var local_29: f32;
     var weight: f32;
     var v_3: vec2<f32>;
     var amplitude: f32;
@@ -1395,90 +1458,92 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
     let _e22 = shift;
     let _e25 = real;
     exponent = (0.5f * ((dot(_e17, _e18) - dot((6.2831855f * wave), _e22)) - dot(d, _e25)));
-    let _e30 = exponent;
-    if (_e30 < -20f) {
+    let _e30 = real;
+    real = (_e30 * 0.348f);
+    let _e33 = imaginary;
+    imaginary = (_e33 * 0.348f);
+    let _e36 = exponent;
+    let _e40 = imaginary;
+    let _e41 = imaginary;
+    if ((_e36 < -20f) || (dot(_e40, _e41) > 40f)) {
         return vec2(0f);
     }
-    let _e36 = real;
-    real = (_e36 * 0.348f);
-    let _e39 = imaginary;
-    imaginary = (_e39 * 0.348f);
     loop {
-        let _e48 = i_6;
-        if !((_e48 <= 2i)) {
+        let _e54 = i_6;
+        if !((_e54 <= 2i)) {
             break;
         }
         {
-            let _e55 = i_6;
-            if (_e55 == 0i) {
-                local_23 = 0f;
+            let _e61 = i_6;
+            if (_e61 == 0i) {
+                local_27 = 0f;
             } else {
-                let _e59 = i_6;
-                let _e61 = i_6;
-                if (abs(_e61) == 1i) {
-                    local_22 = 1.3556262f;
+                let _e65 = i_6;
+                let _e67 = i_6;
+                if (abs(_e67) == 1i) {
+                    local_26 = 1.3556262f;
                 } else {
-                    local_22 = 1.428485f;
+                    local_26 = 1.428485f;
                 }
-                let _e68 = local_22;
-                local_23 = (f32(_e59) * _e68);
+                let _e74 = local_26;
+                local_27 = (f32(_e65) * _e74);
             }
-            let _e71 = local_23;
-            point = _e71;
-            let _e73 = i_6;
-            if (_e73 == 0i) {
-                local_25 = 0.5333333f;
+            let _e77 = local_27;
+            point = _e77;
+            let _e79 = i_6;
+            if (_e79 == 0i) {
+                local_29 = 0.5333333f;
             } else {
-                let _e77 = i_6;
-                if (abs(_e77) == 1i) {
-                    local_24 = 0.22207592f;
+                let _e83 = i_6;
+                if (abs(_e83) == 1i) {
+                    local_28 = 0.22207592f;
                 } else {
-                    local_24 = 0.01125741f;
+                    local_28 = 0.01125741f;
                 }
-                let _e84 = local_24;
-                local_25 = _e84;
+                let _e90 = local_28;
+                local_29 = _e90;
             }
-            let _e86 = local_25;
-            weight = _e86;
-            let _e88 = point;
-            v_3 = (_e88 * footprint.joint);
-            let _e92 = window_1;
-            let _e93 = weight;
-            let _e95 = real;
-            let _e97 = v_3;
-            let _e100 = imaginary;
-            let _e103 = gabor_polynomial(footprint.x, vec2<f32>((_e95.x + _e97.x), _e100.x));
-            let _e105 = real;
-            let _e107 = v_3;
-            let _e110 = imaginary;
-            let _e113 = gabor_polynomial(footprint.y, vec2<f32>((_e105.y + _e107.y), _e110.y));
-            let _e114 = gabor_times(_e103, _e113);
-            window_1 = (_e92 + (_e93 * _e114));
+            let _e92 = local_29;
+            weight = _e92;
+            let _e94 = point;
+            v_3 = (_e94 * footprint.joint);
+            let _e98 = window_1;
+            let _e99 = weight;
+            let _e101 = real;
+            let _e103 = v_3;
+            let _e106 = imaginary;
+            let _e109 = gabor_polynomial(footprint.x, vec2<f32>((_e101.x + _e103.x), _e106.x));
+            let _e111 = real;
+            let _e113 = v_3;
+            let _e116 = imaginary;
+            let _e119 = gabor_polynomial(footprint.y, vec2<f32>((_e111.y + _e113.y), _e116.y));
+            let _e120 = gabor_times(_e109, _e119);
+            window_1 = (_e98 + (_e99 * _e120));
         }
         continuing {
-            let _e52 = i_6;
-            i_6 = (_e52 + 1i);
+            let _e58 = i_6;
+            i_6 = (_e58 + 1i);
         }
     }
-    let _e118 = exponent;
-    amplitude = (footprint.amplitude * exp(_e118));
+    let _e124 = exponent;
+    amplitude = (footprint.amplitude * exp(_e124));
     if ((footprint.widening.x + footprint.widening.y) < (footprint.covariance.x + footprint.covariance.y)) {
-        let _e133 = amplitude;
-        let _e135 = gabor_kept(wave, footprint.covariance);
-        let _e137 = gabor_kept(wave, footprint.widening);
-        amplitude = (_e133 * sqrt((_e135 / _e137)));
+        let _e139 = amplitude;
+        let _e141 = gabor_kept(wave, footprint.covariance);
+        let _e143 = gabor_kept(wave, footprint.widening);
+        amplitude = (_e139 * sqrt((_e141 / _e143)));
     }
-    let _e142 = shift;
-    let _e143 = real;
-    turns_2 = ((dot(wave, d) - (dot(_e142, _e143) / 2.1865485f)) + phase);
-    let _e152 = amplitude;
-    let _e153 = window_1;
-    let _e154 = turns_2;
-    let _e157 = gabor_sin_turns((_e154 + 0.25f));
-    let _e158 = turns_2;
-    let _e159 = gabor_sin_turns(_e158);
-    let _e161 = gabor_times(_e153, vec2<f32>(_e157, _e159));
-    return (_e152 * _e161);
+    let _e148 = shift;
+    let _e149 = real;
+    turns_2 = ((dot(wave, d) - (dot(_e148, _e149) / 2.1865485f)) + phase);
+    let _e158 = amplitude;
+    let _e159 = window_1;
+    let _e160 = turns_2;
+    let _e163 = gabor_sin_turns((_e160 + 0.25f));
+    let _e164 = turns_2;
+    let _e165 = gabor_sin_turns(_e164);
+    let _e167 = gabor_times(_e159, vec2<f32>(_e163, _e165));
+    return (_e158 * _e167);
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -1489,7 +1554,7 @@ fn gabor_kernel_filtered(d: vec2<f32>, wave: vec2<f32>, phase: f32, footprint: G
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec2<f32> {
     var kernel_13: GaborKernel;
     var whole_1: vec2<f32>;
-    var local_26: vec2<f32>;
+    var local_30: vec2<f32>;
     var first_1: vec2<i32>;
     var last: vec2<i32>;
     var cell_3: vec2<i32>;
@@ -1509,10 +1574,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     kernel_13 = kernel;
     whole_1 = floor(place.local);
     let _e9 = whole_1;
-    local_26 = (place.local - _e9);
-    let _e12 = local_26;
+    local_30 = (place.local - _e9);
+    let _e12 = local_30;
     first_1 = vec2<i32>(floor((_e12 - (place.radius * footprint.reach))));
-    let _e20 = local_26;
+    let _e20 = local_30;
     last = vec2<i32>(floor((_e20 + (place.radius * footprint.reach))));
     let _e29 = whole_1;
     cell_3 = (place.cell + vec2<i32>(_e29));
@@ -1562,7 +1627,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
                             let _e95 = word_8;
                             let _e96 = gabor_place_plus_one(_e95);
                             impulse_1 = _e96;
-                            let _e98 = local_26;
+                            let _e98 = local_30;
                             let _e99 = impulse_1;
                             let _e100 = i_7;
                             let _e102 = j_2;
@@ -1678,28 +1743,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_28: f32;
+    var local_32: f32;
     var phase_2: f32;
-    var local_29: f32;
+    var local_33: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_28 = (atan2(value.y, value.x) * 0.15915494f);
+        local_32 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_28 = 0f;
+        local_32 = 0f;
     }
-    let _e13 = local_28;
+    let _e13 = local_32;
     phase_2 = _e13;
     let _e15 = phase_2;
     if (_e15 < 0f) {
         let _e18 = phase_2;
-        local_29 = min((_e18 + 1f), 0.99999994f);
+        local_33 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase_2;
-        local_29 = _e23;
+        local_33 = _e23;
     }
-    let _e25 = local_29;
+    let _e25 = local_33;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -1792,7 +1857,7 @@ fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     var sum_3: f32 = 0f;
     var i_8: i32 = 0i;
     var own_seed: u32;
-    var local_30: f32;
+    var local_34: f32;
 
     lobes_6 = lobes;
     let _e8 = gabor_place(vec2(0i), (p * 1f));
@@ -1835,11 +1900,11 @@ fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     if (_e61 > 0f) {
         let _e64 = sum_3;
         let _e65 = power_2;
-        local_30 = (_e64 * inverseSqrt(_e65));
+        local_34 = (_e64 * inverseSqrt(_e65));
     } else {
-        local_30 = 0f;
+        local_34 = 0f;
     }
-    let _e70 = local_30;
+    let _e70 = local_34;
     return _e70;
 }
 

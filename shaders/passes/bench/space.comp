@@ -1,0 +1,29 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// The drop-in in space, as one would call it.
+
+#include "../recipe.glsl"
+#include "gabor_noise_3d.glsl"
+#include "bench.glsl"
+
+layout(constant_id = 10) const int entry = 0;
+
+float value(vec2 p, uint instance)
+{
+    vec3 place = vec3(p, 0.5);
+    vec3 direction = vec3(cos(orientation), sin(orientation), 0.0);
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+    switch (entry) {
+    case 2:
+        return gabor_noise_3d_isotropic(place, frequency, instance);
+    case 3:
+        return dot(gabor_noise_3d_gradient(place, frequency, direction, instance), vec4(1.0));
+    case 4:
+        return gabor_noise_surface(place, normal, frequency, direction, instance);
+    case 5:
+        return gabor_noise_surface_isotropic(place, normal, frequency, instance);
+    default:
+        return gabor_noise_3d(place, frequency, direction, instance);
+    }
+}

@@ -1,0 +1,64 @@
+"""The same pixels from the same request: on every run, however lavapipe divides its work, and, to the stated tolerance,
+on another driver (SwiftShader). With GABOR_OTHER_PROGRAM, from another compiler's build too."""
+
+import glob
+import itertools
+import os
+import unittest
+
+import numpy as np
+
+from exr import Exr
+from program import PROGRAM, ProgramTest
+
+LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
+SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
+
+# Two channels more, a part of a cell at each edge, cells on both sides of the origin's.
+COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--quadrature", "--gradient")
+REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
+            ("--frequency=9.5",), ("--region=10,20,111,77",)]
+
+
+class Drivers(ProgramTest):
+    def render(self, *options, **settings):
+        self.succeed("render", "-o", "out.exr", *COMMON, *options, **settings)
+        return (self.folder / "out.exr").read_bytes()
+
+    def test_every_run_gives_the_same_bytes(self):
+        for options in REQUESTS:
+            self.assertEqual(len({self.render(*options) for _ in range(3)}), 1, options)
+
+    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe")
+    def test_lavapipe_gives_the_same_bits_however_it_divides_its_work(self):
+        for options in REQUESTS:
+            pixels = {self.render(*options, env={"VK_ICD_FILENAMES": LAVAPIPE, "LP_NATIVE_VECTOR_WIDTH": width,
+                                                 "LP_NUM_THREADS": threads})
+                      for width, threads in itertools.product(("128", "256"), ("0", "1", "4"))}
+            self.assertEqual(len(pixels), 1, options)
+
+    @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
+    def test_two_drivers_agree(self):
+        """Each is within 2e-5 of the exact noise up to frequency 4, in proportion above: see render/picture.hpp."""
+        for options in REQUESTS:
+            pixels = []
+            for driver in (LAVAPIPE, SWIFTSHADER):
+                self.render(*options, env={"VK_ICD_FILENAMES": driver})
+                pixels.append(Exr(self.folder / "out.exr").channels)
+            frequency = 9.5 if "--frequency=9.5" in options else 4
+            for channel in pixels[0]:
+                slope = 2 * np.pi * frequency if channel.startswith("gradient") else 1
+                difference = np.abs(pixels[0][channel] - pixels[1][channel]).max()
+                print(f"  {' '.join(options)}, {channel}: the drivers differ by {difference:.1e}")
+                self.assertLessEqual(difference, 4e-5 * frequency / 4 * slope)
+
+    def test_two_compilers_agree(self):
+        other = os.environ.get("GABOR_OTHER_PROGRAM")
+        if not other:
+            self.skipTest("needs GABOR_OTHER_PROGRAM")
+        for options in REQUESTS:
+            self.assertEqual(self.render(*options), self.render(*options, command=[other]), options)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,79 @@
+// A process that renders again and again keeps neither memory nor descriptors. GABOR_RENDERS says how often.
+
+#include "image/exr.hpp"
+#include "render/bands.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+
+using namespace gabor;
+
+namespace {
+
+int renders() {
+    const char* text = std::getenv("GABOR_RENDERS");
+    return text ? std::atoi(text) : 40;
+}
+
+std::ptrdiff_t descriptors() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+// Resident now, MiB.
+double memory() {
+    std::ifstream statm("/proc/self/statm");
+    long size = 0, resident = 0;
+    statm >> size >> resident;
+    return static_cast<double>(resident * ::sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+void render_file(const vulkan::Device& device, const std::filesystem::path& path, std::uint32_t seed) {
+    const render::Picture picture{.width = 300, .height = 200, .seed = seed};
+    image::ExrWriter exr(path, {{0, 0, 300, 200}, {0, 0, 300, 200}, render::channels(picture), "zip", ""});
+    render::render_bands(device, picture, {0, 0, 300, 200},
+                         [&](std::span<const float> values) { exr.write_rows(values); });
+    exr.commit();
+}
+
+// `work` is done a few times before anything is counted: what is kept for good is there by then.
+template <typename Work>
+void check_growth(const char* name, int times, Work work) {
+    const int before = times / 4;
+    for (int i = 0; i < before; ++i)
+        work(i);
+    const std::ptrdiff_t descriptors_before = descriptors();
+    const double memory_before = memory();
+    for (int i = before; i < times; ++i)
+        work(i);
+    const double grown = memory() - memory_before;
+    fmt::print("{} {}: memory {:.1f} MiB and {:+.2f}, descriptors {} and {:+}\n", times, name, memory_before,
+               grown, descriptors_before, descriptors() - descriptors_before);
+    CHECK(descriptors() == descriptors_before);
+    CHECK(grown < 4); // MiB: what allocators keep in reserve moves by less
+}
+
+} // namespace
+
+TEST_CASE("renders on one device keep nothing", "[load]") {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load.exr";
+    const vulkan::Device device;
+    check_growth("renders", renders(),
+                 [&](int i) { render_file(device, path, static_cast<std::uint32_t>(i)); });
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("devices made and left keep nothing", "[load]") {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load-devices.exr";
+    check_growth("devices", renders() / 5, [&](int i) {
+        const vulkan::Device device;
+        render_file(device, path, static_cast<std::uint32_t>(i));
+    });
+    std::filesystem::remove(path);
+}
