@@ -2,8 +2,7 @@
 #include "cli/numbers.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
-#include "image/png.hpp"
-#include "render/bands.hpp"
+#include "render/file.hpp"
 #include "render/picture.hpp"
 #include "render/presets.hpp"
 #include "vulkan/device.hpp"
@@ -226,60 +225,6 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-// Where the time of rendering files went, in seconds.
-struct FileTimes {
-    render::Times rendering;
-    double writing = 0;
-    double closing = 0;
-
-    void operator+=(const FileTimes& other) {
-        rendering.waiting += other.rendering.waiting;
-        rendering.gpu += other.rendering.gpu;
-        writing += other.writing;
-        closing += other.closing;
-    }
-};
-
-FileTimes render_file(const vulkan::Device& device, const render::Picture& picture,
-                      const image::Window& region, const std::filesystem::path& output,
-                      const std::optional<std::filesystem::path>& shown_as, std::string_view compression,
-                      Progress& progress) {
-    const std::vector<std::string> channels = render::channels(picture);
-    image::ExrWriter exr(output, {.picture = {0, 0, picture.width, picture.height},
-                                  .window = region,
-                                  .channels = channels,
-                                  .compression = compression,
-                                  .parameters = render::to_json(picture)});
-    const int shown = picture.values >= 3 ? 3 : 1; // colour, where there are as many noises
-    std::optional<image::PngWriter> png;
-    if (shown_as)
-        png.emplace(*shown_as, region.width, region.height, shown);
-
-    FileTimes times;
-    std::vector<float> unorm;
-    times.rendering = render::render_bands(device, picture, region, [&](std::span<const float> values) {
-        check_interrupt();
-        const Clock::time_point before = Clock::now();
-        exr.write_rows(values);
-        if (png) {
-            unorm.clear();
-            for (std::size_t i = 0; i < values.size(); i += channels.size())
-                for (int k = 0; k < shown; ++k)
-                    unorm.push_back(0.5f + 0.25f * values[i + static_cast<std::size_t>(k)]);
-            png->write_rows(unorm);
-        }
-        times.writing += seconds_since(before);
-        progress.advance(values.size() / channels.size());
-    });
-    check_interrupt();
-    const Clock::time_point before = Clock::now();
-    exr.commit();
-    if (png)
-        png->commit();
-    times.closing = seconds_since(before);
-    return times;
-}
-
 // name.exr becomes name.0001.exr for the first of several frames.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames) {
     if (frames == 1)
@@ -288,8 +233,8 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame, i
            fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
 }
 
-void print_times(const FileTimes& times, const vulkan::Device& device, double pixels, double device_ready,
-                 double wall) {
+void print_times(const render::FileTimes& times, const vulkan::Device& device, double pixels,
+                 double device_ready, double wall) {
     const double gpu = times.rendering.gpu;
     fmt::print("  driver                  {}\n", device.info().driver);
     fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.rendering.first_dispatch);
@@ -319,7 +264,7 @@ void render_picture(const RenderOptions& options, Clock::time_point start) {
     const auto pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) *
                         static_cast<std::uint64_t>(frames);
     std::optional<Progress> progress(std::in_place, "rendering", pixels);
-    FileTimes total;
+    render::FileTimes total;
     for (int frame = 0; frame < frames; ++frame) {
         render::Picture picture = request.picture;
         picture.time += static_cast<double>(frame) / frames;
@@ -327,8 +272,11 @@ void render_picture(const RenderOptions& options, Clock::time_point start) {
         std::optional<std::filesystem::path> png;
         if (options.png)
             png = frame_path(*options.png, frame, frames);
-        const FileTimes times =
-            render_file(device, picture, region, output, png, options.compression, *progress);
+        const render::FileTimes times = render::render_file(
+            device, picture, region, {output, png, options.compression}, [&](std::uint64_t done) {
+                check_interrupt();
+                progress->advance(done);
+            });
         if (frame == 0)
             total.rendering.first_dispatch = times.rendering.first_dispatch;
         total += times;

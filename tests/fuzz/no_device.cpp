@@ -27,7 +27,7 @@ int validation_messages() {
     return 0;
 }
 
-Device::Device(std::string_view) {
+Device::Device(std::string_view, const Presentation&) {
     refuse();
 }
 Device::~Device() = default;
