@@ -5,10 +5,12 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "render/paint.hpp"
+#include "render/presets.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -27,6 +29,9 @@ void say(Session& session, std::string note) {
 }
 
 render::Picture read_preset(const std::string& path) {
+    const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
+    if (named != render::presets().end())
+        return render::from_json(named->json);
     if (path.ends_with(".exr")) {
         const image::ExrReader file(path);
         if (file.parameters().empty())
@@ -38,8 +43,9 @@ render::Picture read_preset(const std::string& path) {
     const std::uintmax_t size = std::filesystem::file_size(path, missing);
     std::ifstream file(path, std::ios::binary);
     if (missing || !file || size > largest_preset)
-        throw RequestError(fmt::format(
-            "cannot read '{}': it takes a JSON file of parameters, or an EXR that gabor rendered", path));
+        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
+                                       "gabor rendered, or a preset's name",
+                                       path));
     try {
         return render::from_json(std::string(std::istreambuf_iterator<char>(file), {}));
     } catch (const RequestError& error) {

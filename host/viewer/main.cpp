@@ -42,7 +42,8 @@ int run(int argc, char** argv) {
     std::string screenshot;
     viewer::Options options;
     app.add_option("--preset", preset,
-                   "Parameters to begin with: a JSON file, or an EXR that gabor rendered");
+                   "Parameters to begin with: a JSON file, an EXR that gabor rendered, or a name that gabor "
+                   "render knows");
     app.add_option("--screenshot", screenshot,
                    "Save the picture as a PNG, of the preset's size, without a window around it, and end");
     app.add_option("--window", size, "Size of the window, WIDTHxHEIGHT");

@@ -57,7 +57,8 @@ void start_export(Session& session);
 void go_home(Session& session);
 void say(Session& session, std::string note);
 
-/// The parameters in a JSON file, or in an EXR that gabor rendered. Throws RequestError where there are none.
+/// The parameters in a JSON file, in an EXR that gabor rendered, or of a preset by its name. Throws
+/// RequestError where there are none.
 render::Picture read_preset(const std::string& path);
 
 } // namespace gabor::viewer

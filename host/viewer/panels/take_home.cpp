@@ -1,5 +1,7 @@
 #include "viewer/panels.hpp"
 
+#include "render/presets.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -15,6 +17,17 @@ void take_home_panel(Session& session) {
         copy_glsl(session);
     tip("Ctrl C: a function that draws this view with gabor_noise.glsl, on the clipboard");
 
+    if (ImGui::BeginCombo("begin with", "a preset")) {
+        for (const render::Preset& preset : render::presets()) {
+            const std::string name(preset.name);
+            if (ImGui::Selectable(name.c_str())) {
+                open_preset(session, name);
+                session.preset = name + ".json";
+            }
+        }
+        ImGui::EndCombo();
+    }
+    tip("What the program knows: the paper's figure 6, and materials");
     ImGui::InputText("preset", &session.preset);
     tip("A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
         "dropped "
