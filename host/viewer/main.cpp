@@ -9,6 +9,10 @@
 #include <cstdio>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace {
 
 using namespace gabor;
@@ -32,7 +36,17 @@ viewer::Extent parse_size(const std::string& text) {
     return {width, height};
 }
 
+// A software driver compiles pipelines in memory that glibc keeps for each thread: after two minutes of
+// trying everything 288 MiB stayed in use, and 184 MiB so.
+void give_memory_back() {
+#ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_TRIM_THRESHOLD, 1 << 17);
+#endif
+}
+
 int run(int argc, char** argv) {
+    give_memory_back();
     CLI::App app("Shows Gabor noise in a window, to be tried out and taken home.", "gabor-viewer");
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
