@@ -20,12 +20,6 @@ std::vector<Run> runs_along(const Picture& picture, int side, int first, int cou
     return make_runs(first, count, radius / picture.scale, radius, longest);
 }
 
-vulkan::Buffer upload(const vulkan::Device& device, const std::vector<Run>& runs) {
-    vulkan::Buffer buffer(device, runs.size() * sizeof(Run), vulkan::Memory::upload);
-    std::ranges::copy(runs, buffer.as<Run>().begin());
-    return buffer;
-}
-
 Block block_for(const vulkan::Device& device, const noise::Recipe& recipe) {
     return device.info().kind == "CPU" ? cpu_block : gpu_block(recipe);
 }

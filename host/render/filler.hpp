@@ -4,6 +4,7 @@
 #include "render/picture.hpp"
 #include "vulkan/pass.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,14 @@ class Filler {
     virtual void submit(vulkan::Job& job, const Band& band,
                         const std::optional<vulkan::Job::Copy>& copy = {}) const = 0;
 };
+
+/// A table on the device.
+template <typename T>
+vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values) {
+    vulkan::Buffer buffer(device, values.size() * sizeof(T), vulkan::Memory::upload);
+    std::ranges::copy(values, buffer.as<T>().begin());
+    return buffer;
+}
 
 /// The fastest that can fill the picture. `picture` must have passed `check`, and `region` lie within it.
 std::unique_ptr<Filler> make_filler(const vulkan::Device& device, const Picture& picture,

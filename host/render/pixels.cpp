@@ -29,13 +29,6 @@ double sky(const Picture& picture) {
     return sky_rows(picture.height);
 }
 
-template <typename T>
-vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values) {
-    vulkan::Buffer buffer(device, values.size() * sizeof(T), vulkan::Memory::upload);
-    std::ranges::copy(values, buffer.as<T>().begin());
-    return buffer;
-}
-
 // Pixel i is centred at (i + 0.5) / scale kernel radii, or in perspective (i + 0.5) - origin pixels on.
 std::vector<Line> lines_along(const Picture& picture, int side, int first, int count, double origin) {
     const double cells_per_pixel = axis_along(picture, side).radius / picture.scale;
