@@ -1,9 +1,8 @@
 #include "cli/commands.hpp"
 #include "cli/numbers.hpp"
 #include "cli/terminal.hpp"
-#include "image/exr.hpp"
 #include "render/file.hpp"
-#include "render/picture.hpp"
+#include "render/likeness.hpp"
 #include "render/presets.hpp"
 #include "vulkan/device.hpp"
 
@@ -13,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -73,52 +71,10 @@ struct Request {
     image::Window region;
 };
 
-// A file of parameters: small, so that a wrong name cannot fill the memory.
-std::string read_text(std::string_view option, const std::string& path) {
-    constexpr std::streamsize most = 1 << 20;
-    std::ifstream file(path, std::ios::binary);
-    std::string text(static_cast<std::size_t>(most) + 1, '\0');
-    file.read(text.data(), most + 1);
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (!file.is_open() || file.bad() || text.empty())
-        throw RequestError(fmt::format("{} '{}': cannot be read, or is empty", option, path));
-    if (text.size() > static_cast<std::size_t>(most))
-        throw RequestError(fmt::format("{} '{}': it takes files of at most 1 MiB", option, path));
-    return text;
-}
-
-// Says of which option and file a wrong request speaks.
-template <typename Use>
-auto of_file(std::string_view option, const std::string& path, Use use) {
-    try {
-        return use();
-    } catch (const RequestError& error) {
-        throw RequestError(fmt::format("{} '{}': {}", option, path, error.what()));
-    }
-}
-
-// What --like says, of an EXR or of a JSON file: a picture, and the region of it that the file holds.
-struct Likeness {
-    render::Picture picture;
-    std::optional<image::Window> region;
-};
-
-Likeness read_likeness(const std::string& path) {
-    if (std::filesystem::path(path).extension() == ".json")
-        return {of_file("--like", path, [&] { return render::from_json(read_text("--like", path)); }), {}};
-    const image::ExrReader file(path);
-    if (file.parameters().empty())
-        throw RequestError(fmt::format(
-            "--like '{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
-    return {of_file("--like", path, [&] { return render::from_json(file.parameters()); }), file.window()};
-}
-
 // Takes the spectrum's options. Lobes have frequencies and orientations of their own.
 void take_spectrum(const RenderOptions& options, render::Picture& picture) {
-    if (options.lobes) {
-        const std::string text = read_text("--lobes", *options.lobes);
-        picture.lobes = of_file("--lobes", *options.lobes, [&] { return render::lobes_from_json(text); });
-    }
+    if (options.lobes)
+        picture.lobes = render::read_lobes(*options.lobes);
     const auto take = [&](std::string_view name, const std::optional<std::string>& text, double& value,
                           std::string_view accepted) {
         if (!text)
@@ -144,7 +100,7 @@ Request make_request(const RenderOptions& options) {
     if (options.preset)
         picture = render::from_json(render::find_preset(*options.preset).json);
     if (options.like) {
-        const Likeness like = read_likeness(*options.like);
+        const render::Likeness like = render::read_likeness(*options.like);
         picture = like.picture;
         if (!options.size)
             region = like.region;

@@ -2,8 +2,8 @@
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
-#include "image/exr.hpp"
 #include "image/output_file.hpp"
+#include "render/likeness.hpp"
 #include "render/paint.hpp"
 #include "render/presets.hpp"
 
@@ -11,15 +11,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace gabor::viewer {
 
 namespace {
 
 constexpr double note_seconds = 5;
-constexpr std::uintmax_t largest_preset = 1 << 20;
 
 } // namespace
 
@@ -32,25 +29,7 @@ render::Picture read_preset(const std::string& path) {
     const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
     if (named != render::presets().end())
         return render::from_json(named->json);
-    if (path.ends_with(".exr")) {
-        const image::ExrReader file(path);
-        if (file.parameters().empty())
-            throw RequestError(
-                fmt::format("'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered", path));
-        return render::from_json(file.parameters());
-    }
-    std::error_code missing;
-    const std::uintmax_t size = std::filesystem::file_size(path, missing);
-    std::ifstream file(path, std::ios::binary);
-    if (missing || !file || size > largest_preset)
-        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
-                                       "gabor rendered, or a preset's name",
-                                       path));
-    try {
-        return render::from_json(std::string(std::istreambuf_iterator<char>(file), {}));
-    } catch (const RequestError& error) {
-        throw RequestError(fmt::format("'{}': {}", path, error.what()));
-    }
+    return render::read_likeness(path).picture;
 }
 
 void open_preset(Session& session, const std::string& path) {
