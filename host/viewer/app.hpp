@@ -72,7 +72,6 @@ class App {
     std::optional<Script> script_;
     std::optional<std::string> window_picture_; ///< to save at the end of this frame
     double shaders_polled_ = 0;
-    double frame_time_ = 0;
     double last_input_ = 0;
     bool busy_ = true;
     bool remember_;
