@@ -1,11 +1,14 @@
-// Catch2's main, and after the run: any message of the validation layers is a failure.
+// Catch2's main with the validation layers on, or as GABOR_VALIDATION says: any message of theirs is a failure.
 
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
 #include "vulkan/device.hpp"
 
+#include <cstdlib>
+
 int main(int argc, char** argv) {
+    setenv("GABOR_VALIDATION", "1", 0);
     const int failed = Catch::Session().run(argc, argv);
     return failed ? failed : gabor::vulkan::validation_messages() != 0;
 }

@@ -10,9 +10,9 @@ PROGRAM = os.environ["GABOR_PROGRAM"]
 
 
 def environment(**changes):
-    """Ours, with validation on: any message of Vulkan's validation layers is then a failure. None removes a
-    variable."""
-    merged = {**os.environ, "GABOR_VALIDATION": "1", **changes}
+    """Ours, with validation on unless that says otherwise: any message of Vulkan's validation layers is then a failure.
+    None removes a variable."""
+    merged = {"GABOR_VALIDATION": "1", **os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}
 
 

@@ -8,19 +8,11 @@ import signal
 import time
 import unittest
 
+from atomic import can_hide_files, check_files, prepare
 from program import ProgramTest, start
 
 REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200", "--compression=none") # two bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 10))
-
-
-def can_hide_files(folder):
-    """Whether the file system knows files without a name; elsewhere a killed program leaves a hidden one."""
-    try:
-        os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
-        return True
-    except OSError:
-        return False
 
 
 def catches(process, number):
@@ -42,19 +34,11 @@ class Atomicity(ProgramTest):
         return self.duration * self.random.choice([self.random.uniform(0, 1), self.random.uniform(0.7, 1.1)])
 
     def begin(self, older):
-        for name in self.complete:
-            (self.folder / name).unlink(missing_ok=True)
-            if older:
-                (self.folder / name).write_text("older")
+        prepare(self.folder, self.complete, older)
         return start(*REQUEST, cwd=self.folder)
 
     def check_files(self, older):
-        files = self.files()
-        self.assertLessEqual(set(files), set(self.complete), "another file is left")
-        for name, complete in self.complete.items():
-            expected = [complete, b"older" if older else None]
-            self.assertTrue(files.get(name) in expected, f"{name} is not complete")
-        return [name for name in files if files[name] == self.complete[name]]
+        return check_files(self, self.folder, self.complete, older)
 
     def test_killed(self):
         if not can_hide_files(self.folder):

@@ -11,6 +11,7 @@ SHADERS = HERE.parents[1] / "shaders"
 SCENES = pathlib.Path(os.environ["GABOR_SCENES"])
 
 dialect, values = sys.argv[1:]
+os.environ.setdefault("GABOR_VALIDATION", "1")
 
 
 def run(*command):

@@ -1,0 +1,29 @@
+"""What a program that was killed may leave: each of its files complete, or as it was before."""
+
+import os
+
+
+def can_hide_files(folder):
+    """Whether the file system knows files without a name; elsewhere a killed program leaves a hidden one."""
+    try:
+        os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
+        return True
+    except OSError:
+        return False
+
+
+def prepare(folder, names, older):
+    """Removes these files, or leaves older ones in their place."""
+    for name in names:
+        (folder / name).unlink(missing_ok=True)
+        if older:
+            (folder / name).write_text("older")
+
+
+def check_files(test, folder, complete, older):
+    """complete: bytes by name. Returns the names of those that are complete."""
+    files = {path.name: path.read_bytes() for path in folder.iterdir()}
+    test.assertLessEqual(set(files), set(complete), "another file is left")
+    for name, content in complete.items():
+        test.assertTrue(files.get(name) in [content, b"older" if older else None], f"{name} is not complete")
+    return [name for name in files if files[name] == complete[name]]
