@@ -18,8 +18,7 @@ std::string read_text(const std::string& path) {
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (!file.is_open() || file.bad() || text.empty() || text.size() > most)
-        throw RequestError(
-            fmt::format("cannot read '{}': it takes a file that is not empty and of at most 1 MiB", path));
+        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of at most 1 MiB", path));
     return text;
 }
 
