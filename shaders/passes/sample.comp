@@ -44,6 +44,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
+    int wanted; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`, 3: `four`
 };
 
 void main()
@@ -53,23 +54,27 @@ void main()
         return;
     Sample s = samples[i];
     GaborKernel kernel = gabor_kernel(s.frequency, s.orientation);
-    GaborField field = gabor_field(GaborPlace(s.cell, s.local, s.radius, s.period, s.time), kernel, s.seed);
     vec2 p = s.local / GABOR_RADIUS;
+    bool all = wanted == 0;
+    if (all || wanted == 1)
+        answers[i].at = gabor_noise_at(s.cell, s.local, kernel, s.seed);
+    if (all || wanted == 2) {
+        answers[i].complex = gabor_noise_complex(p, s.frequency, s.orientation, s.seed);
+        answers[i].tiled = gabor_noise_tiled(p, vec2(s.period_x, s.period_y), s.frequency, s.orientation, s.seed);
+        answers[i].animated = gabor_noise_animated(p, s.time, s.frequency, s.orientation, s.seed);
+    }
+    if (all || wanted == 3)
+        answers[i].four = gabor_noise_four(p, s.frequency, s.orientation, s.seed);
+    if (!all)
+        return;
 
-    Answer answer;
-    answer.value = field.value;
-    answer.slope_x = field.slope_x;
-    answer.slope_y = field.slope_y;
-    answer.complex = gabor_noise_complex(p, s.frequency, s.orientation, s.seed);
-    answer.gradient = gabor_noise_gradient(p, s.frequency, s.orientation, s.seed);
-    answer.noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
-    answer.tiled = gabor_noise_tiled(p, vec2(s.period_x, s.period_y), s.frequency, s.orientation, s.seed);
-    answer.animated = gabor_noise_animated(p, s.time, s.frequency, s.orientation, s.seed);
-    answer.unorm = gabor_unorm(field.value.y);
-    answer.at = gabor_noise_at(s.cell, s.local, kernel, s.seed);
-    answer.phasor = gabor_phasor(field.value);
-    answer.word = gabor_impulse_word(s.cell.x, gabor_row_word(s.cell.y, gabor_seed_word(s.seed)), int(s.index));
-    answer.padding = 0u;
-    answer.four = gabor_noise_four(p, s.frequency, s.orientation, s.seed);
-    answers[i] = answer;
+    GaborField field = gabor_field(GaborPlace(s.cell, s.local, s.radius, s.period, s.time), kernel, s.seed);
+    answers[i].value = field.value;
+    answers[i].slope_x = field.slope_x;
+    answers[i].slope_y = field.slope_y;
+    answers[i].gradient = gabor_noise_gradient(p, s.frequency, s.orientation, s.seed);
+    answers[i].noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
+    answers[i].unorm = gabor_unorm(field.value.y);
+    answers[i].phasor = gabor_phasor(field.value);
+    answers[i].word = gabor_impulse_word(s.cell.x, gabor_row_word(s.cell.y, gabor_seed_word(s.seed)), int(s.index));
 }

@@ -48,7 +48,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int everything; // 0: only `at`
+    int wanted; // 0: all the answers, 1: only `at`
 };
 
 GaborKernel3d kernel_of(Sample s, vec3 direction, vec3 normal)
@@ -79,7 +79,7 @@ void main()
     if (dx != vec3(0.0) || dy != vec3(0.0))
         kernel = gabor_filtered_3d(kernel, dx, dy);
     answers[i].at = gabor_noise_3d_at(cell, local, kernel, s.seed);
-    if (everything == 0)
+    if (wanted == 1)
         return;
 
     GaborPlace3d place = GaborPlace3d(cell, local, vec3(s.radius[0], s.radius[1], s.radius[2]),

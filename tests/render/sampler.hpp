@@ -81,13 +81,16 @@ struct SpectraAnswer {
     float sum;
 };
 
+/// All the answers, or some of which millions are wanted: as in passes/sample.comp and sample_3d.comp.
+enum class Wanted : std::int32_t { all, at, moving, four };
+
 /// Asks the drop-in on the device through one of the passes above, up to `capacity` samples at a time.
 template <typename Sample, typename Answer>
 class Probe {
   public:
-    Probe(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity,
-          std::span<const std::uint32_t> spirv)
-        : pass_(device, spirv, {2, sizeof(std::uint32_t)}, render::recipe_constants(recipe)),
+    Probe(const vulkan::Device& device, std::size_t capacity, std::span<const std::uint32_t> spirv,
+          std::span<const std::uint32_t> constants)
+        : pass_(device, spirv, {2, sizeof(Push)}, constants),
           samples_(device, capacity * sizeof(Sample), vulkan::Memory::upload),
           answers_(device, capacity * sizeof(Answer), vulkan::Memory::readback),
           job_(device, pass_, {samples_, answers_}) {}
@@ -95,14 +98,19 @@ class Probe {
     std::span<Sample> samples() { return samples_.as<Sample>(); }
 
     /// The answers to the first `count` samples, valid until the next call.
-    std::span<const Answer> answers(std::size_t count) {
-        const auto wanted = static_cast<std::uint32_t>(count);
-        job_.submit(wanted, {(wanted + 63) / 64});
+    std::span<const Answer> answers(std::size_t count, Wanted wanted = Wanted::all) {
+        const Push push{static_cast<std::uint32_t>(count), wanted};
+        job_.submit(push, {(push.count + 63) / 64});
         job_.wait();
         return answers_.as<Answer>().first(count);
     }
 
   private:
+    struct Push {
+        std::uint32_t count;
+        Wanted wanted;
+    };
+
     vulkan::Pass pass_;
     vulkan::Buffer samples_;
     vulkan::Buffer answers_;
@@ -111,12 +119,12 @@ class Probe {
 
 struct Sampler : Probe<Sample, Answer> {
     Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : Probe(device, recipe, capacity, sample_spirv) {}
+        : Probe(device, capacity, sample_spirv, render::recipe_constants(recipe)) {}
 };
 
 struct SpectraSampler : Probe<SpectraSample, SpectraAnswer> {
     SpectraSampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : Probe(device, recipe, capacity, sample_spectra_spirv) {}
+        : Probe(device, capacity, sample_spectra_spirv, render::recipe_constants(recipe)) {}
 };
 
 } // namespace gabor::test

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "noise/reference_3d.hpp"
-#include "vulkan/pass.hpp"
+#include "sampler.hpp"
 
 #include "passes/sample_3d.h"
 
@@ -64,41 +64,16 @@ inline noise::Waves waves_of(const Sample3d& sample, Kind kind) {
     return waves;
 }
 
-/// Asks the drop-in in space on the device, up to `capacity` samples at a time.
-class Sampler3d {
-  public:
+struct Sampler3d : Probe<Sample3d, Answer3d> {
     Sampler3d(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : pass_(device, sample_3d_spirv, {2, sizeof(Push)}, constants_of(recipe)),
-          samples_(device, capacity * sizeof(Sample3d), vulkan::Memory::upload),
-          answers_(device, capacity * sizeof(Answer3d), vulkan::Memory::readback),
-          job_(device, pass_, {samples_, answers_}) {}
-
-    std::span<Sample3d> samples() { return samples_.as<Sample3d>(); }
-
-    /// The answers to the first `count` samples, valid until the next call; without `everything` only `at`.
-    std::span<const Answer3d> answers(std::size_t count, bool everything) {
-        const auto wanted = static_cast<std::uint32_t>(count);
-        job_.submit(Push{wanted, everything}, {(wanted + 63) / 64});
-        job_.wait();
-        return answers_.as<Answer3d>().first(count);
-    }
+        : Probe(device, capacity, sample_3d_spirv, constants_of(recipe)) {}
 
   private:
-    struct Push {
-        std::uint32_t count;
-        std::int32_t everything;
-    };
-
     static std::array<std::uint32_t, 5> constants_of(const noise::Recipe& recipe) {
         using vulkan::constant;
         return {constant(recipe.impulses), constant(recipe.radius), constant(recipe.window[0]),
                 constant(recipe.window[1]), constant(recipe.window[2])};
     }
-
-    vulkan::Pass pass_;
-    vulkan::Buffer samples_;
-    vulkan::Buffer answers_;
-    vulkan::Job job_;
 };
 
 } // namespace gabor::test

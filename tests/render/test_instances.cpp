@@ -33,7 +33,7 @@ Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float fre
             sample = {noise::place_at(recipe, cell(), cell(), place(), place()), frequency, orientation,
                       static_cast<std::uint32_t>(random())};
         }
-        for (const test::Answer& answer : sampler.answers(per_batch)) {
+        for (const test::Answer& answer : sampler.answers(per_batch, test::Wanted::at)) {
             law.moments.add(answer.at);
             law.gaussianity.add(answer.at);
         }
@@ -94,7 +94,7 @@ TEST_CASE("mean 0 and variance 1 with periods, in time, and of the quadrature", 
                     sample.period_x = 2 + 2 * uniform();
                     sample.period_y = 2 + 2 * uniform();
                 }
-                for (const test::Answer& answer : sampler.answers(per_batch)) {
+                for (const test::Answer& answer : sampler.answers(per_batch, test::Wanted::moving)) {
                     tiled.add(answer.tiled);
                     animated.add(answer.animated);
                     quadrature.add(answer.complex[0]);
@@ -130,7 +130,7 @@ TEST_CASE("the four noises have variance 1 and do not correlate", "[instances]")
                 samples[2 * i] = {noise::place_at(recipe, 0, 0, x, y), 3, 0, seed};
                 samples[2 * i + 1] = {noise::place_at(recipe, 0, 0, x + recipe.radius / 12, y), 3, 0, seed};
             }
-            const auto answers = sampler.answers(2 * per_batch);
+            const auto answers = sampler.answers(2 * per_batch, test::Wanted::four);
             for (std::size_t i = 0; i < per_batch; ++i) {
                 for (std::size_t a = 0; a < 4; ++a) {
                     each[a].add(answers[2 * i].four[a]);

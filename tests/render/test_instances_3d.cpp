@@ -48,7 +48,7 @@ Law measure(test::Sampler3d& sampler, const noise::Recipe& recipe, Kind kind, fl
             sample.seed = draw.word();
             sample.kind = kind;
         }
-        for (const test::Answer3d& answer : sampler.answers(per_batch, false)) {
+        for (const test::Answer3d& answer : sampler.answers(per_batch, test::Wanted::at)) {
             law.moments.add(answer.at);
             law.gaussianity.add(answer.at);
         }
@@ -112,7 +112,7 @@ TEST_CASE("in space the variance is 1 at each place of a cell", "[instances]") {
                 sample.seed = draw.word();
                 sample.kind = Kind::surface_isotropic;
             }
-            for (const test::Answer3d& answer : sampler.answers(per_batch, false))
+            for (const test::Answer3d& answer : sampler.answers(per_batch, test::Wanted::at))
                 moments.add(answer.at);
         }
         INFO("at " << place[0] << ", " << place[1] << ", " << place[2]);
@@ -187,7 +187,7 @@ TEST_CASE("isotropic noise is as steep along all axes, and on a surface along al
                 sample.seed = draw.word();
                 sample.kind = kind;
             }
-            for (const test::Answer3d& answer : sampler.answers(per_batch, true))
+            for (const test::Answer3d& answer : sampler.answers(per_batch))
                 for (std::size_t a = 0; a < 3; ++a)
                     for (std::size_t b = 0; b < 3; ++b)
                         products[a][b] +=

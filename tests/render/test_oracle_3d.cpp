@@ -121,7 +121,7 @@ TEST_CASE("solid and surface noise agree with the reference", "[oracle]") {
                     for (std::size_t axis = 0; axis < 3; ++axis)
                         sample.direction[axis] = sample.normal[axis] + draw.uniform(-0.3, 0.3);
             }
-            const auto answers = sampler.answers(per_batch, true);
+            const auto answers = sampler.answers(per_batch);
             const double tight = tolerance(frequency, Kind{kind});
             const double loose = slope_tolerance(frequency, Kind{kind});
             for (std::size_t i = 0; i < per_batch; ++i) {
@@ -196,7 +196,7 @@ TEST_CASE("periods of noise in space, and in time, agree with the reference", "[
                     sample.tile[axis] = draw.uniform(1.5, 9);
                 }
             }
-            const auto answers = sampler.answers(per_batch, true);
+            const auto answers = sampler.answers(per_batch);
             // Fewer cells per radius: fewer and so larger impulses.
             const double tight = 3 * tolerance(frequency, Kind{batch % 4});
             const double loose = 3 * slope_tolerance(frequency, Kind{batch % 4});
@@ -256,7 +256,7 @@ TEST_CASE("kernels seen through a footprint agree with the reference", "[oracle]
             sample.dx = draw.vector(-reach, reach);
             sample.dy = draw.vector(-reach, reach);
         }
-        const auto answers = sampler.answers(per_batch, false);
+        const auto answers = sampler.answers(per_batch, test::Wanted::at);
         for (std::size_t i = 0; i < per_batch; ++i) {
             const test::Sample3d& sample = sampler.samples()[i];
             noise::Waves waves = test::waves_of(sample, sample.kind);
@@ -368,7 +368,7 @@ TEST_CASE("impulses in space agree bit for bit", "[oracle]") {
         sample.seed = draw.word() % 5 == 0 ? draw.word() % 3 : draw.word();
         sample.index = static_cast<std::int32_t>(draw.word() % 40);
     }
-    const auto answers = sampler.answers(count, true);
+    const auto answers = sampler.answers(count);
     double largest = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const test::Sample3d& s = sampler.samples()[i];
@@ -409,7 +409,7 @@ TEST_CASE("odd requests in space give what is documented and never NaN", "[oracl
             }
         }
     }
-    const auto answers = sampler.answers(count, true);
+    const auto answers = sampler.answers(count);
     for (i = 0; i < count; ++i) {
         INFO("sample " << i);
         CHECK(std::isfinite(answers[i].at));
@@ -425,7 +425,7 @@ TEST_CASE("odd requests in space give what is documented and never NaN", "[oracl
         sampler.samples()[i] = sample;
     sampler.samples()[1].frequency = -3;
     sampler.samples()[2].direction = {8, 0, 0};
-    const auto same = sampler.answers(3, false);
+    const auto same = sampler.answers(3, test::Wanted::at);
     CHECK(same[1].at == same[0].at);
     CHECK(same[2].at == same[0].at);
 }
