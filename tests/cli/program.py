@@ -1,5 +1,6 @@
 """Runs the program under test, `GABOR_PROGRAM`, and checks what it owes to every caller."""
 
+import glob
 import os
 import pathlib
 import subprocess
@@ -7,6 +8,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["GABOR_PROGRAM"]
+LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, where it is
 
 
 def environment(**changes):
@@ -19,7 +21,7 @@ def environment(**changes):
 def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
     """Runs the program to its end. command: what to start it with; env: changes to its environment."""
     return subprocess.run([*command, *arguments], cwd=cwd, env=environment(**env), stdout=stdout,
-                          stderr=subprocess.PIPE, text=True, errors="replace", timeout=60)
+                          stderr=subprocess.PIPE, text=True, errors="replace", timeout=240)
 
 
 def start(*arguments, cwd):

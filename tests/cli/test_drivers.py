@@ -9,9 +9,8 @@ import unittest
 import numpy as np
 
 from exr import Exr
-from program import PROGRAM, ProgramTest
+from program import LAVAPIPE, PROGRAM, ProgramTest
 
-LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
 SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
 
 # Two channels more, a part of a cell at each edge, cells on both sides of the origin's.
