@@ -71,6 +71,8 @@ TEST_CASE("renders on one device keep nothing", "[load]") {
 
 TEST_CASE("devices made and left keep nothing", "[load]") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load-devices.exr";
+    // The driver stays: SwiftShader leaves a descriptor behind each time that it is unloaded.
+    const vulkan::Device kept;
     check_growth("devices", renders() / 5, [&](int i) {
         const vulkan::Device device;
         render_file(device, path, static_cast<std::uint32_t>(i));
