@@ -13,7 +13,6 @@
 #include <charconv>
 #include <fstream>
 #include <map>
-#include <ranges>
 #include <sstream>
 
 namespace gabor::viewer {
@@ -21,7 +20,7 @@ namespace gabor::viewer {
 namespace {
 
 constexpr int drag_frames = 12;
-constexpr double patience = 120;   // seconds for anything to settle
+constexpr double patience = 300;   // seconds for anything to settle
 constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
@@ -83,9 +82,13 @@ Script::Script(const std::filesystem::path& path) : path_(path) {
         for (std::string word; words >> word;)
             command.words.push_back(word);
         const auto known = words_needed.find(command.name);
-        if (known == words_needed.end() || command.words.size() < known->second)
+        if (known == words_needed.end() || command.words.size() < known->second) {
+            std::vector<std::string> names;
+            for (const auto& [name, count] : words_needed)
+                names.push_back(name);
             throw RequestError(fmt::format("{}:{}: '{}': the commands are {}", path.string(), number, line,
-                                           fmt::join(words_needed | std::views::keys, ", ")));
+                                           fmt::join(names, ", ")));
+        }
         commands_.push_back(std::move(command));
     }
 }

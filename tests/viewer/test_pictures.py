@@ -85,7 +85,7 @@ class Pictures(ViewerTest):
             export out.exr
             wait 3
             settle
-            quit""", "--preset", preset)
+            quit""", "--preset", preset, "--window", "480x320")
         self.render(preset, "--png", "noise.png")
         for mine, theirs in (("out.exr", "noise.exr"), ("out.png", "noise.png")):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)

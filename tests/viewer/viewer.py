@@ -69,7 +69,7 @@ class ViewerTest(unittest.TestCase):
         return subprocess.Popen([VIEWER, *map(str, arguments)], cwd=self.folder, env=self.environment(**changes),
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
-    def finish(self, process, timeout=120):
+    def finish(self, process, timeout=300):
         try:
             out, err = process.communicate(timeout=timeout)
         except subprocess.TimeoutExpired:
@@ -77,7 +77,7 @@ class ViewerTest(unittest.TestCase):
             self.fail(f"still running after {timeout} s: {process.communicate()}")
         self.assertEqual((process.returncode, out, err), (0, "", ""))
 
-    def run_viewer(self, *arguments, timeout=120, **changes):
+    def run_viewer(self, *arguments, timeout=300, **changes):
         self.finish(self.start(*arguments, **changes), timeout)
 
     def write_script(self, text, name="script.txt"):
@@ -85,12 +85,12 @@ class ViewerTest(unittest.TestCase):
         path.write_text(text)
         return path
 
-    def play(self, text, *arguments, timeout=120):
+    def play(self, text, *arguments, timeout=300):
         self.run_viewer("--script", self.write_script(text), *arguments, timeout=timeout)
 
     def gabor(self, *arguments):
         result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=self.environment(),
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=300)
         self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
 
     def assert_fails(self, status, words, *arguments, **changes):
