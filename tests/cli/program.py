@@ -21,7 +21,7 @@ def environment(**changes):
 def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
     """Runs the program to its end. command: what to start it with; env: changes to its environment."""
     return subprocess.run([*command, *arguments], cwd=cwd, env=environment(**env), stdout=stdout,
-                          stderr=subprocess.PIPE, text=True, errors="replace", timeout=240)
+                          stderr=subprocess.PIPE, text=True, errors="replace", timeout=900)
 
 
 def start(*arguments, cwd):
