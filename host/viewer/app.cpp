@@ -218,6 +218,8 @@ void App::panels() {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
+    // Tab goes from one field to the next only while one is edited: else it splits the view.
+    ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     struct Section {
         const char* title;
         void (*panel)(Session&);
@@ -232,6 +234,7 @@ void App::panels() {
             ImGui::PopID();
             ImGui::Spacing();
         }
+    ImGui::PopAllowKeyboardFocus();
     ImGui::PopItemWidth();
     ImGui::End();
 }

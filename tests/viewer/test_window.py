@@ -56,6 +56,18 @@ class Window(ViewerTest):
             quit""")
         self.assertEqual(read_colour_png(self.folder / "last.png").shape, (800, 1280, 3))
 
+    def test_keys_work_from_the_start(self):
+        # Tab splits the view, and edits no field of the panel that would then have the keys.
+        self.play("""
+            wait 5
+            key tab
+            wait 3
+            key r
+            wait 3
+            save after.json
+            quit""")
+        self.assertEqual(json.loads((self.folder / "after.json").read_text())["recipe"], "pure")
+
     def test_the_panel_is_worked_with_the_mouse(self):
         # The first drop-down of the panel is the recipe; the third of its entries is `paper`.
         self.play("""
