@@ -19,7 +19,7 @@ class Window(ViewerTest):
             scroll 200 200 3
             scroll 200 200 -5
             key tab
-            settle
+            wait 10
             key 2
             key 3
             key c
