@@ -1,4 +1,5 @@
-// Catch2's main with the validation layers on, or as GABOR_VALIDATION says: any message of theirs is a failure.
+// Catch2's main with the validation layers on, or as GABOR_VALIDATION says: any message of theirs is a
+// failure.
 
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
