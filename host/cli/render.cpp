@@ -71,10 +71,20 @@ struct Request {
     image::Window region;
 };
 
+// Says of which option a wrong request speaks.
+template <typename Read>
+auto of_option(std::string_view option, Read read) {
+    try {
+        return read();
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
 // Takes the spectrum's options. Lobes have frequencies and orientations of their own.
 void take_spectrum(const RenderOptions& options, render::Picture& picture) {
     if (options.lobes)
-        picture.lobes = render::read_lobes(*options.lobes);
+        picture.lobes = of_option("--lobes", [&] { return render::read_lobes(*options.lobes); });
     const auto take = [&](std::string_view name, const std::optional<std::string>& text, double& value,
                           std::string_view accepted) {
         if (!text)
@@ -100,7 +110,8 @@ Request make_request(const RenderOptions& options) {
     if (options.preset)
         picture = render::from_json(render::find_preset(*options.preset).json);
     if (options.like) {
-        const render::Likeness like = render::read_likeness(*options.like);
+        const render::Likeness like =
+            of_option("--like", [&] { return render::read_likeness(*options.like); });
         picture = like.picture;
         if (!options.size)
             region = like.region;

@@ -29,6 +29,11 @@ render::Picture read_preset(const std::string& path) {
     const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
     if (named != render::presets().end())
         return render::from_json(named->json);
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown))
+        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
+                                       "gabor rendered, or a preset's name",
+                                       path));
     return render::read_likeness(path).picture;
 }
 

@@ -134,7 +134,7 @@ class Spectra(SpectraTest):
     def test_requests_that_make_no_sense(self):
         good = self.write_lobes(LOBES)
         for words, arguments in [
-            (["cannot read", "absent.json"], ["--lobes=absent.json"]),
+            (["--lobes", "cannot read", "absent.json"], ["--lobes=absent.json"]),
             (["list of lobes"], ["--lobes", self.write_lobes(3, "number.json")]),
             (["empty"], ["--lobes", self.write_lobes([], "none.json")]),
             (["16"], ["--lobes", self.write_lobes([{}] * 17, "many.json")]),
