@@ -4,7 +4,6 @@
 #include "error.hpp"
 #include "render/bake.hpp"
 #include "statistics/gaussianity.hpp"
-#include "statistics/spread.hpp"
 
 #include "passes/bench/bench_interface.h"
 
