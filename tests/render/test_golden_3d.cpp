@@ -56,7 +56,8 @@ TEST_CASE("values of every function in space are those of this version", "[golde
         block("gabor_noise_3d_tiled", tight, [](const Answer& a) { return a.tiled; });
         block("gabor_noise_3d_animated", tight, [](const Answer& a) { return a.animated; });
         block("gabor_noise_surface", 8 * tight, [](const Answer& a) { return a.surface; });
-        block("gabor_noise_surface_isotropic", 8 * tight, [](const Answer& a) { return a.surface_isotropic; });
+        block("gabor_noise_surface_isotropic", 8 * tight,
+              [](const Answer& a) { return a.surface_isotropic; });
     }
     golden.finish();
 }

@@ -32,7 +32,8 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
     for (const noise::Recipe& recipe : {noise::find_recipe("one"), noise::find_recipe("pure"),
                                         noise::find_recipe("paper"), sines, uneven}) {
         test::Sampler sampler(device, recipe, per_batch);
-        Largest value, quadrature, slope, quadrature_slope, at, unorm, plain, plain_quadrature, plain_slope, four;
+        Largest value, quadrature, slope, quadrature_slope, at, unorm, plain, plain_quadrature, plain_slope,
+            four;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
             // The frequencies cover 0.1 to 64 evenly in octaves, both ends and the series' end included.
