@@ -6,6 +6,8 @@
 #include "statistics/gaussianity.hpp"
 #include "statistics/spread.hpp"
 
+#include "passes/bench/bench_interface.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ auto timed(double& seconds, Make make) {
     return made;
 }
 
-Push make_push(const Setting& setting, std::uint32_t seed) {
+passes::BenchPush make_push(const Setting& setting, std::uint32_t seed) {
     const auto side = static_cast<std::uint32_t>(setting.side);
     return {static_cast<float>(setting.frequency),
             radians,
@@ -57,7 +59,7 @@ Push make_push(const Setting& setting, std::uint32_t seed) {
 }
 
 vulkan::Groups groups(int side) {
-    const std::uint32_t count = (static_cast<std::uint32_t>(side) + group - 1) / group;
+    const std::uint32_t count = (static_cast<std::uint32_t>(side) + passes::bench_group - 1) / passes::bench_group;
     return {count, count};
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/bake.hpp"
 
+#include "passes/bench/bench_interface.h"
 #include "passes/bench/gradient.h"
 #include "passes/bench/recipe.h"
 #include "passes/bench/seminal.h"
@@ -49,7 +50,7 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     constants[9] = subject.advice;
     constants[10] = subject.entry;
     constants[20] = native_sine;
-    return {device, subject.spirv, {1, sizeof(Push), use == Use::statistics}, constants};
+    return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
 }
 
 } // namespace gabor::bench

@@ -10,18 +10,6 @@
 
 namespace gabor::bench {
 
-/// As in passes/bench/bench.glsl.
-struct Push {
-    float frequency;
-    float orientation;
-    float pixel;
-    std::uint32_t seed;
-    std::uint32_t width;
-    std::uint32_t height;
-};
-
-constexpr std::uint32_t group = 8; // local_size of passes/bench/bench.glsl, in x and y
-
 /// A noise that the benchmark fills a picture with, one pixel per invocation.
 struct Subject {
     std::string name;
