@@ -23,8 +23,14 @@ Loaded load_request(const std::string& path);
 /// name.
 std::vector<noise::Lobe> load_lobes(const std::string& path);
 
-/// Requests worth starting from: the files of host/render/presets.
-std::span<const std::string_view> preset_names();
+/// A request worth starting from: a file of host/render/presets.
+struct Preset {
+    std::string_view name;
+    std::string_view json;
+};
+
+std::span<const Preset> presets();
+std::vector<std::string_view> preset_names();
 /// Throws RequestError, listing the known names.
 Request preset(std::string_view name);
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace gabor::render {
 
@@ -16,7 +17,7 @@ struct Range {
     double high = 0;
 };
 
-/// One row of the table of what a Request holds. Options of the command line, JSON, checks and their
+/// One row of the table of what a Request holds. The command line's options, JSON, the checks and their
 /// messages, the viewer's controls and its script all come from these rows.
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes };
@@ -26,49 +27,66 @@ struct Parameter {
     std::string_view unit; ///< "cycles per kernel radius"; empty for none
     Range range;           ///< of integers, numbers and angles; both ends belong to it
     Range slider;          ///< the part of the range that is worth a slider, logarithmic where low > 0
-    std::string_view help;
+    std::string_view of;   ///< which requests have it, as in "the view slice"; empty for all
+    std::string_view help; ///< a sentence without its full stop
 
-    /// The value; none where the view or the lobes of the request have no such parameter: `depth` but for a
-    /// slice, `frequency` where there are several lobes.
+    /// The value; none where the request has no such parameter.
     std::function<std::optional<Value>(const Request&)> get;
-    /// Puts in a value of the parameter's kind and range. Throws RequestError where `get` has none.
+    /// Puts in a value of the right kind and range, into a request that has the parameter.
     std::function<void(Request&, const Value&)> put;
 };
 
 /// The table, in the order in which files and help texts list it.
 std::span<const Parameter> parameters();
 
-/// The row of that name. Throws RequestError, naming the closest ones, where there is none.
+/// The row of that name. Throws RequestError, listing the names, where there is none.
 const Parameter& parameter(std::string_view name);
 
-/// What a choice can be, or the names of the recipes.
+/// One value of a lobe, as Parameter. Those of a request's only lobe, but for its power, are parameters too.
+struct LobeParameter {
+    std::string_view name;
+    Parameter::Kind kind;
+    std::string_view unit;
+    Range range;
+    Range slider;
+    std::string_view help;
+    double noise::Lobe::*member;
+};
+
+std::span<const LobeParameter> lobe_parameters();
+
+/// What a choice, or a recipe, can be.
 std::vector<std::string_view> choices(const Parameter& parameter);
 
-/// What is accepted, as in "a number from 2 to 4096, in pixels per kernel radius".
+/// What is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
 /// The value that a text stands for: "12", "45deg", "0.7854rad", "true", "horizon", a JSON list of lobes.
-/// Throws RequestError, saying what is accepted. `written` is the way back.
+/// Throws RequestError, "'text': it takes ...". `written` is the way back.
 Value read(const Parameter& parameter, std::string_view text);
 std::string written(const Parameter& parameter, const Value& value);
+
+/// Puts values in, view and lobes first, whatever their order: which other parameters there are depends on
+/// them. Throws RequestError where a value is outside its range, or the request has no such parameter.
+using Values = std::vector<std::pair<const Parameter*, Value>>;
+void set(Request& request, const Values& values);
+void set(Request& request, std::string_view name, const Value& value);
+
+/// Puts in the value that a text stands for.
+void set_text(Request& request, std::string_view name, std::string_view text);
 
 /// Whether the request has that parameter, and with another value than by default.
 bool is_set(const Request& request, std::string_view name);
 
-/// Puts in the value, checked against its range. Throws RequestError where it is outside or does not belong
-/// to the view or the lobes of the request.
-void set(Request& request, std::string_view name, const Value& value);
-void set(Request& request, std::string_view name, std::string_view text);
-
-/// Sets back to their defaults all parameters that cannot stand beside this one as it is: what a window does
-/// where the command line refuses.
+/// Sets back to their defaults all parameters that exclude this one as it is: what a window does where the
+/// command line refuses.
 void give_way(Request& request, std::string_view name);
 
-/// Throws RequestError when a value is outside its range, or two exclude each other.
+/// Throws RequestError where a value is outside its range, or two exclude each other.
 void check(const Request& request);
 
 /// The request as one JSON object, as kept in the `gabor` attribute of EXR files, and back. `from_json` lets
-/// absent values be as they are by default, and ignores those that its view or its lobes do not have; throws
+/// absent values be as they are by default, and ignores those that such a request does not have; throws
 /// RequestError on any other thing.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);

@@ -4,8 +4,10 @@
 #include "render/request.hpp"
 #include "vulkan/pass.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct Axis {
 
 /// `side`: width or height of the request.
 Axis axis_along(const Request& request, int side);
+
+/// The time within its period, in [0, 1), as the passes take it.
+float wrapped_time(const Request& request);
 
 /// A compute pass that fills a region of a picture, band by band, with its tables on the device.
 class RegionRenderer {
@@ -44,7 +49,24 @@ class RegionRenderer {
     /// Has `job` fill a band.
     virtual void submit(vulkan::Job& job, const Band& band,
                         const std::optional<vulkan::Job::Copy>& copy = {}) const = 0;
+
+  protected:
+    /// Bands of any rows.
+    static std::vector<Band> bands_of_rows(int height, int most_rows);
 };
+
+/// Work groups of a side of `group` that cover so many invocations.
+constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
+    return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
+}
+
+/// A table on the device.
+template <typename T>
+vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values) {
+    vulkan::Buffer buffer(device, values.size() * sizeof(T), vulkan::Memory::upload);
+    std::ranges::copy(values, buffer.as<T>().begin());
+    return buffer;
+}
 
 /// The fastest one for the request, which must have passed `check`; `region` must lie within the picture.
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,

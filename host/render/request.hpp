@@ -51,7 +51,7 @@ struct Request {
     int height = 1024; ///< pixels
     double scale = 32; ///< pixels per kernel radius
     noise::Recipe recipe = noise::recipes().front();
-    std::vector<noise::Lobe> lobes = {noise::Lobe()}; ///< at least one
+    std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     bool sum = false; ///< lobes are independent noises; else one lobe is chosen for each impulse
     std::uint32_t seed = 0;
     double time = 0; ///< in periods of an animation that ends where it began
@@ -72,9 +72,8 @@ struct Request {
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 
-/// The names of the views, in the order in which help texts list them, and that of one.
-std::vector<std::string_view> view_names();
-std::string_view view_name(const View& view);
+/// Whether waves have all orientations: noise in space has one, or all.
+bool is_isotropic(const noise::Lobe& lobe);
 
 /// The channels of a picture's pixels, in the order of their values, as EXR names them: `Y` is the noise, and
 /// in space `A`, the last one, the share of the pixel that is covered.
