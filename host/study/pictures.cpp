@@ -2,7 +2,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "statistics/spread.hpp"
+#include "statistics/estimate.hpp"
 
 #include <cmath>
 

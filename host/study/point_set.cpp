@@ -14,7 +14,8 @@ PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients,
                    std::uint32_t seed) {
     // Poisson counts stay within twelve standard deviations.
     const double capacity = ingredients.impulses + 12 * std::sqrt(ingredients.impulses) + 12;
-    const passes::PointsPush push{static_cast<std::uint32_t>(side), static_cast<std::uint32_t>(capacity), seed};
+    const passes::PointsPush push{static_cast<std::uint32_t>(side), static_cast<std::uint32_t>(capacity),
+                                  seed};
     const std::size_t cells = std::size_t{push.side} * push.side;
     const vulkan::Pass pass(device, points_spirv, {2, sizeof(push)}, constants(ingredients));
     const vulkan::Buffer counts(device, cells * sizeof(std::int32_t), vulkan::Memory::readback);

@@ -1,11 +1,11 @@
 // What the benchmark's passes share. Each defines
 //     float value(vec2 p, uint seed)
-// and is timed filling a picture, one pixel per invocation; or, to measure the law of its values, samples one random
-// place of an independent instance per invocation.
+// and is timed filling a picture, one pixel per invocation; or, to measure how its values are distributed, samples
+// one random place of an independent instance per invocation.
 
 #include "passes/bench/bench_interface.h"
 
-layout(constant_id = 7) const bool sampling = false;
+layout(constant_id = sampling_id) const bool sampling = false;
 
 layout(local_size_x = bench_group, local_size_y = bench_group) in;
 

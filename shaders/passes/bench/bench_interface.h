@@ -9,6 +9,10 @@ GABOR_INTERFACE_BEGIN
 
 const uint bench_group = 8; // invocations along x and y
 
+// Specialization constants: those before are the recipe's, those after are each pass's own.
+const uint sampling_id = 7;
+const uint option_id = 8;
+
 GABOR_PUSH_CONSTANTS(BenchPush) {
     float frequency;   // cycles per kernel radius
     float orientation; // radians
