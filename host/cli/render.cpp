@@ -104,9 +104,8 @@ render::Values given_values(const RenderOptions& options) {
         const render::Parameter& p = *parameter;
         const auto text = option->as<std::string>();
         values.emplace_back(&p, of_option(option_name(p), [&] {
-                                return p.kind == Kind::lobes ? render::load_lobes(text)
-                                                             : render::read(p, text);
-                            }));
+            return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
+        }));
     }
     if (options.size) {
         const render::Parameter& width = render::parameter("width");
@@ -116,8 +115,8 @@ render::Values given_values(const RenderOptions& options) {
         for (const int side : sides)
             if (side < width.range.low || side > width.range.high)
                 refuse("--size", *options.size, accepted);
-        values.emplace_back(&width, sides[0]);
-        values.emplace_back(&render::parameter("height"), sides[1]);
+        values.emplace_back(&width, static_cast<double>(sides[0]));
+        values.emplace_back(&render::parameter("height"), static_cast<double>(sides[1]));
     }
     return values;
 }
@@ -162,9 +161,9 @@ void warn_above_nyquist(const render::Request& request) {
         return;
     double highest = 0;
     for (const noise::Lobe& lobe : request.lobes) {
-        const double along = lobe.orientation_spread > 0
-                                 ? 1
-                                 : std::max(std::abs(std::cos(lobe.angle())), std::abs(std::sin(lobe.angle())));
+        const double along = lobe.orientation_spread > 0 ? 1
+                                                         : std::max(std::abs(std::cos(lobe.angle())),
+                                                                    std::abs(std::sin(lobe.angle())));
         highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread) * along / request.scale);
     }
     if (highest > 0.5)
@@ -320,11 +319,11 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
         if (parameter.name == "width" || parameter.name == "height")
             continue;
         const std::string name = option_name(parameter);
-        CLI::Option* option =
-            parameter.kind == Kind::flag
-                ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)), help_of(parameter))
-                      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                : command.add_option(name, help_of(parameter))->type_name(type_name(parameter.kind));
+        CLI::Option* option = parameter.kind == Kind::flag
+                                  ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
+                                        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+                                  : command.add_option(name)->type_name(type_name(parameter.kind));
+        option->description(help_of(parameter));
         options.parameters.emplace_back(&parameter, option);
     }
 }
@@ -338,9 +337,10 @@ void add_render_command(CLI::App& app) {
     const render::Request defaults;
 
     command
-        ->add_option("-o,--output", options->output,
-                     "What to write: NAME.exr, 32-bit float channels of which Y is the noise; or NAME.png, to "
-                     "look at: mean 0.5, two standard deviations to the ends")
+        ->add_option(
+            "-o,--output", options->output,
+            "What to write: NAME.exr, 32-bit float channels of which Y is the noise; or NAME.png, to "
+            "look at: mean 0.5, two standard deviations to the ends")
         ->type_name("FILE")
         ->required();
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
@@ -351,9 +351,9 @@ void add_render_command(CLI::App& app) {
         ->type_name("");
     add_parameters(*command, *options);
     command
-        ->add_option("--preset", options->preset,
-                     fmt::format("Take what is not given from a preset: {}",
-                                 fmt::join(render::preset_names(), ", ")))
+        ->add_option(
+            "--preset", options->preset,
+            fmt::format("Take what is not given from a preset: {}", fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,

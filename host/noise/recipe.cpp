@@ -55,9 +55,10 @@ Recipe find_recipe(std::string_view text) {
 std::string accepted_recipes() {
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
-    return fmt::format("{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
-                       "or 256 phases",
-                       fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius);
+    return fmt::format(
+        "{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
+        "or 256 phases",
+        fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius);
 }
 
 std::string spelled_out(const Recipe& recipe) {

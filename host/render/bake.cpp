@@ -42,8 +42,8 @@ passes::BakePush make_push(const Request& request) {
     push.time = wrapped_time(request);
     // The variance is in proportion to the number of impulses per unit area.
     push.amplitude = static_cast<float>(
-        recipe.radius / std::sqrt(x.radius * y.radius *
-                                  noise::variance(recipe, lobe.frequency, lobe.angle(), request.time)));
+        recipe.radius /
+        std::sqrt(x.radius * y.radius * noise::variance(recipe, lobe.frequency, lobe.angle(), request.time)));
     push.pixel = static_cast<float>(1 / request.scale);
     push.seed = request.seed;
     return push;
@@ -62,8 +62,7 @@ Block gpu_block(const noise::Recipe& recipe) {
     return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
 }
 
-std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius,
-                                   int longest) {
+std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest) {
     const auto position = [&](int pixel) { return (pixel + 0.5) * cells_per_pixel; };
     const auto cell_of = [&](int pixel) {
         return static_cast<std::int32_t>(std::floor(position(pixel) - radius));

@@ -74,8 +74,8 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height) {
     push.frequency = static_cast<float>(lobe.frequency);
     push.orientation = static_cast<float>(lobe.angle());
     // In perspective the scale is that of the bottom row.
-    push.pixel = static_cast<float>((in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) /
-                                    request.scale);
+    push.pixel =
+        static_cast<float>((in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale);
     push.focal_length = static_cast<float>(width);
     push.seed = request.seed;
     return push;
@@ -89,8 +89,8 @@ Pixels::Pixels(const vulkan::Device& device, const Request& request, const image
     : pass_(device, pixels_spirv, {5, sizeof(passes::PixelsPush)}, pixels_constants(request)),
       columns_(
           upload(device, lines_along(request, request.width, region.x, region.width, request.width / 2.0))),
-      rows_(upload(device, lines_along(request, request.height, region.y, region.height,
-                                       sky_rows(request.height)))),
+      rows_(upload(device,
+                   lines_along(request, request.height, region.y, region.height, sky_rows(request.height)))),
       lobes_(upload(device, pixels_lobes(request))), paint_(upload(device, paint.samples)),
       push_(pixels_push(request, request.width, request.height)), height_(region.height) {
     push_.width = region.width;

@@ -56,9 +56,9 @@ struct Request {
     std::uint32_t seed = 0;
     double time = 0; ///< in periods of an animation that ends where it began
     View view = Plane();
-    bool filter = false; ///< pixels are seen through a normal filter with a deviation of half a pixel
-    std::string paint;   ///< an EXR with channels `frequency` and `orientation`, in degrees, stretched over
-                         ///< the picture in place of those of the lobe; empty for none
+    bool filter = false;    ///< pixels are seen through a normal filter with a deviation of half a pixel
+    std::string paint = {}; ///< an EXR with channels `frequency` and `orientation`, in degrees, stretched
+                            ///< over the picture in place of those of the lobe; empty for none
 
     // What stands beside the noise in each pixel.
     bool quadrature = false; ///< the noise with cosines for sines
