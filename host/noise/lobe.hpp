@@ -10,6 +10,10 @@ constexpr double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
+constexpr double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
 /// Waves around one frequency and one orientation, as GaborLobe in shaders/gabor_noise.glsl, in degrees.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius

@@ -21,7 +21,7 @@ using noise::Lobe;
 
 constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
-constexpr std::string_view one_lobe = "a single lobe, several have their own";
+constexpr std::string_view one_lobe = "a single lobe";
 constexpr std::string_view bodies = "the views sphere and torus";
 
 // A view with its own values as by default, by its name.
@@ -453,7 +453,7 @@ Value read(const Parameter& p, std::string_view text) {
             refuse(text, accepted(p));
         if (p.kind == Kind::integer)
             number = static_cast<double>(whole);
-        value = in_radians ? number / noise::radians(1) : number;
+        value = in_radians ? noise::degrees(number) : number;
     } else if (p.kind == Kind::flag) {
         if (text != "true" && text != "false")
             refuse(text, accepted(p));
@@ -482,7 +482,11 @@ void set(Request& request, const Values& values) {
                 continue;
             of_parameter(*p, [&] { check_value(*p, value); });
             if (!p->get(request))
-                throw RequestError(fmt::format("{}: it is for {}", p->name, p->of));
+                throw RequestError(fmt::format(
+                    "{}: it is for {}{}", p->name, p->of,
+                    p->of == one_lobe
+                        ? fmt::format(", and here are {}, each with its own", request.lobes.size())
+                        : ""));
             p->put(request, value);
         }
     }
