@@ -178,7 +178,7 @@ class Flags(RenderTest):
         self.succeed("render", "-o", "plain.exr", "--size=80x80")
         files = self.files()
         self.assertEqual(files["again.exr"], files["plain.exr"])
-        self.assert_fails(2, ["--tileable"], "render", "-o", "out.exr", "--tileable=3")
+        self.assert_fails(2, ["tileable"], "render", "-o", "out.exr", "--tileable=3")
 
     def test_an_angle_has_a_unit(self):
         for text, degrees in (("45", 45), ("45deg", 45), ("0.7853981633974483rad", 45), ("-30deg", -30)):
