@@ -31,8 +31,8 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
     std::ranges::copy(values, buffer.as<T>().begin());
 }
 
-vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, const Spirv& spirv) {
-    return {device, spirv, {5, sizeof(ViewPush)}, subject.constants};
+vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
+    return {device, spirv, {5, sizeof(ViewPush)}, noise.constants};
 }
 
 } // namespace
@@ -41,10 +41,10 @@ Canvas::Grid::Grid(const vulkan::Device& device)
     : values(device, 4, result_memory(device)), columns(device, 8, vulkan::Memory::upload),
       rows(device, 8, vulkan::Memory::upload), lobes(device, 8, vulkan::Memory::upload) {}
 
-Canvas::Canvas(const vulkan::Device& device, const Subject& subject, const Spirv& spirv)
-    : device_(device), subject_(subject), paint_(render::read_paint(subject.picture.paint)),
+Canvas::Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv)
+    : device_(device), noise_(noise), paint_(render::read_paint(noise.picture.paint)),
       paint_samples_(device, paint_.samples.size() * sizeof(float), vulkan::Memory::upload),
-      pass_(make_pass(device, subject, spirv)), grids_{Grid(device), Grid(device)} {
+      pass_(make_pass(device, noise, spirv)), grids_{Grid(device), Grid(device)} {
     upload(device, paint_samples_, paint_.samples);
 }
 
@@ -53,29 +53,30 @@ void Canvas::replace(const Spirv& spirv) {
         grid.job.reset();
         grid.next_row = -1;
     }
-    pass_ = make_pass(device_, subject_, spirv);
+    pass_ = make_pass(device_, noise_, spirv);
     stale_ = true;
 }
 
 bool Canvas::same(const Request& a, const Request& b) {
-    return std::memcmp(&a.look.push, &b.look.push, sizeof a.look.push) == 0 && a.look.lobes == b.look.lobes &&
-           a.camera == b.camera && a.scale == b.scale && a.extent == b.extent;
+    return std::memcmp(&a.parameters.push, &b.parameters.push, sizeof a.parameters.push) == 0 &&
+           a.parameters.lobes == b.parameters.lobes && a.camera == b.camera && a.scale == b.scale &&
+           a.extent == b.extent;
 }
 
-void Canvas::start(Grid& grid, const Places& places, int stride) {
+void Canvas::start(Grid& grid, const SamplePoints& points, int stride) {
     grid.job.reset();
-    grid.grid = {static_cast<int>(places.columns.size()), static_cast<int>(places.rows.size())};
+    grid.grid = {static_cast<int>(points.columns.size()), static_cast<int>(points.rows.size())};
     grid.stride = stride;
     grid.next_row = 0;
-    const std::size_t bytes = count(grid.grid, subject_.channels) * sizeof(float);
+    const std::size_t bytes = count(grid.grid, noise_.channels) * sizeof(float);
     if (grid.values.size() < bytes) {
         grid.values = vulkan::Buffer(device_, bytes, result_memory(device_));
         if (!device_.unified())
             grid.staging.emplace(device_, bytes, vulkan::Memory::readback);
     }
-    upload(device_, grid.columns, places.columns);
-    upload(device_, grid.rows, places.rows);
-    upload(device_, grid.lobes, shown_.look.lobes);
+    upload(device_, grid.columns, points.columns);
+    upload(device_, grid.rows, points.rows);
+    upload(device_, grid.lobes, shown_.parameters.lobes);
     grid.job.emplace(device_, pass_,
                      vulkan::Job::Buffers{grid.columns, grid.rows, grid.lobes, paint_samples_, grid.values});
 }
@@ -85,7 +86,7 @@ void Canvas::fill(Grid& grid, int rows) {
     using Clock = std::chrono::steady_clock;
     const int first = grid.next_row;
     const int filled = std::min(rows, grid.grid.height - first);
-    ViewPush push = shown_.look.push;
+    ViewPush push = shown_.parameters.push;
     push.stride = static_cast<float>(grid.stride);
     push.pixels.width = grid.grid.width;
     push.pixels.height = filled;
@@ -114,13 +115,14 @@ int Canvas::coarsest(double seconds) const {
     return stride;
 }
 
-bool Canvas::work(const Subject& subject, const Document& document, Extent extent, double seconds) {
-    subject_ = subject;
-    Request request{look_of(subject, document, extent), document.camera, document.picture.scale, extent};
-    render::PixelsPush& push = request.look.push.pixels;
+bool Canvas::refine(const NoisePass& noise, const Document& document, Extent extent, double seconds) {
+    noise_ = noise;
+    Request request{view_parameters(noise, document, extent), document.camera, document.picture.scale,
+                    extent};
+    render::PixelsPush& push = request.parameters.push.pixels;
     push.paint_width = paint_.width;
     push.paint_height = paint_.height;
-    const Camera home = home_of(document);
+    const Camera home = default_camera(document);
     const auto paint_along = [&](const Coordinate& at, const Coordinate& from, int side, int view,
                                  int samples) {
         const double moved = static_cast<double>(at.whole - from.whole) + at.part - from.part;
@@ -130,16 +132,16 @@ bool Canvas::work(const Subject& subject, const Document& document, Extent exten
     push.paint_y =
         paint_along(document.camera.y, home.y, document.picture.height, extent.height, paint_.height);
     const auto begin = [&](Grid& grid, int stride) {
-        shown_.look.push.pixels.paint_scale_x =
+        shown_.parameters.push.pixels.paint_scale_x =
             static_cast<float>(stride * static_cast<double>(paint_.width) / document.picture.width);
-        shown_.look.push.pixels.paint_scale_y =
+        shown_.parameters.push.pixels.paint_scale_y =
             static_cast<float>(stride * static_cast<double>(paint_.height) / document.picture.height);
-        start(grid, places_of(subject, document, extent, stride), stride);
+        start(grid, sample_points(noise, document, extent, stride), stride);
     };
     Grid& behind = grids_[1 - front_];
     // What depends on the stride is no part of the request.
     Request known = shown_;
-    known.look.push.pixels.paint_scale_x = known.look.push.pixels.paint_scale_y = 0;
+    known.parameters.push.pixels.paint_scale_x = known.parameters.push.pixels.paint_scale_y = 0;
     if (stale_ || !same(request, known)) {
         shown_ = request;
         stale_ = false;
@@ -161,24 +163,22 @@ bool Canvas::work(const Subject& subject, const Document& document, Extent exten
 
 std::span<const float> Canvas::pixels() {
     Grid& grid = front();
-    return (grid.staging ? *grid.staging : grid.values)
-        .as<float>()
-        .first(count(grid.grid, subject_.channels));
+    return (grid.staging ? *grid.staging : grid.values).as<float>().first(count(grid.grid, noise_.channels));
 }
 
-std::span<const float> Law::sample(const Document& document, std::uint32_t draw, double seconds) {
+std::span<const float> ValueSampler::sample(const Document& document, std::uint32_t draw, double seconds) {
     const int rows =
         std::clamp(static_cast<int>(seconds / (canvas_.cost_ * sample_columns)), group, most_sample_rows);
-    Subject subject = canvas_.subject_;
-    subject.picture.frequency = document.picture.frequency;
-    subject.picture.orientation = document.picture.orientation;
-    subject.picture.lobes = document.picture.lobes;
-    subject.picture.frequency_spread = document.picture.frequency_spread;
-    subject.picture.orientation_spread = document.picture.orientation_spread;
-    canvas_.shown_.look = look_of(subject, document, {sample_columns, rows});
-    canvas_.shown_.look.push.pixels.seed = draw * 0x9e3779b1u;
+    NoisePass noise = canvas_.noise_;
+    noise.picture.frequency = document.picture.frequency;
+    noise.picture.orientation = document.picture.orientation;
+    noise.picture.lobes = document.picture.lobes;
+    noise.picture.frequency_spread = document.picture.frequency_spread;
+    noise.picture.orientation_spread = document.picture.orientation_spread;
+    canvas_.shown_.parameters = view_parameters(noise, document, {sample_columns, rows});
+    canvas_.shown_.parameters.push.pixels.seed = draw * 0x9e3779b1u;
     Canvas::Grid& grid = canvas_.front();
-    canvas_.start(grid, random_places(subject, sample_columns, rows, draw), 1);
+    canvas_.start(grid, random_points(noise, sample_columns, rows, draw), 1);
     canvas_.fill(grid, rows);
     return canvas_.pixels();
 }

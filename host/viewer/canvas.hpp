@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/paint.hpp"
-#include "viewer/source.hpp"
+#include "viewer/noise_pass.hpp"
 
 #include <array>
 #include <optional>
@@ -15,16 +15,16 @@ using Spirv = std::vector<std::uint32_t>;
 /// finer and finer, in portions that leave the window alive.
 class Canvas {
   public:
-    Canvas(const vulkan::Device& device, const Subject& subject, const Spirv& spirv);
+    Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv);
 
-    const Subject& subject() const { return subject_; }
-    /// Another pass for the same subject, from changed shaders.
+    const NoisePass& noise() const { return noise_; }
+    /// Another pass for the same noise, from changed shaders.
     void replace(const Spirv& spirv);
 
     /// Works for about `seconds` at what a view of the document shows in `extent` pixels, and returns whether
     /// there is more to do. Where that is something else than before it is answered at once, as finely as the
-    /// time allows. `subject` must be of the same pass.
-    bool work(const Subject& subject, const Document& document, Extent extent, double seconds);
+    /// time allows. `noise` must be of the same pass.
+    bool refine(const NoisePass& noise, const Document& document, Extent extent, double seconds);
 
     const vulkan::Buffer& values() const { return front().values; }
     Extent grid() const { return front().grid; }
@@ -51,7 +51,7 @@ class Canvas {
 
     /// All that decides the pixels of a view.
     struct Request {
-        Look look;
+        ViewParameters parameters;
         Camera camera;
         double scale;
         Extent extent;
@@ -60,12 +60,12 @@ class Canvas {
     Grid& front() { return grids_[front_]; }
     const Grid& front() const { return grids_[front_]; }
     static bool same(const Request& a, const Request& b);
-    void start(Grid& grid, const Places& places, int stride);
+    void start(Grid& grid, const SamplePoints& points, int stride);
     void fill(Grid& grid, int rows);
     int coarsest(double seconds) const;
 
     const vulkan::Device& device_;
-    Subject subject_;
+    NoisePass noise_;
     render::Paint paint_;
     vulkan::Buffer paint_samples_;
     vulkan::Pass pass_;
@@ -75,18 +75,18 @@ class Canvas {
     Request shown_;
     double cost_ = 1e-6; ///< seconds per value; a first guess that the first frames correct
 
-    friend class Law;
+    friend class ValueSampler;
 };
 
-/// Values of a noise at random places, for their law.
-class Law {
+/// Values of a noise at random points, for their law.
+class ValueSampler {
   public:
-    Law(const vulkan::Device& device, const Subject& subject, const Spirv& spirv)
-        : canvas_(device, in_plane(subject), spirv) {}
+    ValueSampler(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv)
+        : canvas_(device, in_plane(noise), spirv) {}
 
-    /// As many as fit about `seconds`; another `draw`, other places of another instance.
+    /// As many as fit about `seconds`; another `draw`, other points of another instance.
     std::span<const float> sample(const Document& document, std::uint32_t draw, double seconds);
-    int channels() const { return canvas_.subject_.channels; }
+    int channels() const { return canvas_.noise_.channels; }
 
   private:
     Canvas canvas_;

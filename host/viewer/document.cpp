@@ -2,6 +2,8 @@
 
 #include "error.hpp"
 
+#include <cmath>
+
 namespace gabor::viewer {
 
 namespace {
@@ -9,9 +11,9 @@ namespace {
 constexpr std::size_t most_steps = 1000;
 
 // The document but for what moves by itself or by looking around.
-Document still(Document document) {
+Document without_viewpoint(Document document) {
     document.camera = {};
-    document.pose = {};
+    document.orbit = {};
     document.picture.scale = 0;
     document.picture.time = 0;
     return document;
@@ -19,10 +21,20 @@ Document still(Document document) {
 
 } // namespace
 
+Coordinate Coordinate::moved(double by) const {
+    const double carried = std::floor(by);
+    Coordinate result{whole + static_cast<std::int64_t>(carried), part + (by - carried)};
+    if (result.part >= 1) {
+        ++result.whole;
+        result.part -= 1;
+    }
+    return result;
+}
+
 bool Document::operator==(const Document& other) const {
     return render::to_json(picture) == render::to_json(other.picture) && camera == other.camera &&
-           body == other.body && waves == other.waves && pose == other.pose && output == other.output &&
-           colours == other.colours && contrast == other.contrast && rival == other.rival;
+           body == other.body && waves == other.waves && orbit == other.orbit && output == other.output &&
+           colours == other.colours && contrast == other.contrast && comparison == other.comparison;
 }
 
 View Document::view() const {
@@ -45,7 +57,7 @@ void Document::set_view(View view) {
         picture.tileable = false;
         picture.paint.clear();
     }
-    camera = home_of(*this);
+    camera = default_camera(*this);
 }
 
 render::Picture Document::exported() const {
@@ -67,7 +79,7 @@ render::Picture Document::exported() const {
     return result;
 }
 
-Camera home_of(const Document& document) {
+Camera default_camera(const Document& document) {
     const render::Picture& picture = document.picture;
     if (document.view() != View::plane)
         return {};
@@ -84,12 +96,12 @@ Document document_of(const render::Picture& picture) {
         document.waves = render::in_space(picture).waves;
         document.picture.view = "flat";
     }
-    document.camera = home_of(document);
+    document.camera = default_camera(document);
     return document;
 }
 
-void History::settle() {
-    if (still(now) == still(steps_[at_])) {
+void History::commit() {
+    if (without_viewpoint(now) == without_viewpoint(steps_[at_])) {
         steps_[at_] = now;
         return;
     }
@@ -102,15 +114,15 @@ void History::settle() {
 
 void History::undo() {
     if (can_undo())
-        go(at_ - 1);
+        go_to(at_ - 1);
 }
 
 void History::redo() {
     if (can_redo())
-        go(at_ + 1);
+        go_to(at_ + 1);
 }
 
-void History::go(std::size_t step) {
+void History::go_to(std::size_t step) {
     steps_[at_] = now;
     at_ = step;
     now = steps_[at_];

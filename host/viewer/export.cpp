@@ -1,7 +1,5 @@
 #include "viewer/export.hpp"
 
-#include "error.hpp"
-
 #include <fmt/format.h>
 
 #include <chrono>
@@ -23,12 +21,11 @@ Exporter::~Exporter() {
 void Exporter::start(const render::Picture& picture, const std::filesystem::path& exr,
                      const std::optional<std::filesystem::path>& png) {
     render::check(picture);
-    if (exr.empty() || (png && *png == exr))
-        throw RequestError("an export takes the name of an EXR, and another one for a PNG");
     if (thread_.joinable())
         thread_.join();
     cancelled_ = false;
     done_ = 0;
+    written_.clear();
     total_ = static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
     running_ = true;
     thread_ = std::thread([this, picture, exr, png] {
@@ -41,6 +38,9 @@ void Exporter::start(const render::Picture& picture, const std::filesystem::path
                                         throw Cancelled();
                                     done_ += pixels;
                                 });
+            for (const std::optional<std::filesystem::path>& path : {std::optional(exr), png})
+                if (path)
+                    written_[std::filesystem::absolute(*path)] = file_stamp(*path);
             result_ =
                 fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
                             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -55,10 +55,6 @@ void Exporter::start(const render::Picture& picture, const std::filesystem::path
 
 double Exporter::progress() const {
     return static_cast<double>(done_) / static_cast<double>(total_);
-}
-
-std::string Exporter::result() {
-    return running_ ? std::string() : result_;
 }
 
 } // namespace gabor::viewer

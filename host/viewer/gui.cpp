@@ -7,21 +7,26 @@
 #include <backends/imgui_impl_vulkan.h>
 
 #include <array>
+#include <deque>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace gabor::viewer {
 
 namespace {
 
-// Keys whose press came since the last frame: one that is let go before the frame ends must be seen all the
-// same.
-std::vector<int> tapped;
+// Keys pressed since the last frame, with the modifiers held then: they may have been let go before the frame
+// begins, and must be seen all the same.
+struct KeyPress {
+    int key;
+    int modifiers;
+};
+std::deque<KeyPress> key_presses;
 
-void note_key(GLFWwindow*, int key, int, int action, int) {
-    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown))
-        tapped.push_back(key);
+void note_key(GLFWwindow*, int key, int, int action, int modifiers) {
+    const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown) && !is_modifier)
+        key_presses.push_back({key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)});
 }
 
 void check_result(VkResult result) {
@@ -137,11 +142,24 @@ void Gui::begin() {
     for (const int key : released_)
         io.KeysDown[key] = false;
     released_.clear();
-    for (const int key : std::exchange(tapped, {}))
+    const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    if (key_presses.empty())
+        return;
+    // A frame takes the presses up to the first with other modifiers.
+    const int modifiers = key_presses.front().modifiers;
+    io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
+    io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    for (; !key_presses.empty() && key_presses.front().modifiers == modifiers; key_presses.pop_front()) {
+        const int key = key_presses.front().key;
         if (!io.KeysDown[key]) {
             io.KeysDown[key] = true;
             released_.push_back(key);
         }
+    }
+    for (const KeyPress& later : key_presses)
+        io.KeysDown[later.key] = false;
 }
 
 void Gui::end() {

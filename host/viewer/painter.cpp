@@ -109,8 +109,8 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
 
     // The noises that the paper compares have their value alone.
-    const int channels = canvas.subject().channels;
-    const auto shown = canvas.subject().ingredients ? 0 : static_cast<std::int32_t>(document.output);
+    const int channels = canvas.noise().channels;
+    const auto shown = canvas.noise().ingredients ? 0 : static_cast<std::int32_t>(document.output);
     const vk::Pipeline pipeline = this->pipeline({shown, document.colours, channels, canvas.stride() > 1});
 
     ShowPush push{};

@@ -1,5 +1,7 @@
 #include "viewer/snippet.hpp"
 
+#include "viewer/noise_pass.hpp"
+
 #include "render/axis.hpp"
 #include "render/pixels.hpp"
 
@@ -91,10 +93,10 @@ std::string of_plane(const Document& document, Extent extent) {
     const bool horizon = document.view() == View::perspective;
     // The middle of the first pixel; or where the camera stands.
     const auto place = [&](const Coordinate& middle, int pixels, double radius) {
-        return place_at(middle, horizon ? 0 : (0.5 - pixels / 2.0) / picture.scale, radius);
+        return axis_point(middle, horizon ? 0 : (0.5 - pixels / 2.0) / picture.scale, radius);
     };
-    const AxisPlace x = place(document.camera.x, extent.width, x_axis.radius);
-    const AxisPlace y = place(document.camera.y, extent.height, y_axis.radius);
+    const AxisPoint x = place(document.camera.x, extent.width, x_axis.radius);
+    const AxisPoint y = place(document.camera.y, extent.height, y_axis.radius);
     const double time = picture.time - std::floor(picture.time);
     std::string text =
         fmt::format(R"(

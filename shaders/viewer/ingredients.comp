@@ -24,8 +24,6 @@ void main()
         }
         local = pixel / row.local * vec2(column.local, -focal_length) + vec2(camera_x, camera_y);
     }
-    // Cells are told by floats here: 1024 of them each way keep the offsets precise, and then it repeats.
-    vec2 p = vec2(ivec2(column.cell, row.cell) & 1023) + local;
     vec2 wave = frequency * vec2(cos(orientation), sin(orientation));
-    picture[at] = amplitude * gabor_ingredients(p, wave, seed);
+    picture[at] = amplitude * gabor_ingredients(ivec2(column.cell, row.cell), local, wave, seed);
 }

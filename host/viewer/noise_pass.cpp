@@ -1,4 +1,4 @@
-#include "viewer/source.hpp"
+#include "viewer/noise_pass.hpp"
 
 #include "noise/reference_3d.hpp"
 #include "render/axis.hpp"
@@ -27,7 +27,7 @@ render::Picture with_channels(render::Picture picture, Output output) {
     return picture;
 }
 
-Subject of_drop_in(const render::Picture& picture, View view) {
+NoisePass of_drop_in(const render::Picture& picture, View view) {
     const noise::Recipe recipe = noise::find_recipe(picture.recipe);
     return {"passes/pixels.comp",
             render::pixels_constants(picture),
@@ -39,7 +39,7 @@ Subject of_drop_in(const render::Picture& picture, View view) {
             static_cast<int>(render::channels(picture).size())};
 }
 
-Subject of_ingredients(const render::Picture& picture, View view, const study::Ingredients& ingredients) {
+NoisePass of_ingredients(const render::Picture& picture, View view, const study::Ingredients& ingredients) {
     std::vector<std::uint32_t> constants = study::constants(ingredients);
     constants.resize(12, 0);
     constants.push_back(view == View::perspective);
@@ -61,7 +61,7 @@ Subject of_ingredients(const render::Picture& picture, View view, const study::I
             1};
 }
 
-Subject of_body(const render::Picture& picture, View view, Waves waves) {
+NoisePass of_body(const render::Picture& picture, View view, Waves waves) {
     const noise::Recipe& recipe = noise::recipe_3d();
     using vulkan::constant;
     std::vector<std::uint32_t> constants{constant(recipe.impulses), constant(recipe.radius),
@@ -89,62 +89,78 @@ struct Axes {
     render::Axis y;
 };
 
-Axes axes_of(const Subject& subject) {
-    if (subject.ingredients)
+Axes axes_of(const NoisePass& noise) {
+    if (noise.ingredients)
         return {{1, 0}, {1, 0}};
-    if (on_body(subject.view)) {
+    if (on_body(noise.view)) {
         const double radius = noise::recipe_3d().radius;
         return {{radius, 0}, {radius, 0}};
     }
-    return {render::axis_along(subject.picture, subject.picture.width),
-            render::axis_along(subject.picture, subject.picture.height)};
+    return {render::axis_along(noise.picture, noise.picture.width),
+            render::axis_along(noise.picture, noise.picture.height)};
 }
 
-void add_pixels(std::vector<AxisPlace>& places, int cell, int pixels, int stride, double middle) {
+void add_pixels(std::vector<AxisPoint>& points, int cell, int pixels, int stride, double middle) {
     for (int i = 0; i * stride < pixels; ++i)
-        places.push_back({cell, static_cast<float>((i + 0.5) * stride - middle)});
+        points.push_back({cell, static_cast<float>((i + 0.5) * stride - middle)});
 }
 
 } // namespace
 
-std::vector<Subject> subjects(const Document& document) {
+AxisPoint axis_point(const Coordinate& coordinate, double by, double radius) {
+    const long double far = static_cast<long double>(coordinate.whole) * radius;
+    const long double base = std::floor(far);
+    const double cells = static_cast<double>(far - base) + (coordinate.part + by) * radius;
+    const double whole = std::floor(cells);
+    const auto cell = static_cast<std::int64_t>(base) + static_cast<std::int64_t>(whole);
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), static_cast<float>(cells - whole)};
+}
+
+void add_points(std::vector<AxisPoint>& points, const Coordinate& middle, int pixels, double scale,
+                int stride, double radius) {
+    const int count = (pixels + stride - 1) / stride;
+    for (int i = 0; i < count; ++i)
+        points.push_back(axis_point(middle, ((i + 0.5) * stride - pixels / 2.0) / scale, radius));
+}
+
+std::vector<NoisePass> noise_passes(const Document& document) {
     const render::Picture picture = with_channels(document.picture, document.output);
     const View view = document.view();
     if (on_body(view)) // there is one recipe in space
         return {of_body(picture, view, document.waves)};
-    std::vector<Subject> all{of_drop_in(picture, view)};
-    if (document.rival && document.rival->recipe.empty()) {
-        all.push_back(of_ingredients(picture, view, document.rival->ingredients));
-    } else if (document.rival) {
+    std::vector<NoisePass> all{of_drop_in(picture, view)};
+    if (document.comparison && document.comparison->recipe.empty()) {
+        all.push_back(of_ingredients(picture, view, document.comparison->ingredients));
+    } else if (document.comparison) {
         render::Picture other = picture;
-        other.recipe = document.rival->recipe;
+        other.recipe = document.comparison->recipe;
         all.push_back(of_drop_in(other, view));
     }
     return all;
 }
 
-Subject in_plane(Subject subject) {
-    if (on_body(subject.view)) {
-        subject.constants[12] = flat_solid;
-        return subject;
+NoisePass in_plane(NoisePass noise) {
+    if (on_body(noise.view)) {
+        noise.constants[12] = flat_solid;
+        return noise;
     }
-    subject.picture.view = "flat";
-    subject.picture.paint.clear();
-    if (subject.ingredients)
-        return of_ingredients(subject.picture, View::plane, *subject.ingredients);
-    subject.picture.filter = false;
-    subject.picture.quadrature = false;
-    subject.picture.gradient = false;
-    return of_drop_in(subject.picture, View::plane);
+    noise.picture.view = "flat";
+    noise.picture.paint.clear();
+    if (noise.ingredients)
+        return of_ingredients(noise.picture, View::plane, *noise.ingredients);
+    noise.picture.filter = false;
+    noise.picture.quadrature = false;
+    noise.picture.gradient = false;
+    return of_drop_in(noise.picture, View::plane);
 }
 
-Look look_of(const Subject& subject, const Document& document, Extent extent) {
-    const render::Picture& picture = subject.picture;
+ViewParameters view_parameters(const NoisePass& noise, const Document& document, Extent extent) {
+    const render::Picture& picture = noise.picture;
     const noise::Lobe first = render::spectrum(picture).front();
-    const Axes axes = axes_of(subject);
-    Look look;
-    look.lobes = render::pass_lobes(picture);
-    render::PixelsPush& push = look.push.pixels;
+    const Axes axes = axes_of(noise);
+    ViewParameters parameters;
+    parameters.lobes = render::pass_lobes(picture);
+    render::PixelsPush& push = parameters.push.pixels;
     push.radius_x = static_cast<float>(axes.x.radius);
     push.radius_y = static_cast<float>(axes.y.radius);
     push.period_x = axes.x.period;
@@ -156,16 +172,16 @@ Look look_of(const Subject& subject, const Document& document, Extent extent) {
     push.focal_length = static_cast<float>(extent.width);
     push.seed = picture.seed;
     push.paint_width = push.paint_height = 1;
-    look.push.amplitude = 1;
-    if (subject.ingredients)
-        look.push.amplitude = static_cast<float>(
-            1 / std::sqrt(study::variance(*subject.ingredients, {first.frequency, first.orientation})));
-    if (subject.view == View::perspective) {
+    parameters.push.amplitude = 1;
+    if (noise.ingredients)
+        parameters.push.amplitude = static_cast<float>(
+            1 / std::sqrt(study::variance(*noise.ingredients, {first.frequency, first.orientation})));
+    if (noise.view == View::perspective) {
         push.pixel =
             static_cast<float>((extent.height - 0.5 - render::sky_rows(extent.height)) / picture.scale);
-        push.camera_x = place_at(document.camera.x, 0, axes.x.radius).local;
-        push.camera_y = place_at(document.camera.y, 0, axes.y.radius).local;
-    } else if (on_body(subject.view)) {
+        push.camera_x = axis_point(document.camera.x, 0, axes.x.radius).local;
+        push.camera_y = axis_point(document.camera.y, 0, axes.y.radius).local;
+    } else if (on_body(noise.view)) {
         // A body fits the view, and is as coarse, as it is in the pictures of render::SolidPicture.
         const render::SolidPicture like{.width = picture.width,
                                         .height = picture.height,
@@ -173,51 +189,50 @@ Look look_of(const Subject& subject, const Document& document, Extent extent) {
                                         .scale = picture.scale};
         push.pixel = static_cast<float>(render::sphere_radius(like));
         push.focal_length =
-            static_cast<float>(std::min(extent.width, extent.height) * double{document.pose.nearness} /
+            static_cast<float>(std::min(extent.width, extent.height) * double{document.orbit.zoom} /
                                (2 * 1.05 * std::tan(std::asin(0.25))));
-        look.push.yaw = static_cast<float>(double{document.pose.yaw} * degree);
-        look.push.pitch = static_cast<float>(double{document.pose.pitch} * degree);
+        parameters.push.yaw = static_cast<float>(double{document.orbit.yaw} * degree);
+        parameters.push.pitch = static_cast<float>(double{document.orbit.pitch} * degree);
     }
-    return look;
+    return parameters;
 }
 
-Places places_of(const Subject& subject, const Document& document, Extent extent, int stride) {
-    const Axes axes = axes_of(subject);
-    Places places;
-    switch (subject.view) {
+SamplePoints sample_points(const NoisePass& noise, const Document& document, Extent extent, int stride) {
+    const Axes axes = axes_of(noise);
+    SamplePoints points;
+    switch (noise.view) {
     case View::plane:
-        add_places(places.columns, document.camera.x, extent.width, subject.picture.scale, stride,
+        add_points(points.columns, document.camera.x, extent.width, noise.picture.scale, stride,
                    axes.x.radius);
-        add_places(places.rows, document.camera.y, extent.height, subject.picture.scale, stride,
-                   axes.y.radius);
+        add_points(points.rows, document.camera.y, extent.height, noise.picture.scale, stride, axes.y.radius);
         break;
     case View::perspective:
-        add_pixels(places.columns, place_at(document.camera.x, 0, axes.x.radius).cell, extent.width, stride,
+        add_pixels(points.columns, axis_point(document.camera.x, 0, axes.x.radius).cell, extent.width, stride,
                    extent.width / 2.0);
-        add_pixels(places.rows, place_at(document.camera.y, 0, axes.y.radius).cell, extent.height, stride,
+        add_pixels(points.rows, axis_point(document.camera.y, 0, axes.y.radius).cell, extent.height, stride,
                    render::sky_rows(extent.height));
         break;
     default:
-        add_pixels(places.columns, 0, extent.width, stride, extent.width / 2.0);
-        add_pixels(places.rows, 0, extent.height, stride, extent.height / 2.0);
+        add_pixels(points.columns, 0, extent.width, stride, extent.width / 2.0);
+        add_pixels(points.rows, 0, extent.height, stride, extent.height / 2.0);
     }
-    return places;
+    return points;
 }
 
-Places random_places(const Subject& subject, int columns, int rows, std::uint32_t draw) {
+SamplePoints random_points(const NoisePass& noise, int columns, int rows, std::uint32_t draw) {
     // Further apart than two impulses of one kernel can be: a diameter and a cell.
-    const Axes axes = axes_of(subject);
+    const Axes axes = axes_of(noise);
     const int apart = static_cast<int>(std::ceil(2 * std::max(axes.x.radius, axes.y.radius))) + 2;
     std::mt19937 generator(draw);
     const auto place = [&](int i) {
-        return AxisPlace{i * apart, static_cast<float>(generator() >> 8) * 0x1p-24f};
+        return AxisPoint{i * apart, static_cast<float>(generator() >> 8) * 0x1p-24f};
     };
-    Places places;
+    SamplePoints points;
     for (int i = 0; i < columns; ++i)
-        places.columns.push_back(place(i));
+        points.columns.push_back(place(i));
     for (int i = 0; i < rows; ++i)
-        places.rows.push_back(place(i));
-    return places;
+        points.rows.push_back(place(i));
+    return points;
 }
 
 } // namespace gabor::viewer

@@ -155,7 +155,7 @@ bool slider(const char* label, double& value, double low, double high, const cha
     auto shown = static_cast<float>(value);
     const bool changed = ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high),
                                             format, flags | ImGuiSliderFlags_NoRoundToFormat);
-    tip(meaning);
+    tooltip(meaning);
     if (changed)
         value = double{shown};
     return changed;
@@ -168,22 +168,22 @@ bool lobe_list(Session& session, std::vector<render::Lobe>& lobes) {
     for (std::size_t i = 0; i < lobes.size(); ++i) {
         const std::string text =
             fmt::format("{:.3g} at {:.0f}##{}", lobes[i].frequency, lobes[i].orientation, i);
-        if (ImGui::Selectable(text.c_str(), i == session.lobe))
-            session.lobe = i;
+        if (ImGui::Selectable(text.c_str(), i == session.selected_lobe))
+            session.selected_lobe = i;
     }
     if (lobes.size() < render::largest_spectrum && ImGui::SmallButton("add")) {
-        render::Lobe lobe = lobes[session.lobe];
+        render::Lobe lobe = lobes[session.selected_lobe];
         lobe.orientation = std::remainder(lobe.orientation + 45, 360.0);
         lobes.push_back(lobe);
-        session.lobe = lobes.size() - 1;
+        session.selected_lobe = lobes.size() - 1;
         changed = true;
     }
-    tip("Another lobe; each impulse has a wave of one of them, so that many cost as much as one");
+    tooltip("Another lobe; each impulse has a wave of one of them, so that many cost as much as one");
     if (lobes.size() > 1) {
         ImGui::SameLine();
         if (ImGui::SmallButton("remove")) {
-            lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.lobe));
-            session.lobe = std::min(session.lobe, lobes.size() - 1);
+            lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.selected_lobe));
+            session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
             changed = true;
         }
     }
@@ -217,7 +217,7 @@ bool lobe_sliders(render::Lobe& lobe, bool one_of_many) {
 void spectrum_panel(Session& session) {
     render::Picture& picture = session.document().picture;
     std::vector<render::Lobe> lobes = lobes_of(picture);
-    session.lobe = std::min(session.lobe, lobes.size() - 1);
+    session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
     const float side = 0.68f * ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("frequency plane", {side, side});
@@ -236,9 +236,9 @@ void spectrum_panel(Session& session) {
     const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, double{reaches}};
 
     if (begun)
-        session.lobe = nearest(plane, lobes, ImGui::GetIO().MousePos);
+        session.selected_lobe = nearest(plane, lobes, ImGui::GetIO().MousePos);
     if (dragging) {
-        drag_lobe(plane, lobes[session.lobe]);
+        drag_lobe(plane, lobes[session.selected_lobe]);
         set_lobes(picture, lobes);
     } else if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
@@ -249,23 +249,23 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    if (!session.sides.empty() && session.sides[0].measured.spectrum &&
+    if (!session.panes.empty() && session.panes[0].measured.spectrum &&
         session.document().view() == View::plane)
-        draw_measured(draw, plane, *session.sides[0].measured.spectrum);
+        draw_measured(draw, plane, *session.panes[0].measured.spectrum);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)
-        draw_lobe(draw, plane, lobes[i], i == session.lobe);
+        draw_lobe(draw, plane, lobes[i], i == session.selected_lobe);
     draw.PopClipRect();
 
     ImGui::SameLine();
     bool changed = lobe_list(session, lobes);
-    changed |= lobe_sliders(lobes[session.lobe], lobes.size() > 1);
+    changed |= lobe_sliders(lobes[session.selected_lobe], lobes.size() > 1);
     if (changed)
         set_lobes(picture, lobes);
     if (!picture.lobes.empty()) {
         ImGui::Checkbox("independent noises", &picture.sum);
-        tip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
-            "noises");
+        tooltip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
+                "noises");
     }
 }
 
