@@ -24,8 +24,9 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
                      256.0 * n * static_cast<double>(windows),
                      [&device, ingredients, windows](std::uint32_t seed) -> Numbers {
                          Noise noise(device, ingredients);
-                         const statistics::Windows w = measure_windows(std::span(&noise, 1), windows, seed);
-                         return {w.contrast().median, w.contrast().interdecile, shown * w.deviation()};
+                         const statistics::InstanceStationarity w =
+                             measure_windows(std::span(&noise, 1), windows, seed);
+                         return {w.contrast().median, w.contrast().interdecile, shown * w.median_deviation()};
                      }});
             }
     return {table};

@@ -1,6 +1,7 @@
 // The real case: six lobes of three kernels under a colour map, seminal and recommended.
 
 #include "image/png.hpp"
+#include "render/file.hpp"
 #include "study/figures.hpp"
 #include "study/measures.hpp"
 #include "study/pictures.hpp"
@@ -37,7 +38,7 @@ std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
 
 // Sharp veins on a gradient: where the noise is off by a little the picture is off by much.
 std::array<float, 3> colour(float noise) {
-    const float t = std::clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
+    const float t = std::clamp(render::unorm(noise), 0.0f, 1.0f);
     const float vein = std::exp(-40 * noise * noise);
     const float band = 0.5f + 0.5f * std::cos(25 * t);
     return {0.15f + 0.75f * t + 0.1f * band - 0.7f * vein, 0.1f + 0.6f * t * t + 0.15f * band - 0.4f * vein,

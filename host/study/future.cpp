@@ -36,16 +36,18 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                              const statistics::Estimate cvm =
                                  measure_values(sum, effort.samples, seed, std::sqrt(variance))
                                      .gaussianity.index();
-                             const statistics::Places places = measure_places(sum, 1, effort.places, seed);
-                             const statistics::Windows windows = measure_windows(sum, effort.windows, seed);
+                             const statistics::ProcessStationarity places =
+                                 measure_places(sum, 1, effort.places, seed);
+                             const statistics::InstanceStationarity windows =
+                                 measure_windows(sum, effort.windows, seed);
                              return {variance,
                                      cvm.value,
                                      cvm.low,
                                      cvm.high,
                                      places.variance().interdecile,
-                                     places.variance_chance(),
+                                     places.chance_interdecile(),
                                      places.largest_mean(),
-                                     places.mean_chance(),
+                                     places.chance_largest_mean(),
                                      windows.contrast().interdecile};
                          }});
                 }

@@ -41,10 +41,11 @@ OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32
     return result;
 }
 
-statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed) {
+statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
+                                                 std::uint32_t seed) {
     constexpr Grid grid{4, 2, true};
     constexpr std::size_t pixels = std::size_t{1} << 2 * grid.bits;
-    statistics::Windows result;
+    statistics::InstanceStationarity result;
     for_each_batch(sum, grid, windows, seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels))
             result.add(values.first(pixels));
@@ -52,10 +53,10 @@ statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows,
     return result;
 }
 
-statistics::Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                  std::uint32_t seed) {
+statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                                               std::uint32_t seed) {
     const Grid grid{3, cell, false};
-    statistics::Places places(std::size_t{1} << 2 * grid.bits);
+    statistics::ProcessStationarity places(std::size_t{1} << 2 * grid.bits);
     for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) { places.add(values); });
     return places;
 }

@@ -24,11 +24,12 @@ OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32
                         double deviation = 1);
 
 /// Windows of one kernel diameter, each of another instance, 16 x 16 pixels each.
-statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed);
+statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
+                                                 std::uint32_t seed);
 
 /// 8 x 8 places of a cell, over many instances. `cell`: its side in kernel radii.
-statistics::Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                  std::uint32_t seed);
+statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                                               std::uint32_t seed);
 
 /// The mean of a whole instance, 64 x 64 pixels on a square of `side` kernel radii from a cell's corner, for
 /// each of many instances.

@@ -1,6 +1,7 @@
 #include "study/noise.hpp"
 
 #include "passes/ingredients.h"
+#include "passes/places_interface.h"
 #include "passes/recipes.h"
 
 #include <algorithm>
@@ -11,20 +12,6 @@ namespace gabor::study {
 namespace {
 
 constexpr std::size_t batch = std::size_t{1} << 20; // values
-constexpr std::uint32_t group = 64;                 // local_size of passes/places.glsl
-
-struct Push {
-    float wave_x;
-    float wave_y;
-    float amplitude;
-    float spacing;
-    float origin;
-    std::uint32_t grid_bits;
-    std::uint32_t first;
-    std::uint32_t count;
-    std::uint32_t place_seed;
-    std::uint32_t noise_seed;
-};
 
 } // namespace
 
@@ -40,7 +27,7 @@ Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
              std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
              double cells_per_radius)
     : wave_(wave), amplitude_(amplitude), cells_per_radius_(cells_per_radius),
-      pass_(device, spirv, {1, sizeof(Push)}, constants),
+      pass_(device, spirv, {1, sizeof(passes::PlacesPush)}, constants),
       values_(device, batch * sizeof(float),
               device.unified() ? vulkan::Memory::readback : vulkan::Memory::device),
       job_(device, pass_, {values_}) {
@@ -50,9 +37,9 @@ Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
 
 double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
                    std::uint32_t place_seed) {
-    Push push{};
-    push.wave_x = static_cast<float>(wave_.frequency * std::cos(wave_.orientation));
-    push.wave_y = static_cast<float>(wave_.frequency * std::sin(wave_.orientation));
+    passes::PlacesPush push{};
+    push.wave = {static_cast<float>(wave_.frequency * std::cos(wave_.orientation)),
+                 static_cast<float>(wave_.frequency * std::sin(wave_.orientation))};
     push.amplitude = static_cast<float>(amplitude_);
     push.spacing =
         static_cast<float>(std::ldexp(grid.side * cells_per_radius_, -static_cast<int>(grid.bits)));
@@ -68,7 +55,7 @@ double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t firs
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
             copy.emplace(vulkan::Job::Copy{values_, *staging_, part.size_bytes()});
-        job_.submit(push, {(push.count + group - 1) / group}, copy);
+        job_.submit(push, {(push.count + passes::places_group - 1) / passes::places_group}, copy);
         seconds += job_.wait();
         std::ranges::copy((staging_ ? *staging_ : values_).as<float>().first(part.size()), part.begin());
     }

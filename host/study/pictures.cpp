@@ -2,7 +2,8 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "statistics/spread.hpp"
+#include "render/file.hpp"
+#include "statistics/estimate.hpp"
 
 #include <cmath>
 
@@ -53,7 +54,7 @@ void write_png(const std::filesystem::path& path, std::span<const float> pixels)
     const int side = side_of(pixels);
     std::vector<float> shown;
     for (const float noise : pixels)
-        shown.push_back(0.5f + 0.25f * noise);
+        shown.push_back(render::unorm(noise));
     image::PngWriter writer(path.string() + ".png", side, side, 1);
     writer.write_rows(shown);
     writer.commit();

@@ -16,8 +16,8 @@ Numbers criteria(Noise noise, const Window& window, double visits, double cell, 
     const std::span<Noise> sum(&noise, 1);
     const OneValue values = measure_values(sum, effort.samples, seed);
     const statistics::Estimate cvm = values.gaussianity.index();
-    const statistics::Places places = measure_places(sum, cell, effort.places, seed);
-    const statistics::Windows windows = measure_windows(sum, effort.windows, seed);
+    const statistics::ProcessStationarity places = measure_places(sum, cell, effort.places, seed);
+    const statistics::InstanceStationarity windows = measure_windows(sum, effort.windows, seed);
     const Purity pure = purity(window);
     return {visits,
             cvm.value,
@@ -25,7 +25,7 @@ Numbers criteria(Noise noise, const Window& window, double visits, double cell, 
             cvm.high,
             values.moments.variance(),
             places.variance().interdecile,
-            places.variance_chance(),
+            places.chance_interdecile(),
             windows.contrast().interdecile,
             pure.sidelobe,
             pure.outside};

@@ -17,9 +17,10 @@ Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std
             64.0 * ingredients.impulses * static_cast<double>(instances),
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
-                const statistics::Places places = measure_places(std::span(&noise, 1), 1, instances, seed);
-                return {places.variance().median, places.variance().interdecile, places.variance_chance(),
-                        places.largest_mean(), places.mean_chance()};
+                const statistics::ProcessStationarity places =
+                    measure_places(std::span(&noise, 1), 1, instances, seed);
+                return {places.variance().median, places.variance().interdecile, places.chance_interdecile(),
+                        places.largest_mean(), places.chance_largest_mean()};
             }};
 }
 
@@ -33,7 +34,8 @@ Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::
                     std::abs(*std::ranges::max_element(means, {}, [](double m) { return std::abs(m); }));
                 constexpr double percent = 100.0 / 4; // of the range of four standard deviations
                 return {percent * statistics::quantile(means, 0.5),
-                        percent * (statistics::quantile(means, 0.9) - statistics::quantile(means, 0.1)), percent * largest};
+                        percent * (statistics::quantile(means, 0.9) - statistics::quantile(means, 0.1)),
+                        percent * largest};
             }};
 }
 

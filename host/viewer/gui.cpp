@@ -6,9 +6,11 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace gabor::viewer {
@@ -139,20 +141,24 @@ void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    for (const int key : released_)
+    const std::vector<int> previous = std::exchange(released_, {});
+    for (const int key : previous)
         io.KeysDown[key] = false;
-    released_.clear();
     const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
     io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    if (key_presses.empty())
-        return;
-    // A frame takes the presses up to the first with other modifiers.
-    const int modifiers = key_presses.front().modifiers;
-    io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
-    io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
-    for (; !key_presses.empty() && key_presses.front().modifiers == modifiers; key_presses.pop_front()) {
-        const int key = key_presses.front().key;
+    // A frame takes the presses up to the first with other modifiers, or of a key that must be seen released
+    // before it is pressed again.
+    const auto has = [](const std::vector<int>& keys, int key) {
+        return std::ranges::find(keys, key) != keys.end();
+    };
+    const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;
+    for (; !key_presses.empty(); key_presses.pop_front()) {
+        const auto [key, with] = key_presses.front();
+        if (with != modifiers || has(previous, key) || has(released_, key))
+            break;
+        io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
+        io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
         if (!io.KeysDown[key]) {
             io.KeysDown[key] = true;
             released_.push_back(key);

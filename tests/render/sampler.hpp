@@ -25,6 +25,8 @@ struct Sample {
     float period_x = 4;
     float period_y = 4;
     std::uint32_t padding = 0;
+    float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
+    float y = place.local_y / place.radius_y;
 };
 
 inline std::string to_string(const Sample& s) {
@@ -60,7 +62,7 @@ struct SpectraSample {
 
     noise::Lobe lobe(std::size_t i) const {
         const float* l = lobes + 5 * i;
-        return {l[0], l[1], l[2], l[3], l[4]};
+        return {l[0], noise::degrees(l[1]), l[2], noise::degrees(l[3]), l[4]};
     }
 };
 

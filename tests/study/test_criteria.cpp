@@ -98,14 +98,14 @@ TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[crit
 TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
     const vulkan::Device device;
     Noise noise(device, recommended);
-    const statistics::Windows windows = measure_windows(alone(noise), 1 << 12, 1);
+    const statistics::InstanceStationarity windows = measure_windows(alone(noise), 1 << 12, 1);
     CHECK(windows.contrast().interdecile ==
           Approx(0.94).epsilon(0.06)); // shared figures of the paper's criteria
-    CHECK(windows.deviation() == Approx(0.96).epsilon(0.02));
-    const statistics::Places places = measure_places(alone(noise), 1, 1 << 13, 1);
+    CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
+    const statistics::ProcessStationarity places = measure_places(alone(noise), 1, 1 << 13, 1);
     CHECK(places.variance().median == Approx(1).margin(0.01));
-    CHECK(places.variance().interdecile < 1.3 * places.variance_chance());
-    CHECK(places.largest_mean() < 1.3 * places.mean_chance());
+    CHECK(places.variance().interdecile < 1.3 * places.chance_interdecile());
+    CHECK(places.largest_mean() < 1.3 * places.chance_largest_mean());
 }
 
 TEST_CASE("an instance that repeats has the mean 0 if its kernel is a sine", "[criteria]") {

@@ -18,6 +18,13 @@ class Events(ViewerTest):
         self.window = self.wait_for(self.find_window)
         self.xdotool("windowfocus", "--sync", self.window)
         self.xdotool("mousemove", "--window", self.window, 200, 200)
+        self.wait_for(self.answers)
+        (self.folder / "noise.json").unlink()
+
+    def answers(self):
+        """Whether the viewer takes keys already: it saves the preset."""
+        self.keys("ctrl+s")
+        return self.read("noise.json")
 
     def find_window(self):
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Gabor noise$"],
@@ -35,7 +42,8 @@ class Events(ViewerTest):
     def wait_for(self, condition):
         deadline = time.monotonic() + 60
         while not (result := condition()):
-            self.assertIsNone(self.process.poll(), "the viewer ended")
+            if self.process.poll() is not None:
+                self.fail(f"the viewer ended: {self.process.communicate()}")
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.05)
         return result
