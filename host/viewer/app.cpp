@@ -28,7 +28,7 @@ struct ShaderFile {
 };
 constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::compute},
                                   ShaderFile{"viewer/ingredients.comp", ShaderStage::compute},
-                                  ShaderFile{"viewer/solid.comp", ShaderStage::compute},
+                                  ShaderFile{"passes/solid.comp", ShaderStage::compute},
                                   ShaderFile{"viewer/show.vert", ShaderStage::vertex},
                                   ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
@@ -124,7 +124,7 @@ std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.comparison || on_body(session_.history.now.view()))
+    if (!session_.history.now.comparison || render::in_space(session_.history.now.request))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
@@ -141,13 +141,13 @@ bool App::refine(Extent window) {
     bool more = false;
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
-        if (!pane.canvas || !pane.canvas->noise().same_pass(wanted[index])) {
+        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index])) {
             pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
-            pane.sampler.reset();
         }
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
-        if (pane.canvas->refine(wanted[index], session_.document(), {where[index].width, where[index].height},
+        if (pane.canvas->refine(wanted[index], session_.document().camera,
+                                {where[index].width, where[index].height},
                                 share * (moving ? moving_budget : still_budget))) {
             more = true;
             pane.picture_measured = false;
@@ -166,19 +166,16 @@ bool App::refine(Extent window) {
     return more || !measuring_.idle();
 }
 
-// While the view stands still: the spectrum of what it shows, and the law of the values, more of them with
-// every frame.
+// While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
+// them with every frame.
 void App::measure(std::size_t index, const NoisePass& noise) {
     Pane& pane = panes_[index];
-    // Other instances, times and scales have the same law.
-    render::Picture picture = in_plane(noise).picture;
-    picture.seed = 0;
-    picture.time = 0;
-    picture.scale = 32;
-    std::string sampled = fmt::format("{} {} {}", noise.shader, noise.name, render::to_json(picture));
-    if (!pane.sampler || sampled != pane.sampled) {
-        pane.sampler = std::make_unique<ValueSampler>(device_, noise, spirv(noise));
-        pane.sampled = std::move(sampled);
+    NoisePass values = value_pass(noise);
+    if (!pane.sampler || pane.sampler->noise() != values) {
+        if (pane.sampler && pane.sampler->noise().same_pipeline(values))
+            pane.sampler->set(std::move(values));
+        else
+            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), spirv(noise));
         pane.samples = 0;
         pane.picture_measured = false;
         measuring_.reset(index);
@@ -188,15 +185,15 @@ void App::measure(std::size_t index, const NoisePass& noise) {
     const Canvas& canvas = *pane.canvas;
     if (canvas.fine() && !pane.picture_measured) {
         pane.picture_measured = true;
-        if (noise.view == View::plane)
-            measuring_.add_picture(index, pane.canvas->pixels(), noise.channels, canvas.grid(),
-                                   session_.document().picture.scale);
+        if (is_flat(noise.request.view))
+            measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
+                                   noise.request.scale);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
-        const std::span<const float> values = pane.sampler->sample(
-            session_.document(), pane.draws++, session_.playing ? sampling_budget : still_budget);
-        pane.samples +=
-            static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(pane.sampler->channels());
-        measuring_.add_samples(index, values, pane.sampler->channels());
+        const std::span<const float> values_now =
+            pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : still_budget);
+        const int channels = pane.sampler->noise().channel_count();
+        pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
+        measuring_.add_samples(index, values_now, channels);
     }
 }
 
@@ -270,9 +267,9 @@ void App::write_window_png(const std::string& path) {
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
     const NoisePass noise = noise_passes(document).front();
-    const Extent extent{document.picture.width, document.picture.height};
+    const Extent extent{document.request.width, document.request.height};
     Canvas canvas(device_, noise, spirv(noise));
-    while (canvas.refine(noise, document, extent, still_budget)) {
+    while (canvas.refine(noise, default_camera(document), extent, still_budget)) {
     }
     swapchain_.wait();
     save_png(
@@ -291,7 +288,7 @@ bool App::frame(const FrameHook& hook) {
     ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
     if (session_.playing) {
-        double& time = session_.document().picture.time;
+        double& time = session_.document().request.time;
         time += double{io.DeltaTime} / double{session_.period};
         time -= std::floor(time);
     }

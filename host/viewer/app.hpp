@@ -47,7 +47,6 @@ class App {
     struct Pane {
         std::unique_ptr<Canvas> canvas;
         std::unique_ptr<ValueSampler> sampler;
-        std::string sampled; ///< what the samples so far are of
         std::uint32_t samples = 0;
         std::uint32_t draws = 0;
         bool picture_measured = false;

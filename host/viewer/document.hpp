@@ -1,7 +1,6 @@
 #pragma once
 
-#include "render/picture.hpp"
-#include "render/solid.hpp"
+#include "render/parameters.hpp"
 #include "study/ingredients.hpp"
 
 #include <cstdint>
@@ -30,60 +29,40 @@ struct Camera {
 
 enum class Output { value, gradient, phase, intensity, variance };
 
-enum class View { plane, perspective, sphere, torus };
-/// Of noise in space, on a sphere or a torus: along one direction or along all, in space or along the
-/// surface.
-using Waves = render::SolidWaves;
-
-constexpr bool on_body(View view) {
-    return view == View::sphere || view == View::torus;
-}
-
-/// From where a body is seen.
-struct Orbit {
-    float yaw = 0;    ///< degrees around a body's axis
-    float pitch = 30; ///< degrees above its equator
-    float zoom = 1;   ///< how much larger than to fit the view a body is
-    bool operator==(const Orbit&) const = default;
-};
-
-/// What stands beside the picture in the split view: another recipe of the drop-in on the same parameters, or
-/// one of the noises that the paper compares.
-struct Comparison {
-    std::string recipe; ///< empty for `ingredients`
-    study::Ingredients ingredients;
-    bool operator==(const Comparison&) const = default;
-};
+/// What stands beside the picture in the split view, on the same parameters: one of the noises that the paper
+/// compares, the seminal one by default, or the drop-in with another recipe.
+using Comparison = std::variant<study::Ingredients, noise::Recipe>;
 
 /// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
 struct Document {
-    render::Picture picture;
+    render::Request request;
     Camera camera;
-    std::optional<View> body; ///< a sphere or a torus, instead of the picture's plane
-    Waves waves = Waves::surface_isotropic;
-    Orbit orbit;
     Output output = Output::value;
     int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
     float contrast = 2; ///< standard deviations from the mean to the ends
     std::optional<Comparison> comparison;
 
-    View view() const;
-    /// Another view, with the filter where it is needed, and the camera where it begins.
-    void set_view(View view);
-    /// The picture with its view: what presets and exports hold. Noise in space has one lobe, a recipe of its
-    /// own and no time; what it cannot have is left out.
-    render::Picture exported() const;
-    bool operator==(const Document& other) const;
+    bool operator==(const Document&) const = default;
 };
+
+/// A document with the request's picture in the middle of the view.
+Document document_of(const render::Request& request);
+
+/// Whether a view shows a plane from above, at one scale.
+bool is_flat(const render::View& view);
+
+/// Puts in a parameter, and back to default what cannot stand beside it. Another view begins where the camera
+/// is by default, and filtered where it has a distance. Throws RequestError where that value cannot be.
+void set_parameter(Document& document, std::string_view name, const render::Value& value);
+
+/// The request with the channels that an output is made of, beside its own.
+render::Request with_output(render::Request request, Output output);
 
 /// Where the camera is for the view to show what gabor render does.
 Camera default_camera(const Document& document);
 
-/// A document with the picture in the middle of the view. Throws RequestError for a view that the viewer does
-/// not have.
-Document document_of(const render::Picture& picture);
-
-/// Where one has been. What is edited is `now`; `commit` makes a step of what has changed since the last one.
+/// What undo and redo go through. What is edited is `now`; `commit` makes a step of what has changed since
+/// the last one.
 class History {
   public:
     explicit History(Document document) : now(std::move(document)), steps_{now} {}

@@ -1,5 +1,7 @@
 #include "viewer/export.hpp"
 
+#include "render/parameters.hpp"
+
 #include <fmt/format.h>
 
 #include <chrono>
@@ -18,21 +20,21 @@ Exporter::~Exporter() {
         thread_.join();
 }
 
-void Exporter::start(const render::Picture& picture, const std::filesystem::path& exr,
+void Exporter::start(const render::Request& request, const std::filesystem::path& exr,
                      const std::optional<std::filesystem::path>& png) {
-    render::check(picture);
+    render::check(request);
     if (thread_.joinable())
         thread_.join();
     cancelled_ = false;
     done_ = 0;
     written_.clear();
-    total_ = static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
+    total_ = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     running_ = true;
-    thread_ = std::thread([this, picture, exr, png] {
+    thread_ = std::thread([this, request, exr, png] {
         const auto start = std::chrono::steady_clock::now();
         try {
             const vulkan::Device device(selector_);
-            render::render_file(device, picture, {0, 0, picture.width, picture.height}, {exr, png, "none"},
+            render::render_file(device, request, {0, 0, request.width, request.height}, {exr, png, "none"},
                                 [this](std::uint64_t pixels) {
                                     if (cancelled_)
                                         throw Cancelled();
@@ -42,7 +44,7 @@ void Exporter::start(const render::Picture& picture, const std::filesystem::path
                 if (path)
                     written_[std::filesystem::absolute(*path)] = file_stamp(*path);
             result_ =
-                fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
+                fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), request.width, request.height,
                             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         } catch (const Cancelled&) {
             result_ = "cancelled; no file was written";

@@ -17,8 +17,8 @@ class Exporter {
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
     ~Exporter();
 
-    /// Throws RequestError where the picture or a path will not do. Not while `running`.
-    void start(const render::Picture& picture, const std::filesystem::path& exr,
+    /// Throws RequestError where the request or a path will not do. Not while `running`.
+    void start(const render::Request& request, const std::filesystem::path& exr,
                const std::optional<std::filesystem::path>& png);
     void cancel() { cancelled_ = true; }
 

@@ -14,52 +14,50 @@ namespace {
 constexpr double wheel_step = 1.15;
 constexpr int colour_maps = 5;
 
+// The window's pixels in one of Dear ImGui's units.
+float pixels_per_unit() {
+    return ImGui::GetIO().DisplayFramebufferScale.x;
+}
+
+double within(std::string_view parameter, double value) {
+    const render::Range& range = render::parameter(parameter).range;
+    return std::clamp(value, range.low, range.high);
+}
+
 // What is under a point stays under it. The point in pixels from the middle of the view.
 void zoom(Document& document, double factor, double x, double y) {
-    const double before = document.picture.scale;
-    const double after = std::clamp(before * factor, render::smallest_scale, render::largest_scale);
-    document.picture.scale = after;
-    document.camera = document.camera.moved(x / before - x / after, y / before - y / after);
-}
-
-void pan(Document& document, double x, double y) {
-    document.camera = document.camera.moved(-x / document.picture.scale, -y / document.picture.scale);
-}
-
-void turn(Orbit& orbit, float x, float y) {
-    orbit.yaw = std::remainder(orbit.yaw - 0.4f * x / orbit.zoom, 360.0f);
-    orbit.pitch = std::clamp(orbit.pitch + 0.4f * y / orbit.zoom, -89.0f, 89.0f);
-}
-
-// A drag moves a plane and turns a body.
-void drag(Document& document, float x, float y, float density) {
-    if (on_body(document.view()))
-        turn(document.orbit, x, y);
-    else
-        pan(document, double{x * density}, double{y * density});
-}
-
-void next_recipe(render::Picture& picture) {
-    const auto all = noise::recipes();
-    const auto found = std::ranges::find(all, picture.recipe, &noise::Recipe::name);
-    picture.recipe = found == all.end() || found + 1 == all.end() ? all.front().name : (found + 1)->name;
-}
-
-void toggle_filter(render::Picture& picture) {
-    picture.filter = !picture.filter;
-    if (picture.filter) { // they exclude each other
-        picture.gradient = false;
-        picture.values = 1;
+    render::Request& request = document.request;
+    if (auto* body = std::get_if<render::Body>(&request.view)) {
+        body->zoom = within("zoom", body->zoom * factor);
+        return;
     }
+    const double before = request.scale;
+    request.scale = within("scale", before * factor);
+    document.camera = document.camera.moved(x / before - x / request.scale, y / before - y / request.scale);
+}
+
+// Moves a plane with the pointer, and turns a body.
+void drag(Document& document, double x, double y) {
+    if (auto* body = std::get_if<render::Body>(&document.request.view)) {
+        const double degrees_per_pixel = 0.4 / (body->zoom * double{pixels_per_unit()});
+        body->yaw = std::remainder(body->yaw - degrees_per_pixel * x, 360.0);
+        body->pitch = std::clamp(body->pitch + degrees_per_pixel * y, -89.0, 89.0);
+    } else {
+        document.camera = document.camera.moved(-x / document.request.scale, -y / document.request.scale);
+    }
+}
+
+// The value after this one in a choice of the table.
+void next_choice(Document& document, std::string_view name) {
+    const std::vector<std::string_view> all = render::choices(render::parameter(name));
+    const auto now = std::get<std::string>(*render::parameter(name).get(document.request));
+    const auto found = std::ranges::find(all, now);
+    const bool last = found == all.end() || found + 1 == all.end();
+    set_parameter(document, name, std::string(last ? all.front() : *(found + 1)));
 }
 
 bool pressed(int key) {
     return ImGui::IsKeyPressed(key, false);
-}
-
-// Where the window's pixels are counted from Dear ImGui's units.
-float pixels_per_unit() {
-    return ImGui::GetIO().DisplayFramebufferScale.x;
 }
 
 struct Shortcut {
@@ -77,17 +75,14 @@ constexpr std::array shortcuts{
     Shortcut{"double click, Home", "back to the view that gabor render shows", GLFW_KEY_HOME, false,
              reset_camera},
     Shortcut{"1 to 5", "show value, gradient, phase, intensity, variance"},
-    Shortcut{"V", "the next view: plane, plane in perspective, sphere, torus", GLFW_KEY_V, false,
-             [](Session& s) {
-                 s.document().set_view(static_cast<View>((static_cast<int>(s.document().view()) + 1) % 4));
-             }},
+    Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s.document(), "view"); }},
     Shortcut{"F", "filtering on and off", GLFW_KEY_F, false,
-             [](Session& s) { toggle_filter(s.document().picture); }},
+             [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); }},
     Shortcut{"C", "the next colour map", GLFW_KEY_C, false,
              [](Session& s) { s.document().colours = (s.document().colours + 1) % colour_maps; }},
     Shortcut{"R", "the next recipe", GLFW_KEY_R, false,
-             [](Session& s) { next_recipe(s.document().picture); }},
-    Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().picture.seed; }},
+             [](Session& s) { next_choice(s.document(), "recipe"); }},
+    Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
     Shortcut{"Tab", "split view; its divider can be dragged", GLFW_KEY_TAB, false,
              [](Session& s) {
                  std::optional<Comparison>& comparison = s.document().comparison;
@@ -119,7 +114,7 @@ void held_keys(Document& document) {
     const double x = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
     const double y = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
     if (x != 0 || y != 0)
-        pan(document, -step * x, -step * y);
+        drag(document, -step * x, -step * y);
     if (ImGui::IsKeyPressed(GLFW_KEY_EQUAL) || ImGui::IsKeyPressed(GLFW_KEY_KP_ADD))
         zoom(document, wheel_step, 0, 0);
     if (ImGui::IsKeyPressed(GLFW_KEY_MINUS) || ImGui::IsKeyPressed(GLFW_KEY_KP_SUBTRACT))
@@ -156,26 +151,26 @@ void mouse(Session& session, float width, float height) {
         return;
     Document& document = session.document();
     const float density = pixels_per_unit();
-    const bool split = document.comparison && !on_body(document.view());
+    const bool split = session.panes.size() > 1;
     const float divider = width * session.divider;
+    const bool at_divider = split && std::abs(io.MousePos.x - divider) < 6;
     if (ImGui::IsMouseClicked(0))
-        session.dragging_divider = split && std::abs(io.MousePos.x - divider) < 6;
-    if (split && (session.dragging_divider || std::abs(io.MousePos.x - divider) < 6))
+        session.dragging_divider = at_divider;
+    if (at_divider || (split && session.dragging_divider))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsMouseDragging(0, 0) && session.dragging_divider) {
         session.divider = std::clamp(io.MousePos.x / width, 0.1f, 0.9f);
         return;
     }
     if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
-        drag(document, io.MouseDelta.x, io.MouseDelta.y, density);
+        drag(document, double{io.MouseDelta.x * density}, double{io.MouseDelta.y * density});
     const bool inside =
         io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
-    if (inside && ImGui::IsMouseDoubleClicked(0))
+    if (!inside)
+        return;
+    if (ImGui::IsMouseDoubleClicked(0))
         reset_camera(session);
-    if (inside && io.MouseWheel != 0 && on_body(document.view())) {
-        document.orbit.zoom = std::clamp(
-            document.orbit.zoom * static_cast<float>(std::pow(wheel_step, io.MouseWheel)), 0.3f, 20.0f);
-    } else if (inside && io.MouseWheel != 0) {
+    if (io.MouseWheel != 0) {
         const bool right = split && io.MousePos.x >= divider;
         const float left = right ? divider : 0;
         const float across = !split ? width : right ? width - divider : divider;

@@ -2,7 +2,7 @@
 
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
-#include "viewer/window.hpp"
+#include "viewer/extent.hpp"
 
 #include <array>
 #include <condition_variable>

@@ -1,7 +1,6 @@
 #include "viewer/noise_pass.hpp"
 
 #include "noise/reference_3d.hpp"
-#include "render/axis.hpp"
 
 #include <fmt/format.h>
 
@@ -14,100 +13,101 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr std::uint32_t flat_solid = 2; // in shaders/viewer/solid.comp
+constexpr std::size_t along_surface = 2; ///< of the constants of passes/solid.comp
+constexpr std::size_t perspective = 12;  ///< of those of viewer/ingredients.comp
 
-// The picture with those channels alone that an output is made of.
-render::Picture with_channels(render::Picture picture, Output output) {
-    picture.gradient = output == Output::gradient;
-    picture.quadrature = output == Output::phase || output == Output::intensity;
-    picture.phasor = false;
-    picture.values = 1;
-    picture.filter = picture.filter && !picture.gradient;
-    return picture;
+bool in_perspective(const render::Request& request) {
+    return std::holds_alternative<render::Horizon>(request.view);
 }
 
-NoisePass of_drop_in(const render::Picture& picture, View view) {
-    const noise::Recipe recipe = noise::find_recipe(picture.recipe);
-    return {"passes/pixels.comp",
-            render::pixels_constants(picture),
-            picture,
-            view,
-            {},
-            std::string(recipe.name),
-            static_cast<double>(noise::visited_impulses(recipe)),
-            static_cast<int>(render::channels(picture).size())};
+NoisePass of_drop_in(const render::Request& request) {
+    NoisePass pass;
+    pass.request = request;
+    pass.channels = render::channels(request);
+    if (render::in_space(request)) {
+        pass.shader = "passes/solid.comp";
+        pass.constants = render::solid_constants(request, 0);
+        pass.name = "in space";
+        pass.visited = noise::visited_impulses_3d(noise::recipe_3d());
+    } else {
+        pass.shader = "passes/pixels.comp";
+        pass.constants = render::pixels_constants(request);
+        pass.name = noise::spelled_out(request.recipe);
+        pass.visited = noise::visited_impulses(request.recipe);
+        if (request.sum)
+            pass.visited *= static_cast<double>(request.lobes.size());
+    }
+    return pass;
 }
 
-NoisePass of_ingredients(const render::Picture& picture, View view, const study::Ingredients& ingredients) {
-    std::vector<std::uint32_t> constants = study::constants(ingredients);
-    constants.resize(12, 0);
-    constants.push_back(view == View::perspective);
+NoisePass of_ingredients(const render::Request& request, const study::Ingredients& ingredients) {
+    NoisePass pass;
+    pass.shader = "viewer/ingredients.comp";
+    pass.request = request;
+    pass.ingredients = ingredients;
+    pass.channels = {"Y"};
+    pass.constants = study::constants(ingredients);
+    pass.constants.resize(perspective, 0);
+    pass.constants.push_back(in_perspective(request));
+    pass.name = ingredients == study::Ingredients{} ? "seminal"
+                : ingredients == study::recommended ? "the paper's advice"
+                                                    : study::key(ingredients);
     const double across = ingredients.points == study::Points::jittered_hex ? 4 : 3;
-    const std::string name =
-        ingredients == study::Ingredients{} ? "seminal"
-        : ingredients == study::recommended
-            ? "the paper's advice"
-            : fmt::format("{}, {}, {}, {}, N = {}", study::name(ingredients.points),
-                          study::name(ingredients.weights), study::name(ingredients.kernel),
-                          study::name(ingredients.envelope), ingredients.impulses);
-    return {"viewer/ingredients.comp",
-            constants,
-            picture,
-            view,
-            ingredients,
-            name,
-            across * across * ingredients.impulses,
-            1};
+    pass.visited = across * across * ingredients.impulses;
+    return pass;
 }
 
-NoisePass of_body(const render::Picture& picture, View view, Waves waves) {
-    const noise::Recipe& recipe = noise::recipe_3d();
-    using vulkan::constant;
-    std::vector<std::uint32_t> constants{constant(recipe.impulses), constant(recipe.radius),
-                                         constant(recipe.window[0]), constant(recipe.window[1]),
-                                         constant(recipe.window[2])};
-    constants.resize(12, 0);
-    constants.push_back(view == View::torus);
-    constants.push_back(static_cast<std::uint32_t>(waves));
-    constants.push_back(picture.filter);
-    constants.push_back(picture.quadrature);
-    constants.push_back(picture.gradient);
-    return {"viewer/solid.comp",
-            constants,
-            picture,
-            view,
-            {},
-            "in space",
-            static_cast<double>(noise::visited_impulses_3d(recipe)),
-            1 + picture.quadrature + 2 * picture.gradient};
-}
-
-// Cells per kernel radius, and the period, along each axis.
-struct Axes {
-    render::Axis x;
-    render::Axis y;
+// Cells per kernel radius along each axis.
+struct Radius {
+    double x = 1;
+    double y = 1;
 };
 
-Axes axes_of(const NoisePass& noise) {
+Radius radius_of(const NoisePass& noise) {
     if (noise.ingredients)
-        return {{1, 0}, {1, 0}};
-    if (on_body(noise.view)) {
-        const double radius = noise::recipe_3d().radius;
-        return {{radius, 0}, {radius, 0}};
-    }
-    return {render::axis_along(noise.picture, noise.picture.width),
-            render::axis_along(noise.picture, noise.picture.height)};
+        return {};
+    return {render::axis_along(noise.request, noise.request.width).radius,
+            render::axis_along(noise.request, noise.request.height).radius};
 }
 
-void add_pixels(std::vector<AxisPoint>& points, int cell, int pixels, int stride, double middle) {
+passes::IngredientsPush ingredients_push(const NoisePass& noise, const passes::PixelsPush& pixels) {
+    const noise::Lobe& lobe = noise.request.lobes.front();
+    const study::Wave wave{lobe.frequency, lobe.angle()};
+    return {.wave = {static_cast<float>(lobe.frequency * std::cos(lobe.angle())),
+                     static_cast<float>(lobe.frequency * std::sin(lobe.angle()))},
+            .camera = pixels.camera,
+            .amplitude = static_cast<float>(1 / std::sqrt(study::variance(*noise.ingredients, wave))),
+            .pixel = pixels.pixel,
+            .focal_length = pixels.focal_length,
+            .seed = pixels.seed,
+            .width = pixels.width,
+            .height = pixels.height,
+            .first_row = 0,
+            .before = 0};
+}
+
+// A slice of noise in space that begins where the camera is, to a whole value.
+passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Extent extent, int stride) {
+    passes::SolidPush push = render::solid_push(noise.request, extent.width, extent.height, stride);
+    if (std::holds_alternative<render::Slice>(noise.request.view)) {
+        const auto first = [&](const Coordinate& middle, int pixels) {
+            const double at = (static_cast<double>(middle.whole) + middle.part) * noise.request.scale;
+            return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / stride), -1e9, 1e9));
+        };
+        push.first_column = first(camera.x, extent.width);
+        push.first_row = first(camera.y, extent.height);
+    }
+    return push;
+}
+
+void add_pixels(std::vector<passes::Line>& points, int cell, int pixels, int stride, double middle) {
     for (int i = 0; i * stride < pixels; ++i)
         points.push_back({cell, static_cast<float>((i + 0.5) * stride - middle)});
 }
 
 } // namespace
 
-AxisPoint axis_point(const Coordinate& coordinate, double by, double radius) {
+passes::Line axis_point(const Coordinate& coordinate, double by, double radius) {
     const long double far = static_cast<long double>(coordinate.whole) * radius;
     const long double base = std::floor(far);
     const double cells = static_cast<double>(far - base) + (coordinate.part + by) * radius;
@@ -116,7 +116,7 @@ AxisPoint axis_point(const Coordinate& coordinate, double by, double radius) {
     return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), static_cast<float>(cells - whole)};
 }
 
-void add_points(std::vector<AxisPoint>& points, const Coordinate& middle, int pixels, double scale,
+void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
                 int stride, double radius) {
     const int count = (pixels + stride - 1) / stride;
     for (int i = 0; i < count; ++i)
@@ -124,115 +124,116 @@ void add_points(std::vector<AxisPoint>& points, const Coordinate& middle, int pi
 }
 
 std::vector<NoisePass> noise_passes(const Document& document) {
-    const render::Picture picture = with_channels(document.picture, document.output);
-    const View view = document.view();
-    if (on_body(view)) // there is one recipe in space
-        return {of_body(picture, view, document.waves)};
-    std::vector<NoisePass> all{of_drop_in(picture, view)};
-    if (document.comparison && document.comparison->recipe.empty()) {
-        all.push_back(of_ingredients(picture, view, document.comparison->ingredients));
-    } else if (document.comparison) {
-        render::Picture other = picture;
-        other.recipe = document.comparison->recipe;
-        all.push_back(of_drop_in(other, view));
+    render::Request request = document.request;
+    request.quadrature = request.gradient = request.phasor = false;
+    request.values = 1;
+    request = with_output(request, document.output);
+    std::vector<NoisePass> passes{of_drop_in(request)};
+    if (!document.comparison || render::in_space(request)) // where there is one recipe alone
+        return passes;
+    if (const auto* ingredients = std::get_if<study::Ingredients>(&*document.comparison)) {
+        passes.push_back(of_ingredients(request, *ingredients));
+    } else {
+        request.recipe = std::get<noise::Recipe>(*document.comparison);
+        passes.push_back(of_drop_in(request));
     }
-    return all;
+    return passes;
 }
 
-NoisePass in_plane(NoisePass noise) {
-    if (on_body(noise.view)) {
-        noise.constants[12] = flat_solid;
-        return noise;
+NoisePass value_pass(const NoisePass& noise) {
+    render::Request request = noise.request;
+    // Other instances, times and scales have the same statistics.
+    request.seed = 0;
+    request.time = 0;
+    request.scale = 32;
+    request.filter = request.quadrature = request.gradient = false;
+    request.paint.clear();
+    if (render::in_space(request)) {
+        request.view = render::Slice();
+        NoisePass pass = of_drop_in(request);
+        pass.constants[along_surface] = noise.constants[along_surface];
+        return pass;
     }
-    noise.picture.view = "flat";
-    noise.picture.paint.clear();
-    if (noise.ingredients)
-        return of_ingredients(noise.picture, View::plane, *noise.ingredients);
-    noise.picture.filter = false;
-    noise.picture.quadrature = false;
-    noise.picture.gradient = false;
-    return of_drop_in(noise.picture, View::plane);
+    if (in_perspective(request))
+        request.view = render::Plane();
+    return noise.ingredients ? of_ingredients(request, *noise.ingredients) : of_drop_in(request);
 }
 
-ViewParameters view_parameters(const NoisePass& noise, const Document& document, Extent extent) {
-    const render::Picture& picture = noise.picture;
-    const noise::Lobe first = render::spectrum(picture).front();
-    const Axes axes = axes_of(noise);
-    ViewParameters parameters;
-    parameters.lobes = render::pass_lobes(picture);
-    render::PixelsPush& push = parameters.push.pixels;
-    push.radius_x = static_cast<float>(axes.x.radius);
-    push.radius_y = static_cast<float>(axes.y.radius);
-    push.period_x = axes.x.period;
-    push.period_y = axes.y.period;
-    push.time = static_cast<float>(picture.time - std::floor(picture.time));
-    push.frequency = static_cast<float>(first.frequency);
-    push.orientation = static_cast<float>(first.orientation);
-    push.pixel = static_cast<float>(1 / picture.scale);
-    push.focal_length = static_cast<float>(extent.width);
-    push.seed = picture.seed;
-    push.paint_width = push.paint_height = 1;
-    parameters.push.amplitude = 1;
-    if (noise.ingredients)
-        parameters.push.amplitude = static_cast<float>(
-            1 / std::sqrt(study::variance(*noise.ingredients, {first.frequency, first.orientation})));
-    if (noise.view == View::perspective) {
-        push.pixel =
-            static_cast<float>((extent.height - 0.5 - render::sky_rows(extent.height)) / picture.scale);
-        push.camera_x = axis_point(document.camera.x, 0, axes.x.radius).local;
-        push.camera_y = axis_point(document.camera.y, 0, axes.y.radius).local;
-    } else if (on_body(noise.view)) {
-        // A body fits the view, and is as coarse, as it is in the pictures of render::SolidPicture.
-        const render::SolidPicture like{.width = picture.width,
-                                        .height = picture.height,
-                                        .view = render::SolidView::sphere,
-                                        .scale = picture.scale};
-        push.pixel = static_cast<float>(render::sphere_radius(like));
-        push.focal_length =
-            static_cast<float>(std::min(extent.width, extent.height) * double{document.orbit.zoom} /
-                               (2 * 1.05 * std::tan(std::asin(0.25))));
-        parameters.push.yaw = static_cast<float>(double{document.orbit.yaw} * degree);
-        parameters.push.pitch = static_cast<float>(double{document.orbit.pitch} * degree);
+GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent, int stride,
+                    const render::Paint& paint) {
+    const render::Request& request = noise.request;
+    GridInput input;
+    input.grid = {(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
+    if (render::in_space(request)) {
+        input.push = solid_push(noise, camera, extent, stride);
+        return input;
     }
-    return parameters;
-}
-
-SamplePoints sample_points(const NoisePass& noise, const Document& document, Extent extent, int stride) {
-    const Axes axes = axes_of(noise);
-    SamplePoints points;
-    switch (noise.view) {
-    case View::plane:
-        add_points(points.columns, document.camera.x, extent.width, noise.picture.scale, stride,
-                   axes.x.radius);
-        add_points(points.rows, document.camera.y, extent.height, noise.picture.scale, stride, axes.y.radius);
-        break;
-    case View::perspective:
-        add_pixels(points.columns, axis_point(document.camera.x, 0, axes.x.radius).cell, extent.width, stride,
-                   extent.width / 2.0);
-        add_pixels(points.rows, axis_point(document.camera.y, 0, axes.y.radius).cell, extent.height, stride,
-                   render::sky_rows(extent.height));
-        break;
-    default:
-        add_pixels(points.columns, 0, extent.width, stride, extent.width / 2.0);
-        add_pixels(points.rows, 0, extent.height, stride, extent.height / 2.0);
+    input.lobes = render::pixels_lobes(request);
+    passes::PixelsPush push = render::pixels_push(request, extent.width, extent.height);
+    push.width = input.grid.width;
+    push.height = input.grid.height;
+    const Radius radius = radius_of(noise);
+    const passes::Line x = axis_point(camera.x, 0, radius.x);
+    const passes::Line y = axis_point(camera.y, 0, radius.y);
+    if (in_perspective(request)) {
+        push.camera = {x.local, y.local};
+        add_pixels(input.columns, x.cell, extent.width, stride, extent.width / 2.0);
+        add_pixels(input.rows, y.cell, extent.height, stride, render::sky_rows(extent.height));
+    } else {
+        add_points(input.columns, camera.x, extent.width, request.scale, stride, radius.x);
+        add_points(input.rows, camera.y, extent.height, request.scale, stride, radius.y);
     }
-    return points;
-}
-
-SamplePoints random_points(const NoisePass& noise, int columns, int rows, std::uint32_t draw) {
-    // Further apart than two impulses of one kernel can be: a diameter and a cell.
-    const Axes axes = axes_of(noise);
-    const int apart = static_cast<int>(std::ceil(2 * std::max(axes.x.radius, axes.y.radius))) + 2;
-    std::mt19937 generator(draw);
-    const auto place = [&](int i) {
-        return AxisPoint{i * apart, static_cast<float>(generator() >> 8) * 0x1p-24f};
+    // The paint lies over the picture, whose corner is the origin of the plane.
+    const auto paint_corner = [&](const Coordinate& middle, int side, int pixels, int samples) {
+        const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale - pixels / 2.0;
+        return static_cast<float>(at * samples / side);
     };
-    SamplePoints points;
-    for (int i = 0; i < columns; ++i)
-        points.columns.push_back(place(i));
-    for (int i = 0; i < rows; ++i)
-        points.rows.push_back(place(i));
-    return points;
+    push.paint_size = {paint.width, paint.height};
+    push.paint_scale = {static_cast<float>(stride * static_cast<double>(paint.width) / request.width),
+                        static_cast<float>(stride * static_cast<double>(paint.height) / request.height)};
+    push.paint_corner = {paint_corner(camera.x, request.width, extent.width, paint.width),
+                         paint_corner(camera.y, request.height, extent.height, paint.height)};
+    if (noise.ingredients)
+        input.push = ingredients_push(noise, push);
+    else
+        input.push = push;
+    return input;
+}
+
+GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
+    const std::uint32_t seed = draw * 0x9e3779b1u;
+    GridInput input;
+    input.grid = grid;
+    if (render::in_space(noise.request)) {
+        // Points further apart than two impulses of one kernel can be, at all places of a cell.
+        render::Request apart = noise.request;
+        apart.scale = 1 / (4 + std::numbers::phi);
+        passes::SolidPush push = render::solid_push(apart, grid.width, grid.height);
+        push.seed = seed;
+        push.depth = static_cast<float>(std::fmod(draw * std::numbers::phi, 1.0));
+        input.push = push;
+        return input;
+    }
+    input.lobes = render::pixels_lobes(noise.request);
+    passes::PixelsPush push = render::pixels_push(noise.request, grid.width, grid.height);
+    push.seed = seed;
+    push.width = grid.width;
+    push.height = grid.height;
+    // Further apart than two impulses of one kernel can be: a diameter and a cell.
+    const Radius radius = radius_of(noise);
+    const int apart = static_cast<int>(std::ceil(2 * std::max(radius.x, radius.y))) + 2;
+    std::mt19937 generator(draw);
+    const auto fill = [&](std::vector<passes::Line>& points, int count) {
+        for (int i = 0; i < count; ++i)
+            points.push_back({i * apart, static_cast<float>(generator() >> 8) * 0x1p-24f});
+    };
+    fill(input.columns, grid.width);
+    fill(input.rows, grid.height);
+    if (noise.ingredients)
+        input.push = ingredients_push(noise, push);
+    else
+        input.push = push;
+    return input;
 }
 
 } // namespace gabor::viewer

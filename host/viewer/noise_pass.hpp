@@ -1,78 +1,65 @@
 #pragma once
 
 #include "render/pixels.hpp"
+#include "render/solid.hpp"
 #include "viewer/document.hpp"
-#include "viewer/window.hpp"
+#include "viewer/extent.hpp"
+
+#include "viewer/ingredients_interface.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace gabor::viewer {
 
-/// As in shaders/viewer/grid.glsl.
-struct AxisPoint {
-    std::int32_t cell;
-    float local;
-};
-
-/// The place `by` kernel radii from a coordinate. `radius`: cells per kernel radius. Cells wrap around at
+/// The point `by` kernel radii from a coordinate. `radius`: cells per kernel radius. Cells wrap around at
 /// 2^31, as the drop-in's do.
-AxisPoint axis_point(const Coordinate& coordinate, double by, double radius);
+passes::Line axis_point(const Coordinate& coordinate, double by, double radius);
 
 /// The points along an axis of a view of `pixels` pixels, `scale` pixels per kernel radius, `stride` pixels
 /// apart: the first in the middle of the first `stride` pixels.
-void add_points(std::vector<AxisPoint>& points, const Coordinate& middle, int pixels, double scale,
+void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
                 int stride, double radius);
 
-/// What passes/pixels.comp is told, and beyond that the viewer's own passes: shaders/viewer/view.glsl.
-struct ViewPush {
-    render::PixelsPush pixels;
-    float amplitude;
-    float stride;
-    float yaw;
-    float pitch;
-};
-
-/// Which noise one side of the view shows, in which way.
+/// The compute pass that evaluates the noise of one pane.
 struct NoisePass {
-    std::string shader;
+    std::string shader; ///< relative to shaders/
     std::vector<std::uint32_t> constants;
-    render::Picture picture; ///< with the channels that the view shows
-    View view = View::plane;
+    render::Request request;                       ///< with the channels that the output needs
     std::optional<study::Ingredients> ingredients; ///< where it is no noise of the drop-in
     std::string name;
     double visited = 0; ///< impulses for each pixel; the mean where their number is random
-    int channels = 1;
+    std::vector<std::string> channels;
 
-    /// Whether both are filled by the same pass.
-    bool same_pass(const NoisePass& other) const {
-        return shader == other.shader && constants == other.constants && picture.paint == other.picture.paint;
+    int channel_count() const { return static_cast<int>(channels.size()); }
+    /// Whether both are evaluated by the same pipeline.
+    bool same_pipeline(const NoisePass& other) const {
+        return shader == other.shader && constants == other.constants && request.paint == other.request.paint;
     }
+    bool operator==(const NoisePass&) const = default;
 };
 
-/// The noise_passes of a document: the picture, and its comparison in the split view.
+/// The passes of a document: the picture's, and in the split view that of the compared noise.
 std::vector<NoisePass> noise_passes(const Document& document);
 
-/// The same noise, in a plane whatever the view: for the law of its values.
-NoisePass in_plane(NoisePass noise);
+/// The same noise on a plane, its value alone: for the statistics of its values.
+NoisePass value_pass(const NoisePass& noise);
 
-/// What decides the pixels of a view beside its points.
-struct ViewParameters {
-    ViewPush push{};
-    std::vector<render::PassLobe> lobes;
+/// What a pass is given to fill a grid of values.
+struct GridInput {
+    std::variant<passes::PixelsPush, passes::IngredientsPush, passes::SolidPush> push;
+    Extent grid;
+    std::vector<passes::Line> columns; ///< with the rows: where the values are, but for noise in space
+    std::vector<passes::Line> rows;
+    std::vector<passes::Lobe> lobes;
 };
 
-ViewParameters view_parameters(const NoisePass& noise, const Document& document, Extent extent);
+/// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.
+GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent, int stride,
+                    const render::Paint& paint);
 
-/// Where the columns, and then the rows, of a view are whose values are `stride` pixels apart.
-struct SamplePoints {
-    std::vector<AxisPoint> columns;
-    std::vector<AxisPoint> rows;
-};
-
-SamplePoints sample_points(const NoisePass& noise, const Document& document, Extent extent, int stride);
-
-/// So many columns and rows at random within their cells, each pair of them independent of all others.
-SamplePoints random_points(const NoisePass& noise, int columns, int rows, std::uint32_t draw);
+/// Values of a `value_pass` at points that are independent of each other, of an instance that `draw` tells.
+GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw);
 
 } // namespace gabor::viewer

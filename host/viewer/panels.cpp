@@ -1,6 +1,6 @@
 #include "viewer/panels.hpp"
 
-#include "render/presets.hpp"
+#include "render/load.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,21 +14,82 @@ namespace gabor::viewer {
 
 namespace {
 
-void recipe_choice(render::Picture& picture) {
-    const noise::Recipe recipe = noise::find_recipe(picture.recipe);
-    if (ImGui::BeginCombo("recipe", std::string(recipe.name).c_str())) {
-        for (const noise::Recipe& known : noise::recipes()) {
-            if (ImGui::Selectable(std::string(known.name).c_str(), known.name == picture.recipe))
-                picture.recipe = known.name;
-            tooltip(std::string(known.is).c_str());
-        }
-        ImGui::EndCombo();
-    }
-    tooltip("How quality is bought: impulses per cell, cells per radius, weights, phases, and the window");
+// What a row of the table is called, and what it says.
+std::string label_of(const render::Parameter& parameter) {
+    std::string label(parameter.name);
+    std::ranges::replace(label, '_', ' ');
+    return label;
 }
 
-void ingredients(render::Picture& picture) {
-    noise::Recipe recipe = noise::find_recipe(picture.recipe);
+std::string help_of(const render::Parameter& parameter) {
+    return parameter.unit.empty() ? std::string(parameter.help)
+                                  : fmt::format("{} ({})", parameter.help, parameter.unit);
+}
+
+// A control by the kind of its parameter, and the value that it was given just now.
+std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value) {
+    using Kind = render::Parameter::Kind;
+    const std::string label = label_of(parameter);
+    switch (parameter.kind) {
+    case Kind::flag: {
+        bool on = std::get<bool>(value);
+        return ImGui::Checkbox(label.c_str(), &on) ? std::optional<render::Value>(on) : std::nullopt;
+    }
+    case Kind::integer: {
+        auto number = static_cast<std::uint32_t>(std::get<double>(value));
+        const std::uint32_t step = 1;
+        if (!ImGui::InputScalar(label.c_str(), ImGuiDataType_U32, &number, &step))
+            return {};
+        return std::clamp(static_cast<double>(number), parameter.range.low, parameter.range.high);
+    }
+    case Kind::number:
+    case Kind::angle: {
+        double number = std::get<double>(value);
+        if (!number_slider(label.c_str(), number, parameter.range, parameter.slider))
+            return {};
+        return number;
+    }
+    case Kind::choice:
+    case Kind::recipe: {
+        std::optional<render::Value> chosen;
+        const std::string& now = std::get<std::string>(value);
+        if (ImGui::BeginCombo(label.c_str(), now.c_str())) {
+            for (const std::string_view name : render::choices(parameter)) {
+                if (ImGui::Selectable(std::string(name).c_str(), name == now))
+                    chosen = std::string(name);
+                if (parameter.kind == Kind::recipe)
+                    tooltip(std::string(noise::find_recipe(name).is).c_str());
+            }
+            ImGui::EndCombo();
+        }
+        return chosen;
+    }
+    case Kind::text: {
+        std::string text = std::get<std::string>(value);
+        if (ImGui::InputText(label.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue))
+            return text;
+        return {};
+    }
+    case Kind::lobes: // spectrum_panel
+        break;
+    }
+    return {};
+}
+
+// The control of a parameter, where the view and the lobes have it.
+void control(Session& session, std::string_view name) {
+    const render::Parameter& parameter = render::parameter(name);
+    const std::optional<render::Value> value = parameter.get(session.document().request);
+    if (!value)
+        return;
+    const std::optional<render::Value> edited = edit(parameter, *value);
+    tooltip(help_of(parameter).c_str());
+    if (edited)
+        attempt(session, [&] { set_parameter(session.document(), name, *edited); });
+}
+
+void recipe_ingredients(render::Request& request) {
+    noise::Recipe recipe = request.recipe;
     bool changed = ImGui::SliderInt("impulses N", &recipe.impulses, 1, noise::most_impulses);
     tooltip("Impulses per cell");
     changed |= ImGui::SliderFloat("radius R", &recipe.radius, 1, noise::largest_radius, "%.2f cells");
@@ -48,7 +109,7 @@ void ingredients(render::Picture& picture) {
     changed |= ImGui::DragFloat3("window", recipe.window.data(), 0.01f, -10, 10, "%.2f");
     tooltip("c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2");
     if (changed && noise::acceptable(recipe))
-        picture.recipe = noise::spelled_out(recipe);
+        request.recipe = noise::find_recipe(noise::spelled_out(recipe));
 }
 
 constexpr std::array outputs{"value", "gradient", "phase", "intensity", "variance"};
@@ -56,9 +117,6 @@ constexpr std::array output_tips{
     "The noise itself, of mean 0 and variance 1", "Its analytic gradient, as a normal map",
     "The phase of the complex noise, for patterns of even contrast", "The magnitude of the complex noise",
     "The share of its variance that the filter leaves at each place; all of it without a filter"};
-constexpr std::array views{"plane", "plane in perspective", "sphere", "torus"};
-constexpr std::array waves{"one direction, in space", "all directions, in space",
-                           "one direction, along the surface", "all directions, along the surface"};
 constexpr std::array maps{"grey", "viridis", "cool to warm", "ember", "sea"};
 
 template <typename Enum, std::size_t count>
@@ -75,54 +133,36 @@ bool choice(const char* label, Enum& value, const std::array<Enum, count>& all) 
     return changed;
 }
 
-void comparison_choice(Document& document) {
-    Comparison& comparison = *document.comparison;
-    const bool seminal = comparison.recipe.empty() && comparison.ingredients == study::Ingredients{};
-    const bool paper = comparison.recipe.empty() && comparison.ingredients == study::recommended;
-    const char* shown = seminal                     ? "seminal, N = 30"
-                        : paper                     ? "the paper's advice, N = 2"
-                        : comparison.recipe.empty() ? "ingredients"
-                                                    : comparison.recipe.c_str();
-    if (ImGui::BeginCombo("against", shown)) {
+void comparison_choice(Comparison& comparison) {
+    auto* ingredients = std::get_if<study::Ingredients>(&comparison);
+    const bool seminal = ingredients && *ingredients == study::Ingredients{};
+    const bool paper = ingredients && *ingredients == study::recommended;
+    const std::string shown = seminal       ? "seminal, N = 30"
+                              : paper       ? "the paper's advice, N = 2"
+                              : ingredients ? "ingredients"
+                                            : noise::spelled_out(std::get<noise::Recipe>(comparison));
+    if (ImGui::BeginCombo("against", shown.c_str())) {
         if (ImGui::Selectable("seminal, N = 30", seminal))
-            comparison = {};
+            comparison = study::Ingredients{};
         if (ImGui::Selectable("the paper's advice, N = 2", paper))
-            comparison = {{}, study::recommended};
+            comparison = study::recommended;
         for (const noise::Recipe& recipe : noise::recipes())
-            if (ImGui::Selectable(std::string(recipe.name).c_str(), comparison.recipe == recipe.name))
-                comparison = {std::string(recipe.name), {}};
+            if (ImGui::Selectable(std::string(recipe.name).c_str(), comparison == Comparison(recipe)))
+                comparison = recipe;
         ImGui::EndCombo();
     }
-    tooltip("What stands on the right, on the same parameters");
-    if (comparison.recipe.empty() && ImGui::TreeNode("its ingredients")) {
-        study::Ingredients& i = comparison.ingredients;
-        choice("points", i.points, study::all_points);
-        choice("weights", i.weights, study::all_weights);
-        choice("kernel", i.kernel, study::all_kernels);
-        choice("envelope", i.envelope, study::all_envelopes);
-        ImGui::SliderInt("N", &i.impulses, 1, 64, "%d", ImGuiSliderFlags_Logarithmic);
+    tooltip("What stands on the right, with the same parameters");
+    ingredients = std::get_if<study::Ingredients>(&comparison);
+    if (ingredients && ImGui::TreeNode("its ingredients")) {
+        choice("points", ingredients->points, study::all_points);
+        choice("weights", ingredients->weights, study::all_weights);
+        choice("kernel", ingredients->kernel, study::all_kernels);
+        choice("envelope", ingredients->envelope, study::all_envelopes);
+        ImGui::SliderInt("N", &ingredients->impulses, 1, 64, "%d",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         tooltip("Impulses per cell; the mean for Poisson points");
         ImGui::TreePop();
     }
-}
-
-void view_choice(Document& document) {
-    auto view = static_cast<int>(document.view());
-    if (ImGui::Combo("view", &view, views.data(), static_cast<int>(views.size())))
-        document.set_view(static_cast<View>(view));
-    tooltip("V: a drag moves planes and turns bodies");
-    if (document.body) {
-        auto chosen = static_cast<int>(document.waves);
-        if (ImGui::Combo("waves", &chosen, waves.data(), static_cast<int>(waves.size())))
-            document.waves = static_cast<Waves>(chosen);
-        tooltip("Solid noise, whose waves go through the body, or surface noise, whose waves go along its "
-                "surface");
-    }
-    if (ImGui::Checkbox("filtered", &document.picture.filter) && document.picture.filter) {
-        document.picture.gradient = false; // they exclude each other
-        document.picture.values = 1;
-    }
-    tooltip("F: seen through the footprints of pixels, so that nothing flickers in the distance");
 }
 
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
@@ -136,40 +176,30 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
 } // namespace
 
 void noise_panel(Session& session) {
-    render::Picture& picture = session.document().picture;
-    recipe_choice(picture);
+    render::Request& request = session.document().request;
+    control(session, "recipe");
     if (ImGui::TreeNode("ingredients")) {
-        ingredients(picture);
+        recipe_ingredients(request);
         ImGui::TreePop();
     }
-
-    auto scale = static_cast<float>(picture.scale);
-    if (ImGui::SliderFloat("scale", &scale, static_cast<float>(render::smallest_scale),
-                           static_cast<float>(render::largest_scale), "%.1f px",
-                           ImGuiSliderFlags_Logarithmic))
-        picture.scale = std::clamp(double{scale}, render::smallest_scale, render::largest_scale);
-    tooltip("Pixels per kernel radius, which the wheel changes too");
-    const std::uint32_t step = 1;
-    ImGui::InputScalar("seed", ImGuiDataType_U32, &picture.seed, &step);
-    tooltip("Which instance of the noise");
-
-    auto time = static_cast<float>(picture.time - std::floor(picture.time));
+    for (const char* name : {"scale", "seed", "paint"})
+        control(session, name);
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
     tooltip("Space: lets time go by, and begin again after 1");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() +
                             ImGui::GetStyle().WindowPadding.x);
-    if (ImGui::SliderFloat("time", &time, 0, 1, "%.3f"))
-        picture.time = time;
-    tooltip("In periods of an animation in place that ends where it began");
-    ImGui::SliderFloat("period", &session.period, 1, 60, "%.1f s", ImGuiSliderFlags_Logarithmic);
+    control(session, "time");
+    ImGui::SliderFloat("period", &session.period, 1, 60, "%.1f s",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     tooltip("Seconds for time to go from 0 to 1");
 }
 
 void output_panel(Session& session) {
     Document& document = session.document();
-    view_choice(document);
+    for (const char* name : {"view", "tileable", "depth", "solid", "yaw", "pitch", "zoom", "filter"})
+        control(session, name);
     auto output = static_cast<int>(document.output);
     if (ImGui::BeginCombo("show", outputs.at(static_cast<std::size_t>(output)))) {
         for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -182,19 +212,20 @@ void output_panel(Session& session) {
     tooltip("What is drawn, keys 1 to 5");
     ImGui::Combo("colours", &document.colours, maps.data(), static_cast<int>(maps.size()));
     tooltip("The colour map; a gradient is a normal map, and a phase goes round all hues, or is grey");
-    ImGui::SliderFloat("contrast", &document.contrast, 0.5f, 6, "%.2f sd", ImGuiSliderFlags_Logarithmic);
-    tooltip(
-        "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render");
+    ImGui::SliderFloat("contrast", &document.contrast, 0.5f, 6, "%.2f sd",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    tooltip("Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor "
+            "render");
+    const bool one_recipe = render::in_space(document.request);
+    ImGui::BeginDisabled(one_recipe);
     bool split = document.comparison.has_value();
-    if (ImGui::Checkbox("split view", &split)) {
-        if (split)
-            document.comparison.emplace();
-        else
-            document.comparison.reset();
-    }
-    tooltip("Tab: two recipes side by side, with their times");
-    if (document.comparison && !document.body)
-        comparison_choice(document);
+    if (ImGui::Checkbox("split view", &split))
+        document.comparison = split ? std::optional(Comparison()) : std::nullopt;
+    tooltip(one_recipe ? "Noise in space has one recipe: there is nothing to compare it with"
+                       : "Tab: two noises side by side, with their times");
+    if (document.comparison)
+        comparison_choice(*document.comparison);
+    ImGui::EndDisabled();
 }
 
 void files_panel(Session& session) {
@@ -214,7 +245,7 @@ void files_panel(Session& session) {
         }
         ImGui::EndCombo();
     }
-    tooltip("What the program knows: the paper's figure 6, and materials");
+    tooltip("Requests that come with the program: the paper's figure 6, and materials");
     ImGui::InputText("preset", &session.preset_path);
     tooltip(
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
@@ -228,13 +259,8 @@ void files_panel(Session& session) {
         save_preset(session);
     tooltip("Ctrl S");
 
-    render::Picture& picture = session.document().picture;
-    int size[] = {picture.width, picture.height};
-    if (ImGui::InputInt2("size", size)) {
-        picture.width = std::clamp(size[0], 1, render::largest_side);
-        picture.height = std::clamp(size[1], 1, render::largest_side);
-    }
-    tooltip("Of the exported picture, in pixels, up to 65536 x 65536");
+    for (const char* name : {"width", "height", "values", "quadrature", "gradient", "phasor"})
+        control(session, name);
     ImGui::InputText("file", &session.export_target.path);
     tooltip("The EXR to write, 32-bit float, its parameters in the header");
     ImGui::Checkbox("PNG beside it", &session.export_target.png);
@@ -300,6 +326,17 @@ void question_window(Session& session) {
     if (!session.question)
         ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
+}
+
+bool number_slider(const char* label, double& value, const render::Range& range,
+                   const render::Range& slider) {
+    auto shown = static_cast<float>(value);
+    const ImGuiSliderFlags logarithmic = slider.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
+    if (!ImGui::SliderFloat(label, &shown, static_cast<float>(slider.low), static_cast<float>(slider.high),
+                            "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat))
+        return false;
+    value = std::clamp(double{shown}, range.low, range.high);
+    return true;
 }
 
 void tooltip(const char* text) {

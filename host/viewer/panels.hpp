@@ -20,6 +20,9 @@ void overlay(const Session& session, float width, float height);
 /// Keys, and the mouse over a picture of this size, where no panel takes them.
 void handle_input(Session& session, float width, float height);
 
+/// A slider over part of a range, all of which can be typed. Returns whether the value was changed.
+bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& slider);
+
 /// Explains the item before while the pointer rests on it.
 void tooltip(const char* text);
 

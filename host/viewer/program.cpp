@@ -72,7 +72,7 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         app.exit(error);
         return 0;
     }
-    options.document = document_of(preset.empty() ? render::Picture{} : load_preset(preset));
+    options.document = document_of(preset.empty() ? render::Request{} : load_preset(preset));
     if (!size.empty())
         options.size = parse_size(size);
     if (!screenshot.empty())

@@ -3,9 +3,7 @@
 
 #include "error.hpp"
 #include "image/output_file.hpp"
-#include "render/likeness.hpp"
-#include "render/paint.hpp"
-#include "render/presets.hpp"
+#include "render/load.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,15 +18,6 @@ namespace gabor::viewer {
 namespace {
 
 constexpr double message_seconds = 5;
-
-template <typename Action>
-void try_to(Session& session, Action action) {
-    try {
-        action();
-    } catch (const std::exception& error) {
-        notify(session, error.what(), true);
-    }
-}
 
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -60,10 +49,10 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
             foreign.push_back(path.string());
     }
     if (foreign.empty())
-        return try_to(session, write);
+        return attempt(session, write);
     session.question = Question{fmt::format("Overwrite {}? This session did not write {}.",
                                             fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
-                                "Overwrite", [&session, write] { try_to(session, write); }};
+                                "Overwrite", [&session, write] { attempt(session, write); }};
 }
 
 } // namespace
@@ -72,12 +61,20 @@ void notify(Session& session, std::string text, bool error) {
     session.message = {std::move(text), error, ImGui::GetTime() + message_seconds};
 }
 
+void attempt(Session& session, const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::exception& error) {
+        notify(session, error.what(), true);
+    }
+}
+
 void answer(Session& session, bool accept) {
     if (const std::optional<Question> question = std::exchange(session.question, {}); question && accept)
         question->accepted();
 }
 
-render::Picture load_preset(const std::string& path) {
+render::Request load_preset(const std::string& path) {
     const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
     if (named != render::presets().end())
         return render::from_json(named->json);
@@ -86,16 +83,14 @@ render::Picture load_preset(const std::string& path) {
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
                                        "gabor rendered, or a preset's name",
                                        path));
-    return render::read_likeness(path).picture;
+    return render::load_request(path).request;
 }
 
 void open_preset(Session& session, const std::string& path) {
-    try_to(session, [&] {
+    attempt(session, [&] {
         Document opened = document_of(load_preset(path));
         const Document& now = session.history.now;
-        render::read_paint(opened.picture.paint); // it must be there
-        if (!opened.body)
-            opened.waves = now.waves;
+        render::load_paint(opened.request.paint); // it must be there
         opened.output = now.output;
         opened.colours = now.colours;
         opened.contrast = now.contrast;
@@ -109,7 +104,7 @@ void open_preset(Session& session, const std::string& path) {
 void save_preset(Session& session) {
     const std::filesystem::path path = json_path(session.preset_path);
     overwrite(session, {path}, [&session, path] {
-        const std::string text = render::to_json(session.document().exported()) + "\n";
+        const std::string text = render::to_json(session.document().request) + "\n";
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();
@@ -131,7 +126,8 @@ void start_export(Session& session) {
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
     overwrite(session, paths, [&session, paths] {
-        session.exporter.start(session.document().exported(), paths[0],
+        const Document& document = session.document();
+        session.exporter.start(with_output(document.request, document.output), paths[0],
                                paths.size() > 1 ? std::optional(paths[1]) : std::nullopt);
     });
 }
@@ -142,8 +138,10 @@ void copy_glsl(Session& session) {
 }
 
 void reset_camera(Session& session) {
-    session.document().camera = default_camera(session.document());
-    session.document().orbit = {};
+    Document& document = session.document();
+    document.camera = default_camera(document);
+    if (auto* body = std::get_if<render::Body>(&document.request.view))
+        *body = {body->shape, body->solid};
 }
 
 } // namespace gabor::viewer

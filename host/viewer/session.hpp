@@ -78,10 +78,12 @@ void start_export(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
 void answer(Session& session, bool accept);
+/// What throws becomes a message.
+void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
 
 /// The parameters in a JSON file, in an EXR that gabor rendered, or of a preset by its name. Throws
 /// RequestError where there are none.
-render::Picture load_preset(const std::string& path);
+render::Request load_preset(const std::string& path);
 
 } // namespace gabor::viewer

@@ -2,6 +2,8 @@
 
 #include "error.hpp"
 
+#include <vulkan/vulkan.h>
+
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 

@@ -1,16 +1,11 @@
 #pragma once
 
-#include "vulkan/state.hpp"
+#include "viewer/extent.hpp"
+#include "vulkan/device.hpp"
 
 struct GLFWwindow;
 
 namespace gabor::viewer {
-
-struct Extent {
-    int width = 0;
-    int height = 0;
-    bool operator==(const Extent&) const = default;
-};
 
 /// Where a window was, to have it there again. In the units of the desktop, not of pixels.
 struct Placement {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <charconv>
@@ -154,11 +153,11 @@ bool Script::execute(const Command& command, App& app) {
         if (other == "off")
             session.document().comparison.reset();
         else if (other == "seminal")
-            session.document().comparison.emplace();
+            session.document().comparison = study::Ingredients{};
         else if (other == "advice")
-            session.document().comparison = Comparison{{}, study::recommended};
+            session.document().comparison = study::recommended;
         else
-            session.document().comparison = Comparison{std::string(noise::find_recipe(other).name), {}};
+            session.document().comparison = noise::find_recipe(other);
     } else if (name == "resize") {
         glfwSetWindowSize(window, static_cast<int>(command.number(0)), static_cast<int>(command.number(1)));
     } else if (name == "minimize") {
@@ -230,18 +229,11 @@ void Script::set(const Command& command, Session& session) {
         document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 4));
     } else if (name == "colours") {
         document.colours = static_cast<int>(command.number(1));
-    } else if (name == "view") {
-        document.set_view(static_cast<View>(std::clamp(static_cast<int>(command.number(1)), 0, 3)));
-    } else if (name == "waves") {
-        document.waves = static_cast<Waves>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
     } else if (name == "contrast") {
         document.contrast = static_cast<float>(command.number(1));
     } else {
-        nlohmann::json json = nlohmann::json::parse(render::to_json(document.picture));
-        nlohmann::json value = nlohmann::json::parse(command.rest(1), nullptr, false);
-        json[name] = value.is_discarded() ? nlohmann::json(command.rest(1)) : value;
-        document.picture = render::from_json(json.dump());
-        document.camera = default_camera(document);
+        const render::Parameter& parameter = render::parameter(name);
+        set_parameter(document, name, render::read(parameter, command.rest(1)));
     }
 }
 
@@ -317,8 +309,9 @@ bool Script::random(const Command& command, App& app) {
         }
     }
     // A picture as large as the window could ask for would take an export all day.
-    session.document().picture.width = std::min(session.document().picture.width, 2048);
-    session.document().picture.height = std::min(session.document().picture.height, 2048);
+    render::Request& request = session.document().request;
+    request.width = std::min(request.width, 2048);
+    request.height = std::min(request.height, 2048);
     const bool over = ImGui::GetTime() - started_ >= command.number(1);
     if (over)
         down_ = false;

@@ -1,6 +1,6 @@
 #include "viewer/document.hpp"
-#include "viewer/shader_compiler.hpp"
 #include "viewer/noise_pass.hpp"
+#include "viewer/shader_compiler.hpp"
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
@@ -28,7 +28,7 @@ TEST_CASE("a camera is as precise far away as near by") {
 TEST_CASE("points continue across the end of the world") {
     for (const double radius : {1.0, 1.5}) {
         const Coordinate end{static_cast<std::int64_t>(2147483648.0 / radius) - 1, 0.25};
-        std::vector<AxisPoint> points;
+        std::vector<passes::Line> points;
         add_points(points, end, 400, 32, 1, radius);
         for (std::size_t i = 1; i < points.size(); ++i) {
             const auto cells =
@@ -44,24 +44,24 @@ TEST_CASE("points continue across the end of the world") {
 
 TEST_CASE("undo goes back step by step, and looking around is no step") {
     History history(document_of({}));
-    history.now.picture.frequency = 5;
+    history.now.request.lobes[0].frequency = 5;
     history.commit();
     history.now.camera = history.now.camera.moved(3, 4);
     history.commit();
-    history.now.picture.seed = 9;
+    history.now.request.seed = 9;
     history.commit();
     history.undo();
-    CHECK(history.now.picture.seed == 0);
-    CHECK(history.now.picture.frequency == 5);
+    CHECK(history.now.request.seed == 0);
+    CHECK(history.now.request.lobes[0].frequency == 5);
     history.undo();
-    CHECK(history.now.picture.frequency == 4);
+    CHECK(history.now.request.lobes[0].frequency == 4);
     CHECK_FALSE(history.can_undo());
     history.redo();
     history.redo();
-    CHECK(history.now.picture.seed == 9);
+    CHECK(history.now.request.seed == 9);
     CHECK_FALSE(history.can_redo());
     history.undo();
-    history.now.picture.seed = 10;
+    history.now.request.seed = 10;
     history.commit();
     CHECK_FALSE(history.can_redo());
 }
@@ -89,7 +89,7 @@ TEST_CASE("a shader's error names the file and the line") {
 
 TEST_CASE("every shader that is built in compiles") {
     ShaderCompiler shaders{{}};
-    for (const char* path : {"passes/pixels.comp", "viewer/ingredients.comp", "viewer/solid.comp"}) {
+    for (const char* path : {"passes/pixels.comp", "passes/solid.comp", "viewer/ingredients.comp"}) {
         const Compiled compiled = shaders.compile(path, ShaderStage::compute);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());
