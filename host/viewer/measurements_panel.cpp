@@ -14,20 +14,21 @@ namespace gabor::viewer {
 
 namespace {
 
-ImU32 side_colour(std::size_t side, float alpha) {
+ImU32 pane_colour(std::size_t pane, float alpha) {
     const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
     const ImVec4 other{0.45f, 0.72f, 0.90f, 1};
-    ImVec4 colour = side == 0 ? accent : other;
+    ImVec4 colour = pane == 0 ? accent : other;
     colour.w = alpha;
     return ImGui::GetColorU32(colour);
 }
 
-// The histograms of both sides, and the normal curve that they should follow.
-void histogram(const std::vector<Side>& sides) {
+// The histograms of both panes, and the normal curve that they should follow.
+void histogram(const std::vector<PaneReport>& panes) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetTextLineHeight()};
     ImGui::InvisibleButton("histogram", size);
-    tip("Values at random places of independent instances, in standard deviations; the line is the normal "
+    tooltip(
+        "Values at random points of independent instances, in standard deviations; the line is the normal "
         "law");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg),
@@ -38,8 +39,8 @@ void histogram(const std::vector<Side>& sides) {
                       at.y + size.y * static_cast<float>(1 - std::min(density / highest, 1.0)));
     };
     constexpr double bar = 2 * histogram_end / histogram_bars;
-    for (std::size_t side = 0; side < sides.size(); ++side) {
-        const Measured& measured = sides[side].measured;
+    for (std::size_t pane = 0; pane < panes.size(); ++pane) {
+        const Measurements& measured = panes[pane].measured;
         const auto count = static_cast<double>(measured.moments.count());
         if (count == 0)
             continue;
@@ -49,10 +50,10 @@ void histogram(const std::vector<Side>& sides) {
             const double left = -histogram_end + i * bar;
             const ImVec2 top = place(left, density);
             const ImVec2 bottom = place(left + bar, 0);
-            if (side == 0)
-                draw.AddRectFilled(top, {bottom.x - 1, bottom.y}, side_colour(side, 0.45f));
+            if (pane == 0)
+                draw.AddRectFilled(top, {bottom.x - 1, bottom.y}, pane_colour(pane, 0.45f));
             else
-                draw.AddLine(top, {bottom.x, top.y}, side_colour(side, 1), 1.5f);
+                draw.AddLine(top, {bottom.x, top.y}, pane_colour(pane, 1), 1.5f);
         }
     }
     std::array<ImVec2, 97> curve;
@@ -64,16 +65,16 @@ void histogram(const std::vector<Side>& sides) {
                      1.2f);
 }
 
-void row(const char* name, const char* meaning, const std::vector<Side>& sides,
-         const std::function<std::string(const Side&)>& value) {
+void row(const char* name, const char* meaning, const std::vector<PaneReport>& panes,
+         const std::function<std::string(const PaneReport&)>& value) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
-    tip(meaning);
-    for (std::size_t side = 0; side < sides.size(); ++side) {
+    tooltip(meaning);
+    for (std::size_t pane = 0; pane < panes.size(); ++pane) {
         ImGui::TableNextColumn();
-        const std::string text = value(sides[side]);
+        const std::string text = value(panes[pane]);
         ImGui::TextUnformatted(text.c_str());
-        tip(meaning);
+        tooltip(meaning);
     }
 }
 
@@ -85,43 +86,43 @@ std::string samples(std::uint64_t count) {
 } // namespace
 
 void measurements_panel(Session& session) {
-    const std::vector<Side>& sides = session.sides;
-    if (sides.empty())
+    const std::vector<PaneReport>& panes = session.panes;
+    if (panes.empty())
         return;
-    histogram(sides);
-    if (!ImGui::BeginTable("measured", static_cast<int>(1 + sides.size())))
+    histogram(panes);
+    if (!ImGui::BeginTable("measured", static_cast<int>(1 + panes.size())))
         return;
-    if (sides.size() > 1) {
+    if (panes.size() > 1) {
         ImGui::TableNextColumn();
-        for (std::size_t side = 0; side < sides.size(); ++side) {
+        for (std::size_t pane = 0; pane < panes.size(); ++pane) {
             ImGui::TableNextColumn();
-            ImGui::PushStyleColor(ImGuiCol_Text, side_colour(side, 1));
-            ImGui::TextUnformatted(sides[side].name.substr(0, 18).c_str());
+            ImGui::PushStyleColor(ImGuiCol_Text, pane_colour(pane, 1));
+            ImGui::TextUnformatted(panes[pane].name.substr(0, 18).c_str());
             ImGui::PopStyleColor();
         }
     }
-    row("frame", "A whole frame of this size in full resolution, on the device", sides,
-        [](const Side& side) { return fmt::format("{:.1f} ms", side.milliseconds); });
-    row("per pixel", "Time on the device", sides,
-        [](const Side& side) { return fmt::format("{:.1f} ns", side.nanoseconds); });
-    row("impulses", "Impulses visited for each pixel", sides,
-        [](const Side& side) { return fmt::format("{:.0f}", side.visited); });
-    const auto known = [](const Side& side) { return side.measured.moments.count() > 0; };
-    row("mean", "Of the samples; 0 is exact", sides, [&](const Side& side) {
-        return known(side) ? fmt::format("{:+.4f}", side.measured.moments.mean()) : "-";
+    row("frame", "A whole frame of this size in full resolution, on the device", panes,
+        [](const PaneReport& pane) { return fmt::format("{:.1f} ms", pane.milliseconds); });
+    row("per pixel", "Time on the device", panes,
+        [](const PaneReport& pane) { return fmt::format("{:.1f} ns", pane.nanoseconds); });
+    row("impulses", "Impulses visited for each pixel", panes,
+        [](const PaneReport& pane) { return fmt::format("{:.0f}", pane.visited); });
+    const auto known = [](const PaneReport& pane) { return pane.measured.moments.count() > 0; };
+    row("mean", "Of the samples; 0 is exact", panes, [&](const PaneReport& pane) {
+        return known(pane) ? fmt::format("{:+.4f}", pane.measured.moments.mean()) : "-";
     });
-    row("variance", "Of the samples; 1 is exact", sides, [&](const Side& side) {
-        return known(side) ? fmt::format("{:.4f}", side.measured.moments.variance()) : "-";
+    row("variance", "Of the samples; 1 is exact", panes, [&](const PaneReport& pane) {
+        return known(pane) ? fmt::format("{:.4f}", pane.measured.moments.variance()) : "-";
     });
     row("cvm",
         "How far the values are from the normal law: the Cramer-von Mises index at 2^18 samples, with its "
         "95 % interval. 0.5 is where one stops to see it, 0 is perfect.",
-        sides, [&](const Side& side) {
-            const statistics::Estimate& cvm = side.measured.cvm;
-            return known(side) ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-";
+        panes, [&](const PaneReport& pane) {
+            const statistics::Estimate& cvm = pane.measured.cvm;
+            return known(pane) ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-";
         });
-    row("samples", "Values measured so far, at random places of independent instances", sides,
-        [](const Side& side) { return samples(side.measured.moments.count()); });
+    row("samples", "Values measured so far, at random points of independent instances", panes,
+        [](const PaneReport& pane) { return samples(pane.measured.moments.count()); });
     ImGui::EndTable();
 }
 
