@@ -295,7 +295,7 @@ const char* type_name(Kind kind) {
 std::string help_of(const render::Parameter& parameter) {
     const render::Request defaults;
     const std::optional<render::Value> value = parameter.get(defaults);
-    const std::string of = parameter.of.empty() ? "" : fmt::format(", for {}", parameter.of);
+    const std::string of = parameter.of.empty() ? "" : fmt::format(" (for {})", parameter.of);
     std::vector<std::string> recipes;
     switch (parameter.kind) {
     case Kind::flag:

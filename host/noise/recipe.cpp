@@ -66,25 +66,25 @@ std::string spelled_out(const Recipe& recipe) {
     return same == known.end() ? fields(recipe) : std::string(same->name);
 }
 
-std::string macros(const Recipe& recipe) {
+std::vector<Macro> macros(const Recipe& recipe) {
     const Recipe& standard = known.front();
     const auto literal = [](float value) { // a point makes it a float in GLSL
         const std::string text = fmt::format("{}", value);
         return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
     };
-    std::string text;
+    std::vector<Macro> macros;
     if (recipe.impulses != standard.impulses)
-        text += fmt::format("#define GABOR_IMPULSES {}\n", recipe.impulses);
+        macros.push_back({"GABOR_IMPULSES", fmt::format("{}", recipe.impulses)});
     if (recipe.radius != standard.radius)
-        text += fmt::format("#define GABOR_RADIUS {}\n", literal(recipe.radius));
+        macros.push_back({"GABOR_RADIUS", literal(recipe.radius)});
     if (recipe.weight_floor != standard.weight_floor)
-        text += fmt::format("#define GABOR_WEIGHT_FLOOR {}\n", literal(recipe.weight_floor));
+        macros.push_back({"GABOR_WEIGHT_FLOOR", literal(recipe.weight_floor)});
     if (recipe.phases != standard.phases)
-        text += fmt::format("#define GABOR_PHASES {}\n", recipe.phases);
+        macros.push_back({"GABOR_PHASES", fmt::format("{}", recipe.phases)});
     if (recipe.window != standard.window)
-        text += fmt::format("#define GABOR_WINDOW vec3({}, {}, {})\n", literal(recipe.window[0]),
-                            literal(recipe.window[1]), literal(recipe.window[2]));
-    return text;
+        macros.push_back({"GABOR_WINDOW", fmt::format("vec3({}, {}, {})", literal(recipe.window[0]),
+                                                      literal(recipe.window[1]), literal(recipe.window[2]))});
+    return macros;
 }
 
 bool acceptable(const Recipe& recipe) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gabor::noise {
 
@@ -37,9 +38,14 @@ std::string accepted_recipes();
 /// The name of a known recipe; else its values: "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5".
 std::string spelled_out(const Recipe& recipe);
 
-/// The macros to define before the drop-in: "#define GABOR_RADIUS 1.5" and so on, a line each, of those that
-/// differ from the drop-in's own.
-std::string macros(const Recipe& recipe);
+/// A macro to define before the drop-in.
+struct Macro {
+    std::string_view name;
+    std::string value;
+};
+
+/// Those of a recipe that differ from the drop-in's own.
+std::vector<Macro> macros(const Recipe& recipe);
 
 /// Whether these are values that the drop-in takes, and within reason.
 bool acceptable(const Recipe& recipe);

@@ -380,13 +380,6 @@ nlohmann::ordered_json json_of(const Parameter& p, const Value& value) {
     return std::get<bool>(value);
 }
 
-// By default, in a view of that name.
-Request fresh_like(const Request& request) {
-    Request fresh;
-    fresh.view = view_of(name_of(request.view), fresh.view);
-    return fresh;
-}
-
 } // namespace
 
 std::span<const Parameter> parameters() {
@@ -504,7 +497,14 @@ void set_text(Request& request, std::string_view name, std::string_view text) {
 bool is_set(const Request& request, std::string_view name) {
     const Parameter& p = parameter(name);
     const std::optional<Value> value = p.get(request);
-    return value && value != p.get(fresh_like(request));
+    std::optional<Value> by_default = p.get(Request());
+    if (!by_default) { // one that only some views or lobes have
+        Request fresh;
+        fresh.lobes = request.lobes;
+        fresh.view = view_of(name_of(request.view), fresh.view);
+        by_default = p.get(fresh);
+    }
+    return value && value != by_default;
 }
 
 void give_way(Request& request, std::string_view name) {

@@ -45,7 +45,8 @@ struct Body {
 using View = std::variant<Plane, Horizon, Slice, Body>;
 
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of what is in it:
-/// names, units, ranges, help.
+/// names, units, ranges, help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency
+/// 4; above, and for the sine kernels of `paper` below 0.1, in proportion to the frequency and its inverse.
 struct Request {
     int width = 1024;  ///< pixels
     int height = 1024; ///< pixels

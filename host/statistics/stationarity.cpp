@@ -9,25 +9,16 @@ void InstanceStationarity::add(std::span<const float> window) {
     Moments moments;
     moments.add(window);
     contrasts_.push_back(moments.variance());
-    means_.push_back(moments.mean());
 }
 
 void InstanceStationarity::merge(const InstanceStationarity& other) {
     contrasts_.insert(contrasts_.end(), other.contrasts_.begin(), other.contrasts_.end());
-    means_.insert(means_.end(), other.means_.begin(), other.means_.end());
 }
 
 double InstanceStationarity::median_deviation() const {
     std::vector<double> deviations;
     std::ranges::transform(contrasts_, std::back_inserter(deviations), [](double c) { return std::sqrt(c); });
     return quantile(deviations, 0.5);
-}
-
-double InstanceStationarity::largest_mean() const {
-    double largest = 0;
-    for (const double mean : means_)
-        largest = std::max(largest, std::abs(mean));
-    return largest;
 }
 
 void ProcessStationarity::add(std::span<const float> instances) {

@@ -8,7 +8,7 @@
 
 namespace gabor::statistics {
 
-/// Instance stationarity [TNVT19, 3.3, figure 4]: how the mean and the contrast, which is the variance, of
+/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast, which is the variance, of
 /// windows, of one kernel diameter in the paper, differ from window to window. Results depend on the windows
 /// and not on their order, so parts merge into exactly the answer of the whole.
 class InstanceStationarity {
@@ -20,15 +20,9 @@ class InstanceStationarity {
     Dispersion contrast() const { return dispersion(contrasts_); }
     /// Median of the square root of the contrast.
     double median_deviation() const;
-    double median_mean() const { return quantile(means_, 0.5); }
-    /// From the first to the last decile of the means.
-    double mean_range() const { return quantile(means_, 0.9) - quantile(means_, 0.1); }
-    /// The largest magnitude of a mean.
-    double largest_mean() const;
 
   private:
     std::vector<double> contrasts_;
-    std::vector<double> means_;
 };
 
 /// Process stationarity [TNVT19, 3.2]: the mean and the variance at each of several places of a cell, over

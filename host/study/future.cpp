@@ -2,7 +2,6 @@
 
 #include "study/figures.hpp"
 #include "study/measures.hpp"
-#include "study/recipe_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -63,9 +62,9 @@ Table grids(const vulkan::Device& device, const Effort& effort) {
           Window{"gaussian", Shape::gaussian}})
         for (const double radius : {1.0, 1.5, 2.0})
             for (const double jitter : {0.0, 1.0})
-                for (const Law law : {Law::two_point, Law::rayleigh})
-                    table.rows.push_back(
-                        recipe_row(device, {window, 1, radius, Lattice::square, law, 1, jitter}, effort));
+                for (const Magnitudes magnitudes : {Magnitudes::two_point, Magnitudes::rayleigh})
+                    table.rows.push_back(recipe_row(
+                        device, {window, 1, radius, Lattice::square, magnitudes, 1, jitter}, effort));
     return table;
 }
 

@@ -29,7 +29,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     uint seed;
     int width;
     int height;
-    int first_row;    // of the band, in the units of Run.first
+    int first_row; // of the band, in the units of Run.first
     uint column_runs;
     uint first_row_run;
 };

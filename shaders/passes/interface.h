@@ -1,5 +1,6 @@
-// Lets one header declare push constants and group sizes for C++ and GLSL alike, so that the two cannot differ:
-// PASS_interface.h beside the pass. C++ finds the declarations in gabor::passes, with vectors aligned as in GLSL.
+// Lets one header declare push constants and group sizes for C++ and GLSL alike, so that the two cannot
+// differ: PASS_interface.h beside the pass. C++ finds the declarations in gabor::passes, with vectors aligned
+// as in GLSL.
 
 #ifndef GABOR_INTERFACE_H
 #define GABOR_INTERFACE_H

@@ -18,13 +18,13 @@ struct Lobe {
 };
 
 GABOR_PUSH_CONSTANTS(PixelsPush) {
-    vec2 radius;        // as in GaborPlace
-    ivec2 period;       // as in GaborPlace
-    ivec2 paint_size;   // samples
-    vec2 paint_scale;   // samples of the paint per pixel
-    vec2 paint_corner;  // of the region, in samples
-    vec2 camera;        // in perspective: where it stands in its cell
-    float time;         // as in GaborPlace
+    vec2 radius;       // as in GaborPlace
+    ivec2 period;      // as in GaborPlace
+    ivec2 paint_size;  // samples
+    vec2 paint_scale;  // samples of the paint per pixel
+    vec2 paint_corner; // of the region, in samples
+    vec2 camera;       // in perspective: where it stands in its cell
+    float time;        // as in GaborPlace
     float frequency;
     float orientation;  // radians
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
@@ -32,8 +32,8 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     uint seed;
     int width;
     int height;
-    int first_row;      // of the band
-    int before;         // pixels in the buffer before those of the band
+    int first_row; // of the band
+    int before;    // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END

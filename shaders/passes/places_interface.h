@@ -15,8 +15,8 @@ GABOR_PUSH_CONSTANTS(PlacesPush) {
     float spacing;   // of the grid, in cells
     float origin;    // 1: starts at a random place of a cell, 0: at the corner
     uint grid_bits;
-    uint first;      // instance
-    uint count;      // values
+    uint first; // instance
+    uint count; // values
     uint place_seed;
     uint noise_seed;
 };

@@ -14,9 +14,9 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
     vec2 yaw;       // cosine and sine of the eye's angle around the axis z
     vec2 pitch;     // and of its height above the plane z = 0
     vec2 direction; // of the waves, in the plane z = 0, of length 1
-    float pixel;    // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
-    float unit;     // kernel radii in the unit of bodies, the radius of the sphere
-    float depth;    // z of the slice, kernel radii
+    float pixel; // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
+    float unit;  // kernel radii in the unit of bodies, the radius of the sphere
+    float depth; // z of the slice, kernel radii
     float frequency;
     float time;
     uint seed;
@@ -24,7 +24,7 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
     int first_row;
     int width;
     int height;
-    int before;       // pixels in the buffer before those of the band
+    int before; // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END

@@ -1,8 +1,8 @@
 // A request as JSON, from the header of a file: refused, or the same again when written and
 // read.
 
-#include "error.hpp"
 #include "render/parameters.hpp"
+#include "error.hpp"
 
 #include <cstdint>
 #include <cstdlib>

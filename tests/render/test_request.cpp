@@ -19,8 +19,10 @@ Value another(const Parameter& parameter, const Value& value) {
     case Parameter::Kind::flag:
         return !std::get<bool>(value);
     case Parameter::Kind::choice:
-    case Parameter::Kind::recipe:
-        return std::string(render::choices(parameter).at(1));
+    case Parameter::Kind::recipe: {
+        const std::vector<std::string_view> all = render::choices(parameter);
+        return std::string(all.at(std::get<std::string>(value) == all[1] ? 2 : 1));
+    }
     case Parameter::Kind::text:
         return "a \"name\".exr";
     case Parameter::Kind::lobes:
@@ -188,6 +190,8 @@ TEST_CASE("a request has what its view and lobes have", "[request]") {
     CHECK_THROWS_WITH(render::set_text(request, "sum", "true"), Catch::Contains("several lobes"));
     render::set_text(request, "lobes", "[{}, {}]");
     CHECK(has(request, "sum"));
+    CHECK_FALSE(render::is_set(request, "sum"));
+    CHECK(render::is_set(request, "lobes"));
     CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("2, each with its own"));
 
     // A body keeps its pose as it changes its shape.
