@@ -33,8 +33,9 @@ constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::
                                   ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
-    if (count > 0)
-        open_preset(*static_cast<Session*>(glfwGetWindowUserPointer(window)), paths[0]);
+    Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
+    if (count > 0 && !session.question)
+        open_preset(session, paths[0]);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -141,9 +142,8 @@ bool App::refine(Extent window) {
     bool more = false;
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
-        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index])) {
+        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
             pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
-        }
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
         if (pane.canvas->refine(wanted[index], session_.document().camera,
