@@ -15,7 +15,7 @@ namespace {
 
 constexpr double moving_budget =
     0.022; // seconds of a frame for the noise, in which there must be time for the rest
-constexpr double still_budget = 0.030;
+constexpr double resting_budget = 0.030;
 constexpr double sampling_budget = 0.004; // while time plays
 
 constexpr std::uint32_t most_samples = 1 << 21;
@@ -33,8 +33,9 @@ constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::
                                   ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
-    if (count > 0)
-        open_preset(*static_cast<Session*>(glfwGetWindowUserPointer(window)), paths[0]);
+    Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
+    if (count > 0 && !session.question)
+        open_preset(session, paths[0]);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -141,27 +142,26 @@ bool App::refine(Extent window) {
     bool more = false;
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
-        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index])) {
+        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
             pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
-        }
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
         if (pane.canvas->refine(wanted[index], session_.document().camera,
                                 {where[index].width, where[index].height},
-                                share * (moving ? moving_budget : still_budget))) {
+                                share * (moving ? moving_budget : resting_budget))) {
             more = true;
             pane.picture_measured = false;
         }
         measure(index, wanted[index]);
         more |= !pane.picture_measured || pane.samples < most_samples;
 
-        PaneReport& told = session_.panes[index];
+        PaneReport& report = session_.panes[index];
         const double cost = pane.canvas->seconds_per_pixel();
-        told.name = wanted[index].name;
-        told.visited = wanted[index].visited;
-        told.nanoseconds = cost * 1e9;
-        told.milliseconds = cost * 1e3 * where[index].width * where[index].height;
-        told.measured = measuring_.measured(index);
+        report.name = wanted[index].name;
+        report.visited = wanted[index].visited;
+        report.nanoseconds = cost * 1e9;
+        report.milliseconds = cost * 1e3 * where[index].width * where[index].height;
+        report.measured = measuring_.measured(index);
     }
     return more || !measuring_.idle();
 }
@@ -190,7 +190,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
                                    noise.request.scale);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
         const std::span<const float> values_now =
-            pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : still_budget);
+            pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
         const int channels = pane.sampler->noise().channel_count();
         pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
         measuring_.add_samples(index, values_now, channels);
@@ -269,7 +269,7 @@ void App::save_picture(const std::string& path) {
     const NoisePass noise = noise_passes(document).front();
     const Extent extent{document.request.width, document.request.height};
     Canvas canvas(device_, noise, spirv(noise));
-    while (canvas.refine(noise, default_camera(document), extent, still_budget)) {
+    while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();
     save_png(

@@ -131,7 +131,7 @@ void MeasuringThread::measure(const Task& task) {
             measured_[task.side].spectrum = std::move(spectrum);
         return;
     }
-    // ShaderCompiler that are being edited may give anything; what is not finite is in no law.
+    // Shaders that are being edited may give anything: what is not finite does not count.
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
     std::array<std::uint64_t, histogram_bars> histogram{};

@@ -29,7 +29,7 @@ void histogram(const std::vector<PaneReport>& panes) {
     ImGui::InvisibleButton("histogram", size);
     tooltip(
         "Values at random points of independent instances, in standard deviations; the line is the normal "
-        "law");
+        "distribution");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg),
                        ImGui::GetStyle().FrameRounding);
@@ -115,7 +115,8 @@ void measurements_panel(Session& session) {
         return known(pane) ? fmt::format("{:.4f}", pane.measured.moments.variance()) : "-";
     });
     row("cvm",
-        "How far the values are from the normal law: the Cramer-von Mises index at 2^18 samples, with its "
+        "How far the values are from a normal distribution: the Cramer-von Mises index at 2^18 samples, with "
+        "its "
         "95 % interval. 0.5 is where one stops to see it, 0 is perfect.",
         panes, [&](const PaneReport& pane) {
             const statistics::Estimate& cvm = pane.measured.cvm;
