@@ -152,7 +152,8 @@ std::string snippet(const Document& document, Extent extent) {
     const bool space = render::in_space(request);
     std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
     if (!space) {
-        text += noise::macros(request.recipe);
+        for (const noise::Macro& macro : noise::macros(request.recipe))
+            text += fmt::format("#define {} {}\n", macro.name, macro.value);
         if (request.lobes.size() > 1)
             text += fmt::format("#define GABOR_LOBES {}\n", request.lobes.size());
     }
