@@ -2,7 +2,6 @@
 
 #include "viewer/noise_pass.hpp"
 
-
 #include <fmt/format.h>
 
 #include <cmath>
