@@ -4,9 +4,8 @@
 
 namespace gabor::viewer {
 
-// The user interface: each function draws a part of it, and changes the session by what is done to it. Sizes
-// are in Dear ImGui's units.
-
+/// The user interface: each function draws a part of it, and changes the session by what is done to it. Sizes
+/// are in Dear ImGui's units.
 void noise_panel(Session& session);
 void spectrum_panel(Session& session);
 void output_panel(Session& session);

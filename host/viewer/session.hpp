@@ -68,8 +68,7 @@ struct Session {
     Document& document() { return history.now; }
 };
 
-// What shortcuts, buttons and tests do. Failures become messages.
-
+/// What shortcuts, buttons and tests do. Failures become messages.
 void open_preset(Session& session, const std::string& path);
 /// Writes the parameters to `preset_path` where its name ends in .json, and else to a name made from it that
 /// does.

@@ -18,8 +18,8 @@ GABOR_PUSH_CONSTANTS(IngredientsPush) {
     uint seed;
     int width;
     int height;
-    int first_row;      // of the band
-    int before;         // pixels in the buffer before those of the band
+    int first_row; // of the band
+    int before;    // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END
