@@ -65,8 +65,9 @@ uint gabor_impl_mix(uint word, uint salt)
     return word ^ (word >> 15u);
 }
 
-// The salts of columns, rows and any further axes are xors of this with constants of their own: with one salt for all,
-// nodes on the diagonal would have squares for words.
+// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
+// would have squares for words.
+#define GABOR_IMPL_ROWS 0x5bd1e995u
 uint gabor_impl_salt(uint seed)
 {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
@@ -295,7 +296,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     ivec2 node = place.cell + ivec2(first);
     uint salt = gabor_impl_salt(seed);
     uvec4 columns = gabor_impl_line_words(node.x, place.period.x, salt);
-    uvec4 rows = gabor_impl_line_words(node.y, place.period.y, salt ^ 0x5bd1e995u);
+    uvec4 rows = gabor_impl_line_words(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS);
     vec2 base = gabor_impl_wave(dot(kernel.wave, offset * (1.0 / place.radius)));
     vec2 time = gabor_impl_wave(place.time);
 
