@@ -247,8 +247,8 @@ struct GaborSum {
 //   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
 void gabor_impl_add_node(inout GaborSum row, uint word, float window, vec2 factor, vec2 slope, bool animated, vec2 time)
 {
-    // Nearly always so; but at a branch compilers for CPUs keep the nodes, and so their registers, in order.
-    if (window > 0.0) {
+    // Always so; but at a branch compilers for CPUs keep the nodes, and with them the registers, in order.
+    if (window > -1.0) {
         vec2 a = gabor_impl_amplitude(word);
         uint second = gabor_impl_next_word(word);
         uint third = gabor_impl_next_word(second);
@@ -407,11 +407,10 @@ float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation,
     period = max(period, vec2(0.0009765625));
     vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
     vec2 radius = nodes / period;
-    vec2 within = p - floor(p / period) * period;
     GaborKernel kernel = gabor_kernel(frequency, orientation);
     kernel.step_x = gabor_impl_wave(kernel.wave.x / radius.x);
     kernel.step_y = gabor_impl_wave(kernel.wave.y / radius.y);
-    GaborPlace place = GaborPlace(ivec2(0), within * radius, radius, ivec2(nodes), false, 0.0);
+    GaborPlace place = GaborPlace(ivec2(0), p * radius, radius, ivec2(nodes), false, 0.0);
     return gabor_field(place, kernel, seed).value.y;
 }
 

@@ -67,7 +67,8 @@ double lattice_amplitude_part(double u) {
     return u - flattening * std::clamp(u, -knee, knee);
 }
 
-// The root of the mean of the two parts' variances: one takes 256 values, the other is as good as uniform in [-1, 1].
+// The root of the mean of the two parts' variances: one takes 256 values, the other is as good as uniform in
+// [-1, 1].
 double lattice_amplitude_deviation() {
     double sum = 0;
     for (int byte = -128; byte < 128; ++byte)

@@ -1,5 +1,5 @@
-// The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes, without
-// sampling.
+// The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes,
+// without sampling.
 
 #include "noise/lattice.hpp"
 
@@ -32,8 +32,9 @@ class Characteristic {
         for (std::size_t k = 0; k < table_.size(); ++k) {
             double sum = 0;
             for (int byte = 0; byte < 256; ++byte)
-                sum += std::cos(static_cast<double>(k) * step * lattice_amplitude_part((byte + 0.5) / 128 - 1) /
-                                lattice_amplitude_deviation());
+                sum +=
+                    std::cos(static_cast<double>(k) * step * lattice_amplitude_part((byte + 0.5) / 128 - 1) /
+                             lattice_amplitude_deviation());
             table_[k] = sum / 256;
         }
     }
@@ -144,7 +145,8 @@ TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
                 all.worst = std::max(all.worst, one.worst);
                 pooled = std::max(pooled, one.pooled);
             }
-            fmt::print("{} taps, frequency {}: cvm at 16 x 16 places and 4 orientations {:.4f} on average, {:.3f} at "
+            fmt::print("{} taps, frequency {}: cvm at 16 x 16 places and 4 orientations {:.4f} on average, "
+                       "{:.3f} at "
                        "the worst; pooled {:.4f}\n",
                        taps, frequency, all.mean, all.worst, pooled);
             // With two taps a node's own place has its amplitude alone.
@@ -185,7 +187,8 @@ TEST_CASE("the covariance of the lattice noise depends little on the place", "[l
                 for (int node = -2 * taps; node <= 2 * taps; ++node)
                     along[static_cast<std::size_t>(lag)][static_cast<std::size_t>(k)] +=
                         lattice_window(taps, 2 * (x - node) / taps).value *
-                        lattice_window(taps, 2 * (x - node) / taps + 2.0 * lag / lags).value / lattice_energy(taps);
+                        lattice_window(taps, 2 * (x - node) / taps + 2.0 * lag / lags).value /
+                        lattice_energy(taps);
             }
         }
         double worst_rms = 0, largest = 0, squares = 0;
@@ -206,7 +209,8 @@ TEST_CASE("the covariance of the lattice noise depends little on the place", "[l
                 squares += variance / (lags * lags);
             }
         }
-        fmt::print("{} taps: covariance differs from place to place by {:.2f} % rms at the worst lag, {:.2f} % over all "
+        fmt::print("{} taps: covariance differs from place to place by {:.2f} % rms at the worst lag, {:.2f} "
+                   "% over all "
                    "lags, {:.1f} % at most, of the variance\n",
                    taps, 100 * worst_rms, 100 * std::sqrt(squares), 100 * largest);
         CHECK(worst_rms < (taps == 2 ? 0.30 : taps == 3 ? 0.045 : 0.012));
@@ -256,17 +260,31 @@ Numbers numbers(std::uint32_t word) {
 
 } // namespace
 
-TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and rows, rectangles", "[lattice][randomness]") {
+TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and rows, rectangles",
+          "[lattice][randomness]") {
     struct Offset {
         int x;
         int y;
     };
     // Products of the numbers at the node and at the offsets have mean 0 and variance 1.
-    const std::vector<std::vector<Offset>> figures{
-        {{0, 0}},         {{1, 0}},         {{0, 1}},         {{1, 1}},          {{1, -1}},
-        {{2, 0}},         {{0, 2}},         {{256, 0}},       {{0, 256}},        {{1, 0}, {2, 0}},
-        {{0, 1}, {0, 2}}, {{1, 0}, {0, 1}}, {{1, 0}, {0, 1}, {1, 1}}, {{2, 0}, {0, 1}, {2, 1}},
-        {{1, 0}, {0, 3}, {1, 3}}, {{1, 0}, {2, 0}, {3, 0}}, {{0, 1}, {0, 2}, {0, 3}}, {{7, 0}, {0, 5}, {7, 5}}};
+    const std::vector<std::vector<Offset>> figures{{{0, 0}},
+                                                   {{1, 0}},
+                                                   {{0, 1}},
+                                                   {{1, 1}},
+                                                   {{1, -1}},
+                                                   {{2, 0}},
+                                                   {{0, 2}},
+                                                   {{256, 0}},
+                                                   {{0, 256}},
+                                                   {{1, 0}, {2, 0}},
+                                                   {{0, 1}, {0, 2}},
+                                                   {{1, 0}, {0, 1}},
+                                                   {{1, 0}, {0, 1}, {1, 1}},
+                                                   {{2, 0}, {0, 1}, {2, 1}},
+                                                   {{1, 0}, {0, 3}, {1, 3}},
+                                                   {{1, 0}, {2, 0}, {3, 0}},
+                                                   {{0, 1}, {0, 2}, {0, 3}},
+                                                   {{7, 0}, {0, 5}, {7, 5}}};
     const auto count = draws();
     double largest = 0;
     int seen = 0;
@@ -295,8 +313,9 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
                     ++seen;
                     if (sigma > largest) {
                         largest = sigma;
-                        which = fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(), figure[0].x,
-                                            figure[0].y, a, b, over_seeds ? "over seeds" : "in a square");
+                        which = fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
+                                            figure[0].x, figure[0].y, a, b,
+                                            over_seeds ? "over seeds" : "in a square");
                     }
                 }
             }
