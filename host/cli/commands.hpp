@@ -10,5 +10,6 @@ void add_stats_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
+void add_recipes_command(CLI::App& app);
 
 } // namespace gabor::cli

@@ -1,5 +1,6 @@
 """gabor_noise.glsl, and gabor_noise_3d.glsl after it, pasted into shaders of every dialect, and the names and constructs that it may use."""
 
+import json
 import os
 import pathlib
 import re
@@ -13,12 +14,10 @@ SOURCE_3D = (SHADERS / "gabor_noise_3d.glsl").read_text()
 SOURCE = (SHADERS / "gabor_noise.glsl").read_text() + SOURCE_3D
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
+LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
 RECIPES = {
-    "default": {},
-    "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2",
-              "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
+    **{recipe["name"]: recipe["macros"] for recipe in LISTED},
     "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
-    "wide": {"GABOR_RADIUS": "1.5", "GABOR_WEIGHT_FLOOR": "0.5", "GABOR_WINDOW": "vec3(1.0, -1.0, 1.0)"},
     "native sine": {"GABOR_NATIVE_SINE": "1"},
     "lobes": {"GABOR_LOBES": "6"},
 }
