@@ -113,7 +113,7 @@ class Window(ViewerTest):
             set scale 64
             set frequency 1
             compare seminal
-            settle
+            wait 200
             window seminal.png
             quit""", "--window", "1280x800")
         seminal = read_colour_png(self.folder / "seminal.png")[100:700, 480:900, 0].astype(float)
