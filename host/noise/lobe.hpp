@@ -10,6 +10,7 @@ constexpr double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
+/// The same, back.
 constexpr double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }

@@ -29,6 +29,7 @@ struct Preset {
     std::string_view json;
 };
 
+/// All of them, by name.
 std::span<const Preset> presets();
 std::vector<std::string_view> preset_names();
 /// Throws RequestError, listing the known names.

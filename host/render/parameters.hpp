@@ -12,6 +12,7 @@ namespace gabor::render {
 /// The value of any parameter. Integers are `double` too: all that fit here are exact.
 using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>>;
 
+/// Both ends belong to it.
 struct Range {
     double low = 0;
     double high = 0;
@@ -53,6 +54,7 @@ struct LobeParameter {
     double noise::Lobe::*member;
 };
 
+/// What each lobe of a list holds.
 std::span<const LobeParameter> lobe_parameters();
 
 /// What a choice, or a recipe, can be.

@@ -3,17 +3,11 @@
 #ifndef GABOR_PIXELS_INTERFACE_H
 #define GABOR_PIXELS_INTERFACE_H
 
-#include "passes/interface.h"
+#include "passes/line.h"
 
 GABOR_INTERFACE_BEGIN
 
 const uint pixels_group = 8; // pixels along x and y
-
-// Where the pixels of a column or a row are: in cells, or in perspective in pixels from the horizon's middle.
-struct Line {
-    int cell;
-    float local;
-};
 
 struct Lobe {
     float frequency;

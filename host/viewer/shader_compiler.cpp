@@ -1,4 +1,4 @@
-#include "viewer/shaders.hpp"
+#include "viewer/shader_compiler.hpp"
 
 #include "error.hpp"
 
@@ -18,13 +18,13 @@ namespace gabor::viewer {
 /// Finds what a shader includes, beside it or from the top of the folder.
 class Includer : public glslang::TShader::Includer {
   public:
-    explicit Includer(Shaders& shaders) : shaders_(shaders) {}
+    explicit Includer(ShaderCompiler& shaders) : compiler_(shaders) {}
 
     IncludeResult* includeLocal(const char* name, const char* from, std::size_t) override {
         const std::filesystem::path beside = std::filesystem::path(from).parent_path() / name;
         for (const std::string& path : {beside.lexically_normal().string(), std::string(name)}) {
             auto text = std::make_unique<std::string>();
-            if (shaders_.read(path, *text)) {
+            if (compiler_.read(path, *text)) {
                 const std::string& kept = *text;
                 return new IncludeResult(path, kept.data(), kept.size(), text.release());
             }
@@ -39,15 +39,15 @@ class Includer : public glslang::TShader::Includer {
     }
 
   private:
-    Shaders& shaders_;
+    ShaderCompiler& compiler_;
 };
 
 namespace {
 
-EShLanguage language(Stage stage) {
-    return stage == Stage::vertex     ? EShLangVertex
-           : stage == Stage::fragment ? EShLangFragment
-                                      : EShLangCompute;
+EShLanguage language(ShaderStage stage) {
+    return stage == ShaderStage::vertex     ? EShLangVertex
+           : stage == ShaderStage::fragment ? EShLangFragment
+                                            : EShLangCompute;
 }
 
 // glslang says "ERROR: file:line: 'token' : message"; the first such line is the cause of the rest.
@@ -62,7 +62,7 @@ std::string first_error(const std::string& log) {
 
 } // namespace
 
-Shaders::Shaders(std::filesystem::path folder) : folder_(std::move(folder)) {
+ShaderCompiler::ShaderCompiler(std::filesystem::path folder) : folder_(std::move(folder)) {
     if (!folder_.empty() && !std::filesystem::exists(folder_ / "gabor_noise.glsl"))
         throw RequestError(fmt::format("--shaders '{}': it takes a folder with gabor_noise.glsl, such as the "
                                        "folder shaders of the sources",
@@ -70,17 +70,11 @@ Shaders::Shaders(std::filesystem::path folder) : folder_(std::move(folder)) {
     glslang::InitializeProcess();
 }
 
-Shaders::~Shaders() {
+ShaderCompiler::~ShaderCompiler() {
     glslang::FinalizeProcess();
 }
 
-Shaders::Stamp Shaders::stamp(const std::string& path) const {
-    std::error_code ignored; // a file that an editor is about to replace has no stamp for a moment
-    const std::filesystem::path file = folder_ / path;
-    return {std::filesystem::last_write_time(file, ignored), std::filesystem::file_size(file, ignored)};
-}
-
-bool Shaders::read(const std::string& path, std::string& text) {
+bool ShaderCompiler::read(const std::string& path, std::string& text) {
     if (folder_.empty()) {
         const auto found = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
         if (found == embedded_shaders().end())
@@ -91,22 +85,22 @@ bool Shaders::read(const std::string& path, std::string& text) {
     std::ifstream file(folder_ / path, std::ios::binary);
     if (!file)
         return false;
-    read_[path] = stamp(path);
+    read_[path] = file_stamp(folder_ / path);
     text.assign(std::istreambuf_iterator<char>(file), {});
     return true;
 }
 
-bool Shaders::changed() {
+bool ShaderCompiler::changed() {
     bool any = false;
     for (auto& [path, known] : read_) {
-        const Stamp now = stamp(path);
+        const FileStamp now = file_stamp(folder_ / path);
         any |= now != known;
         known = now;
     }
     return any;
 }
 
-Compiled Shaders::compile(std::string_view path, Stage stage) {
+Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
     const std::string name(path);
     std::string text;
     if (!read(name, text))

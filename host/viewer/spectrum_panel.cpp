@@ -70,39 +70,14 @@ void draw_scale(ImDrawList& draw, const Plane& plane) {
     }
 }
 
-// The lobes of the picture, of which it may have one without a list.
-std::vector<render::Lobe> lobes_of(const render::Picture& picture) {
-    if (!picture.lobes.empty())
-        return picture.lobes;
-    return {
-        {picture.frequency, picture.orientation, picture.frequency_spread, picture.orientation_spread, 1}};
-}
-
-void set_lobes(render::Picture& picture, const std::vector<render::Lobe>& lobes) {
-    if (lobes.size() > 1) {
-        picture.lobes = lobes;
-        picture.paint.clear(); // they exclude each other
-        return;
-    }
-    picture.lobes.clear();
-    picture.sum = false;
-    picture.frequency = lobes[0].frequency;
-    picture.orientation = lobes[0].orientation;
-    picture.frequency_spread = lobes[0].frequency_spread;
-    picture.orientation_spread = lobes[0].orientation_spread;
-}
-
-double radians(double degrees) {
-    return degrees * std::numbers::pi / 180;
-}
-
 // Where a lobe's waves are: its middle, and the outline of its spread.
-void draw_lobe(ImDrawList& draw, const Plane& plane, const render::Lobe& lobe, bool chosen) {
+void draw_lobe(ImDrawList& draw, const Plane& plane, const noise::Lobe& lobe, bool chosen) {
     const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
     const ImU32 colour = chosen ? ImGui::GetColorU32(accent) : IM_COL32(210, 210, 205, 190);
     const float radius = ImGui::GetFontSize() * 0.38f;
     const auto point = [&](double frequency, double degrees) {
-        return plane.at(frequency * std::cos(radians(degrees)), frequency * std::sin(radians(degrees)));
+        return plane.at(frequency * std::cos(noise::radians(degrees)),
+                        frequency * std::sin(noise::radians(degrees)));
     };
     for (const double half : {0.0, 180.0}) {
         if (lobe.frequency_spread > 0 || lobe.orientation_spread > 0) {
@@ -123,12 +98,12 @@ void draw_lobe(ImDrawList& draw, const Plane& plane, const render::Lobe& lobe, b
 }
 
 // The lobe nearest to a point of the screen.
-std::size_t nearest(const Plane& plane, const std::vector<render::Lobe>& lobes, ImVec2 point) {
+std::size_t nearest(const Plane& plane, const std::vector<noise::Lobe>& lobes, ImVec2 point) {
     std::size_t best = 0;
     float closest = 1e9f;
     for (std::size_t i = 0; i < lobes.size(); ++i)
         for (const double sign : {1.0, -1.0}) {
-            const double angle = radians(lobes[i].orientation);
+            const double angle = lobes[i].angle();
             const ImVec2 at = plane.at(sign * lobes[i].frequency * std::cos(angle),
                                        sign * lobes[i].frequency * std::sin(angle));
             const float distance = std::hypot(at.x - point.x, at.y - point.y);
@@ -140,50 +115,40 @@ std::size_t nearest(const Plane& plane, const std::vector<render::Lobe>& lobes, 
     return best;
 }
 
-void drag_lobe(const Plane& plane, render::Lobe& lobe) {
+void drag_lobe(const Plane& plane, noise::Lobe& lobe) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const double fx = double{mouse.x - plane.middle.x} / double{plane.half} * plane.reaches;
     const double fy = double{mouse.y - plane.middle.y} / double{plane.half} * plane.reaches;
     if (std::hypot(fx, fy) < 0.02 * plane.reaches)
         return;
-    lobe.frequency = std::clamp(std::hypot(fx, fy), render::smallest_frequency, render::largest_frequency);
-    lobe.orientation = std::atan2(fy, fx) * 180 / std::numbers::pi;
-}
-
-bool slider(const char* label, double& value, double low, double high, const char* format,
-            const char* meaning, ImGuiSliderFlags flags = 0) {
-    auto shown = static_cast<float>(value);
-    const bool changed = ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high),
-                                            format, flags | ImGuiSliderFlags_NoRoundToFormat);
-    tip(meaning);
-    if (changed)
-        value = double{shown};
-    return changed;
+    const render::Range range = render::parameter("frequency").range;
+    lobe.frequency = std::clamp(std::hypot(fx, fy), range.low, range.high);
+    lobe.orientation = noise::degrees(std::atan2(fy, fx));
 }
 
 // The list of lobes, beside the drawing.
-bool lobe_list(Session& session, std::vector<render::Lobe>& lobes) {
+bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < lobes.size(); ++i) {
         const std::string text =
             fmt::format("{:.3g} at {:.0f}##{}", lobes[i].frequency, lobes[i].orientation, i);
-        if (ImGui::Selectable(text.c_str(), i == session.lobe))
-            session.lobe = i;
+        if (ImGui::Selectable(text.c_str(), i == session.selected_lobe))
+            session.selected_lobe = i;
     }
-    if (lobes.size() < render::largest_spectrum && ImGui::SmallButton("add")) {
-        render::Lobe lobe = lobes[session.lobe];
+    if (ImGui::SmallButton("add")) {
+        noise::Lobe lobe = lobes[session.selected_lobe];
         lobe.orientation = std::remainder(lobe.orientation + 45, 360.0);
         lobes.push_back(lobe);
-        session.lobe = lobes.size() - 1;
+        session.selected_lobe = lobes.size() - 1;
         changed = true;
     }
-    tip("Another lobe; each impulse has a wave of one of them, so that many cost as much as one");
+    tooltip("Another lobe; each impulse has a wave of one of them, so that many cost as much as one");
     if (lobes.size() > 1) {
         ImGui::SameLine();
         if (ImGui::SmallButton("remove")) {
-            lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.lobe));
-            session.lobe = std::min(session.lobe, lobes.size() - 1);
+            lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.selected_lobe));
+            session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
             changed = true;
         }
     }
@@ -191,33 +156,24 @@ bool lobe_list(Session& session, std::vector<render::Lobe>& lobes) {
     return changed;
 }
 
-bool lobe_sliders(render::Lobe& lobe, bool one_of_many) {
-    bool changed =
-        slider("frequency", lobe.frequency, 0.1, 64, "%.3f",
-               "Cycles per kernel radius; Ctrl and click to type one", ImGuiSliderFlags_Logarithmic);
-    changed |= slider("orientation", lobe.orientation, -180, 180, "%.1f deg",
-                      "Direction of the waves, from right towards down");
-    changed |= slider("freq. spread", lobe.frequency_spread, 0, 1, "+- %.2f",
-                      "Waves are evenly spread within this share of the frequency");
-    changed |= slider("orient. spread", lobe.orientation_spread, 0, 90, "+- %.1f deg",
-                      "And within so many degrees of the orientation; 90 is every direction");
-    if (one_of_many)
-        changed |= slider("power", lobe.power, 0.001, 10, "%.3f", "In proportion to the other lobes'",
-                          ImGuiSliderFlags_Logarithmic);
-    lobe.frequency = std::clamp(lobe.frequency, render::smallest_frequency, render::largest_frequency);
-    lobe.orientation = std::clamp(lobe.orientation, -36000.0, 36000.0);
-    lobe.frequency_spread = std::clamp(lobe.frequency_spread, 0.0, 1.0);
-    lobe.orientation_spread = std::clamp(lobe.orientation_spread, 0.0, 90.0);
-    lobe.power = std::clamp(lobe.power, 0.0, 1e9);
+bool lobe_sliders(noise::Lobe& lobe, bool one_of_many) {
+    bool changed = false;
+    for (const render::LobeParameter& p : render::lobe_parameters()) {
+        if (p.member == &noise::Lobe::power && !one_of_many)
+            continue;
+        std::string label(p.name);
+        std::ranges::replace(label, '_', ' ');
+        changed |= number_slider(label.c_str(), lobe.*p.member, p.range, p.slider);
+        tooltip(fmt::format("{} ({})", p.help, p.unit).c_str());
+    }
     return changed;
 }
 
 } // namespace
 
 void spectrum_panel(Session& session) {
-    render::Picture& picture = session.document().picture;
-    std::vector<render::Lobe> lobes = lobes_of(picture);
-    session.lobe = std::min(session.lobe, lobes.size() - 1);
+    std::vector<noise::Lobe> lobes = session.document().request.lobes;
+    session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
     const float side = 0.68f * ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("frequency plane", {side, side});
@@ -226,7 +182,7 @@ void spectrum_panel(Session& session) {
 
     // The plane reaches past all lobes to a power of two, and stays as it is while one is dragged.
     double highest = 0;
-    for (const render::Lobe& lobe : lobes)
+    for (const noise::Lobe& lobe : lobes)
         highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread));
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("reaches");
@@ -236,10 +192,9 @@ void spectrum_panel(Session& session) {
     const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, double{reaches}};
 
     if (begun)
-        session.lobe = nearest(plane, lobes, ImGui::GetIO().MousePos);
+        session.selected_lobe = nearest(plane, lobes, ImGui::GetIO().MousePos);
     if (dragging) {
-        drag_lobe(plane, lobes[session.lobe]);
-        set_lobes(picture, lobes);
+        drag_lobe(plane, lobes[session.selected_lobe]);
     } else if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
             "The frequency plane, in cycles per kernel radius: what was measured in the picture,\n"
@@ -249,23 +204,23 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    if (!session.sides.empty() && session.sides[0].measured.spectrum &&
-        session.document().view() == View::plane)
-        draw_measured(draw, plane, *session.sides[0].measured.spectrum);
+    if (!session.panes.empty() && session.panes[0].measured.spectrum &&
+        is_flat(session.document().request.view))
+        draw_measured(draw, plane, *session.panes[0].measured.spectrum);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)
-        draw_lobe(draw, plane, lobes[i], i == session.lobe);
+        draw_lobe(draw, plane, lobes[i], i == session.selected_lobe);
     draw.PopClipRect();
 
     ImGui::SameLine();
     bool changed = lobe_list(session, lobes);
-    changed |= lobe_sliders(lobes[session.lobe], lobes.size() > 1);
-    if (changed)
-        set_lobes(picture, lobes);
-    if (!picture.lobes.empty()) {
-        ImGui::Checkbox("independent noises", &picture.sum);
-        tip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
-            "noises");
+    changed |= lobe_sliders(lobes[session.selected_lobe], lobes.size() > 1);
+    if (changed || dragging)
+        attempt(session, [&] { set_parameter(session.document(), "lobes", lobes); });
+    if (lobes.size() > 1) {
+        ImGui::Checkbox("independent noises", &session.document().request.sum);
+        tooltip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
+                "noises");
     }
 }
 

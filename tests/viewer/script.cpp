@@ -1,4 +1,4 @@
-#include "viewer/script.hpp"
+#include "script.hpp"
 
 #include "error.hpp"
 #include "image/output_file.hpp"
@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <charconv>
@@ -24,10 +23,10 @@ constexpr double patience = 300;   // seconds for anything to settle
 constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},    {"press", 0},      {"release", 0}, {"click", 2}, {"drag", 4},   {"scroll", 3},
-    {"key", 1},     {"type", 1},       {"set", 2},     {"rival", 1}, {"resize", 2}, {"minimize", 0},
-    {"restore", 0}, {"hide", 0},       {"show", 0},    {"open", 1},  {"save", 1},   {"copy", 1},
-    {"export", 1},  {"screenshot", 1}, {"window", 1},  {"wait", 1},  {"settle", 0}, {"sleep", 1},
+    {"move", 2},    {"press", 0},      {"release", 0}, {"click", 2},   {"drag", 4},   {"scroll", 3},
+    {"key", 1},     {"type", 1},       {"set", 2},     {"compare", 1}, {"resize", 2}, {"minimize", 0},
+    {"restore", 0}, {"hide", 0},       {"show", 0},    {"open", 1},    {"save", 1},   {"copy", 1},
+    {"export", 1},  {"screenshot", 1}, {"window", 1},  {"wait", 1},    {"settle", 0}, {"sleep", 1},
     {"expect", 2},  {"random", 2},     {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
@@ -93,7 +92,7 @@ Script::Script(const std::filesystem::path& path) : path_(path) {
     }
 }
 
-bool Script::play(Session& session, const Hands& hands) {
+bool Script::play(App& app) {
     wheel_ = 0;
     keys_.clear();
     // Several commands may fit a frame; those that are input take one each.
@@ -106,7 +105,7 @@ bool Script::play(Session& session, const Hands& hands) {
             return false;
         bool done = false;
         try {
-            done = execute(command, session, hands);
+            done = execute(command, app);
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("{}:{}: {}", path_.string(), command.line, error.what()));
         }
@@ -121,7 +120,9 @@ bool Script::play(Session& session, const Hands& hands) {
     return true;
 }
 
-bool Script::execute(const Command& command, Session& session, const Hands& hands) {
+bool Script::execute(const Command& command, App& app) {
+    Session& session = app.session();
+    GLFWwindow* window = app.window().handle();
     const std::string& name = command.name;
     if (name == "move") {
         x_ = static_cast<float>(command.number(0));
@@ -147,24 +148,31 @@ bool Script::execute(const Command& command, Session& session, const Hands& hand
             ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
     } else if (name == "set") {
         set(command, session);
-    } else if (name == "rival") {
-        const std::string& rival = command.words[0];
-        if (rival == "off")
-            session.document().rival.reset();
-        else if (rival == "seminal")
-            session.document().rival.emplace();
-        else if (rival == "advice")
-            session.document().rival = Rival{{}, study::recommended};
+    } else if (name == "compare") {
+        const std::string& other = command.words[0];
+        if (other == "off")
+            session.document().comparison.reset();
+        else if (other == "seminal")
+            session.document().comparison = study::Ingredients{};
+        else if (other == "advice")
+            session.document().comparison = study::recommended;
         else
-            session.document().rival = Rival{std::string(noise::find_recipe(rival).name), {}};
+            session.document().comparison = noise::find_recipe(other);
     } else if (name == "resize") {
-        hands.resize(static_cast<int>(command.number(0)), static_cast<int>(command.number(1)));
-    } else if (name == "minimize" || name == "restore" || name == "hide" || name == "show") {
-        hands.show(name);
+        glfwSetWindowSize(window, static_cast<int>(command.number(0)), static_cast<int>(command.number(1)));
+    } else if (name == "minimize") {
+        glfwIconifyWindow(window);
+    } else if (name == "restore") {
+        glfwRestoreWindow(window);
+    } else if (name == "hide") {
+        glfwHideWindow(window);
+    } else if (name == "show") {
+        glfwShowWindow(window);
     } else if (name == "open") {
         open_preset(session, command.rest());
     } else if (name == "save") {
-        save_preset(session, command.rest());
+        session.preset_path = command.rest();
+        save_preset(session);
     } else if (name == "copy") {
         const char* held = ImGui::GetClipboardText();
         const std::string text = held ? held : "";
@@ -172,10 +180,12 @@ bool Script::execute(const Command& command, Session& session, const Hands& hand
         file.write(std::as_bytes(std::span(text)));
         file.commit();
     } else if (name == "export") {
-        session.plan.path = command.rest();
+        session.export_target.path = command.rest();
         start_export(session);
-    } else if (name == "screenshot" || name == "window") {
-        hands.screenshot(command.rest(), name == "window");
+    } else if (name == "screenshot") {
+        app.save_picture(command.rest());
+    } else if (name == "window") {
+        app.save_window(command.rest());
     } else if (name == "wait") {
         return ++step_ >= command.number(0);
     } else if (name == "sleep") {
@@ -183,11 +193,11 @@ bool Script::execute(const Command& command, Session& session, const Hands& hand
     } else if (name == "settle") {
         if (ImGui::GetTime() - started_ > patience)
             throw std::runtime_error("nothing settles");
-        return ++step_ > 3 && hands.settled();
+        return ++step_ > 3 && app.settled();
     } else if (name == "expect") {
         return expect(command, session);
     } else if (name == "random") {
-        return random(command, session, hands);
+        return random(command, app);
     }
     return true;
 }
@@ -219,25 +229,18 @@ void Script::set(const Command& command, Session& session) {
         document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 4));
     } else if (name == "colours") {
         document.colours = static_cast<int>(command.number(1));
-    } else if (name == "view") {
-        document.set_view(static_cast<View>(std::clamp(static_cast<int>(command.number(1)), 0, 3)));
-    } else if (name == "waves") {
-        document.waves = static_cast<Waves>(std::clamp(static_cast<int>(command.number(1)), 0, 3));
     } else if (name == "contrast") {
         document.contrast = static_cast<float>(command.number(1));
     } else {
-        nlohmann::json json = nlohmann::json::parse(render::to_json(document.picture));
-        nlohmann::json value = nlohmann::json::parse(command.rest(1), nullptr, false);
-        json[name] = value.is_discarded() ? nlohmann::json(command.rest(1)) : value;
-        document.picture = render::from_json(json.dump());
-        document.camera = home_of(document);
+        const render::Parameter& parameter = render::parameter(name);
+        set_parameter(document, name, render::read(parameter, command.rest(1)));
     }
 }
 
 bool Script::expect(const Command& command, const Session& session) const {
     const std::string& what = command.words[0];
     const bool none = what == "no" && session.shader_error.empty();
-    const std::string& found = what == "note" ? session.note : session.shader_error;
+    const std::string& found = what == "message" ? session.message.text : session.shader_error;
     if (none || (what != "no" && !found.empty() && found.find(command.rest(1)) != std::string::npos))
         return true;
     if (ImGui::GetTime() - started_ > expectation)
@@ -246,7 +249,8 @@ bool Script::expect(const Command& command, const Session& session) const {
 }
 
 // Wanders, clicks, drags, scrolls, presses every key but that which quits, and resizes.
-bool Script::random(const Command& command, Session& session, const Hands& hands) {
+bool Script::random(const Command& command, App& app) {
+    Session& session = app.session();
     if (step_++ == 0)
         generator_.seed(static_cast<unsigned>(command.number(0)));
     const auto draw = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(generator_); };
@@ -290,7 +294,7 @@ bool Script::random(const Command& command, Session& session, const Hands& hands
             break;
         case 11:
             if (draw(20) == 0)
-                hands.resize(480 + draw(900), 320 + draw(600));
+                glfwSetWindowSize(app.window().handle(), 480 + draw(900), 320 + draw(600));
             break;
         case 12:
             if (draw(20) == 0)
@@ -305,8 +309,9 @@ bool Script::random(const Command& command, Session& session, const Hands& hands
         }
     }
     // A picture as large as the window could ask for would take an export all day.
-    session.document().picture.width = std::min(session.document().picture.width, 2048);
-    session.document().picture.height = std::min(session.document().picture.height, 2048);
+    render::Request& request = session.document().request;
+    request.width = std::min(request.width, 2048);
+    request.height = std::min(request.height, 2048);
     const bool over = ImGui::GetTime() - started_ >= command.number(1);
     if (over)
         down_ = false;

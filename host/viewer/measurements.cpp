@@ -1,4 +1,4 @@
-#include "viewer/measure.hpp"
+#include "viewer/measurements.hpp"
 
 #include "statistics/spectrum.hpp"
 
@@ -56,9 +56,9 @@ std::optional<MeasuredSpectrum> spectrum_of(std::span<const float> values, Exten
 
 } // namespace
 
-Measurer::Measurer() : thread_([this] { work(); }) {}
+MeasuringThread::MeasuringThread() : thread_([this] { work(); }) {}
 
-Measurer::~Measurer() {
+MeasuringThread::~MeasuringThread() {
     {
         const std::lock_guard lock(mutex_);
         ending_ = true;
@@ -68,7 +68,7 @@ Measurer::~Measurer() {
     thread_.join();
 }
 
-void Measurer::reset(std::size_t side) {
+void MeasuringThread::reset(std::size_t side) {
     const std::lock_guard lock(mutex_);
     ++generation_.at(side);
     std::erase_if(tasks_, [&](const Task& task) { return task.side == side; });
@@ -79,7 +79,7 @@ void Measurer::reset(std::size_t side) {
     gaussianity_[side] = statistics::Gaussianity();
 }
 
-void Measurer::post(Task task) {
+void MeasuringThread::post(Task task) {
     {
         const std::lock_guard lock(mutex_);
         task.generation = generation_.at(task.side);
@@ -88,26 +88,26 @@ void Measurer::post(Task task) {
     wake_.notify_one();
 }
 
-void Measurer::add_samples(std::size_t side, std::span<const float> values, int channels) {
+void MeasuringThread::add_samples(std::size_t side, std::span<const float> values, int channels) {
     post({side, 0, first_channel(values, channels), {}, 1});
 }
 
-void Measurer::add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent,
-                           double scale) {
+void MeasuringThread::add_picture(std::size_t side, std::span<const float> values, int channels,
+                                  Extent extent, double scale) {
     post({side, 0, first_channel(values, channels), extent, scale});
 }
 
-Measured Measurer::measured(std::size_t side) const {
+Measurements MeasuringThread::measured(std::size_t side) const {
     const std::lock_guard lock(mutex_);
     return measured_.at(side);
 }
 
-bool Measurer::idle() const {
+bool MeasuringThread::idle() const {
     const std::lock_guard lock(mutex_);
     return tasks_.empty() && !busy_;
 }
 
-void Measurer::work() {
+void MeasuringThread::work() {
     std::unique_lock lock(mutex_);
     while (true) {
         wake_.wait(lock, [this] { return ending_ || !tasks_.empty(); });
@@ -123,7 +123,7 @@ void Measurer::work() {
     }
 }
 
-void Measurer::measure(const Task& task) {
+void MeasuringThread::measure(const Task& task) {
     if (task.extent.width > 0) {
         std::optional<MeasuredSpectrum> spectrum = spectrum_of(task.values, task.extent, task.scale);
         const std::lock_guard lock(mutex_);
@@ -131,7 +131,7 @@ void Measurer::measure(const Task& task) {
             measured_[task.side].spectrum = std::move(spectrum);
         return;
     }
-    // Shaders that are being edited may give anything; what is not finite is in no law.
+    // Shaders that are being edited may give anything: what is not finite does not count.
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
     std::array<std::uint64_t, histogram_bars> histogram{};
@@ -147,7 +147,7 @@ void Measurer::measure(const Task& task) {
     const std::lock_guard lock(mutex_);
     if (task.generation != generation_[task.side])
         return;
-    Measured& known = measured_[task.side];
+    Measurements& known = measured_[task.side];
     known.moments.merge(moments);
     gaussianity_[task.side].merge(gaussianity);
     known.cvm = gaussianity_[task.side].index();

@@ -2,7 +2,7 @@
 
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
-#include "viewer/window.hpp"
+#include "viewer/extent.hpp"
 
 #include <array>
 #include <condition_variable>
@@ -28,18 +28,18 @@ constexpr int histogram_bars = 64;
 constexpr double histogram_end = 4; ///< standard deviations
 
 /// What is known of one noise so far.
-struct Measured {
-    statistics::Moments moments; ///< of values at random places of independent instances
+struct Measurements {
+    statistics::Moments moments; ///< of values at random points of independent instances
     statistics::Estimate cvm;    ///< of the same
     std::array<std::uint64_t, histogram_bars> histogram{};
     std::optional<MeasuredSpectrum> spectrum;
 };
 
 /// Measures on a thread of its own what the window shows.
-class Measurer {
+class MeasuringThread {
   public:
-    Measurer();
-    ~Measurer();
+    MeasuringThread();
+    ~MeasuringThread();
 
     /// Forgets what is known of a side, and what of it is still in the queue.
     void reset(std::size_t side);
@@ -48,7 +48,7 @@ class Measurer {
     void add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent,
                      double scale);
 
-    Measured measured(std::size_t side) const;
+    Measurements measured(std::size_t side) const;
     bool idle() const;
 
   private:
@@ -70,7 +70,7 @@ class Measurer {
     bool busy_ = false;
     bool ending_ = false;
     std::array<std::uint64_t, 2> generation_{};
-    std::array<Measured, 2> measured_;
+    std::array<Measurements, 2> measured_;
     std::array<statistics::Gaussianity, 2> gaussianity_;
     std::thread thread_;
 };

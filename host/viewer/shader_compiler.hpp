@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
+#include "viewer/file_stamp.hpp"
+
 #include <map>
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gabor::viewer {
 
-enum class Stage { vertex, fragment, compute };
+enum class ShaderStage { vertex, fragment, compute };
 
 /// What became of a shader: its SPIR-V, or the compiler's first complaint as "file:line: message".
 struct Compiled {
@@ -27,16 +27,16 @@ struct EmbeddedShader {
 std::span<const EmbeddedShader> embedded_shaders();
 
 /// Compiles shaders from a folder, or those that were built in, and notes which files they are made of.
-class Shaders {
+class ShaderCompiler {
   public:
     /// `folder`: empty for those built in. Throws RequestError where a folder has no gabor_noise.glsl.
-    explicit Shaders(std::filesystem::path folder);
-    ~Shaders();
-    Shaders(const Shaders&) = delete;
-    Shaders& operator=(const Shaders&) = delete;
+    explicit ShaderCompiler(std::filesystem::path folder);
+    ~ShaderCompiler();
+    ShaderCompiler(const ShaderCompiler&) = delete;
+    ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
     /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it.
-    Compiled compile(std::string_view path, Stage stage);
+    Compiled compile(std::string_view path, ShaderStage stage);
 
     /// Whether any file that was read has another time or size than it had then. Asking takes note: the next
     /// answer is about changes from here on.
@@ -46,17 +46,10 @@ class Shaders {
 
   private:
     friend class Includer;
-    struct Stamp {
-        std::filesystem::file_time_type time;
-        std::uintmax_t size = 0;
-        bool operator==(const Stamp&) const = default;
-    };
-
     bool read(const std::string& path, std::string& text);
-    Stamp stamp(const std::string& path) const;
 
     std::filesystem::path folder_;
-    std::map<std::string, Stamp> read_;
+    std::map<std::string, FileStamp> read_;
 };
 
 } // namespace gabor::viewer

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "viewer/session.hpp"
+#include "viewer/app.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,32 +15,24 @@ namespace gabor::viewer {
 ///     key NAME | key ctrl+NAME            a letter, a digit, F1 to F12, tab, space, home, escape ...
 ///     type TEXT                           into the field that has the keyboard
 ///     set NAME VALUE                      a parameter of the preset, or output, colours, contrast
-///     rival NAME | rival off              a recipe, seminal or advice
+///     compare NAME | compare off          with a recipe, seminal or advice
 ///     resize WIDTH HEIGHT | minimize | restore | hide | show
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     wait FRAMES | settle | sleep SECONDS           settle: until nothing is left to refine or to measure
-///     expect error TEXT | expect no error | expect note TEXT     waits for it, for half a minute at most
+///     expect error TEXT | expect no error | expect message TEXT  waits for it, for half a minute at most
 ///     random SEED SECONDS                 anything at all
 ///     quit
 ///
 /// Positions are in the window's units. Lines that begin with # are left out.
 class Script {
   public:
-    /// What a script can do beyond input.
-    struct Hands {
-        std::function<void(int, int)> resize;
-        std::function<void(const std::string&)> show; ///< minimize, restore, hide or show
-        std::function<void(const std::string&, bool panels)> screenshot;
-        std::function<bool()> settled;
-    };
-
     /// Throws RequestError where the file is missing or has a line that is no command.
     explicit Script(const std::filesystem::path& path);
 
-    /// Plays the next moment, between Dear ImGui's backends and its new frame. Throws std::runtime_error
+    /// Plays the next moment, between Dear ImGui's input and its new frame. Throws std::runtime_error
     /// where something expected does not hold. Returns false once it is to quit.
-    bool play(Session& session, const Hands& hands);
+    bool play(App& app);
 
   private:
     struct Command {
@@ -53,12 +43,12 @@ class Script {
         std::string rest(std::size_t from = 0) const;
     };
 
-    bool execute(const Command& command, Session& session, const Hands& hands);
+    bool execute(const Command& command, App& app);
     bool drag(const Command& command);
     bool key(const Command& command);
     void set(const Command& command, Session& session);
     bool expect(const Command& command, const Session& session) const;
-    bool random(const Command& command, Session& session, const Hands& hands);
+    bool random(const Command& command, App& app);
     void apply() const;
 
     std::filesystem::path path_;
