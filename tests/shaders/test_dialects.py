@@ -157,9 +157,14 @@ class Names(unittest.TestCase):
         self.assertIn("GABOR_IMPULSES", macros)
         self.assertEqual({name for name in macros if not name.startswith("GABOR_")}, set())
 
-    def test_it_leaves_version_extensions_and_precision_to_the_shader(self):
-        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives}, {"ifndef", "define", "error", "endif"})
-        self.assertNotRegex(self.code, r"\bprecision\b")
+    def test_it_leaves_version_and_extensions_to_the_shader(self):
+        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives},
+                         {"if", "ifdef", "ifndef", "define", "error", "endif"})
+
+    def test_it_states_its_precision(self):
+        guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
+        self.assertEqual(SOURCE.count(guard), 2)
+        self.assertEqual(SOURCE.count("precision "), 4)
 
     def test_it_declares_no_resources(self):
         self.assertNotRegex(self.code, r"\b(uniform|buffer|shared|layout|in|out|varying|attribute|binding)\b")
