@@ -25,6 +25,8 @@ struct Sample {
     float period_x = 4;
     float period_y = 4;
     std::uint32_t padding = 0;
+    float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
+    float y = place.local_y / place.radius_y;
 };
 
 inline std::string to_string(const Sample& s) {
