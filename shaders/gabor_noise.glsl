@@ -95,30 +95,30 @@ precision highp int;
 #endif
 
 // A macro of another type ends here, in a compile error that says what it must be.
-int gabor_macro_must_be_an_int(int value)
+int gabor_impl_macro_must_be_an_int(int value)
 {
     return value;
 }
 
-float gabor_macro_must_be_a_float(float value)
+float gabor_impl_macro_must_be_a_float(float value)
 {
     return value;
 }
 
-vec3 gabor_macro_must_be_a_vec3(vec3 value)
+vec3 gabor_impl_macro_must_be_a_vec3(vec3 value)
 {
     return value;
 }
 
-void gabor_check_macros()
+void gabor_impl_check_macros()
 {
-    gabor_macro_must_be_an_int(GABOR_IMPULSES);
-    gabor_macro_must_be_a_float(GABOR_RADIUS);
-    gabor_macro_must_be_a_float(GABOR_WEIGHT_FLOOR);
-    gabor_macro_must_be_an_int(GABOR_PHASES);
-    gabor_macro_must_be_a_vec3(GABOR_WINDOW);
-    gabor_macro_must_be_an_int(GABOR_LOBES);
-    gabor_macro_must_be_an_int(GABOR_NATIVE_SINE);
+    gabor_impl_macro_must_be_an_int(GABOR_IMPULSES);
+    gabor_impl_macro_must_be_a_float(GABOR_RADIUS);
+    gabor_impl_macro_must_be_a_float(GABOR_WEIGHT_FLOOR);
+    gabor_impl_macro_must_be_an_int(GABOR_PHASES);
+    gabor_impl_macro_must_be_a_vec3(GABOR_WINDOW);
+    gabor_impl_macro_must_be_an_int(GABOR_LOBES);
+    gabor_impl_macro_must_be_an_int(GABOR_NATIVE_SINE);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------

@@ -64,11 +64,11 @@ precision highp int;
 #define GABOR_3D_WINDOW vec3(3.1, -3.9, 1.8)
 #endif
 
-void gabor_check_macros_3d()
+void gabor_impl_check_macros_3d()
 {
-    gabor_macro_must_be_an_int(GABOR_3D_IMPULSES);
-    gabor_macro_must_be_a_float(GABOR_3D_RADIUS);
-    gabor_macro_must_be_a_vec3(GABOR_3D_WINDOW);
+    gabor_impl_macro_must_be_an_int(GABOR_3D_IMPULSES);
+    gabor_impl_macro_must_be_a_float(GABOR_3D_RADIUS);
+    gabor_impl_macro_must_be_a_vec3(GABOR_3D_WINDOW);
 }
 
 // ---- Impulses ------------------------------------------------------------------------------------------------------
