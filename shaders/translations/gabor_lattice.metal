@@ -282,7 +282,7 @@ struct GaborRow {
     float4 four_imaginary;
 };
 
-inline void gabor_impl_add_node(thread GaborRow\& row, uint word, float2 factor, float2 slope, bool animated, float2 time)
+inline void gabor_impl_add_node(thread GaborRow& row, uint word, float2 factor, float2 slope, bool animated, float2 time)
 {
     float2 amplitude = gabor_impl_amplitude(word);
     if (animated)
@@ -319,7 +319,7 @@ inline GaborRow gabor_impl_row(GaborAxis axis, uint word, bool animated, float2 
     return row;
 }
 
-inline void gabor_impl_add_row(thread GaborField\& sum, GaborRow row, float2 factor, float2 slope, float2 base)
+inline void gabor_impl_add_row(thread GaborField& sum, GaborRow row, float2 factor, float2 slope, float2 base)
 {
     factor = gabor_impl_product(factor, base);
     sum.value += gabor_impl_product(row.value, factor);

@@ -1,19 +1,24 @@
-"""The scene that every engine draws, in double precision, from the equations and not from the shader: the recipe `one`.
+"""The scene that every engine draws, in double precision, from the equations and not from the shaders: the recipe `one`
+of gabor_noise.glsl, and gabor_lattice.glsl.
 
 A target of 256 x 257 floats, p = (pixel + 0.5) / 32 with the pixel's row and column counted from 0:
     rows 0 to 255   gabor_noise(p, 4.0, 0.7854, 7u)
     row 256         gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u)
 """
 
+import functools
+
 import numpy as np
 
 WIDTH, HEIGHT = 256, 257
 FREQUENCY, ORIENTATION, SEED = 4.0, float(np.float32(0.7854)), 7
+WAVE = FREQUENCY * np.cos(ORIENTATION), FREQUENCY * np.sin(ORIENTATION)
 FAR = 1000000000, -1000000000
 
 SPREAD = 0x9e3779b1
 WINDOW = np.polynomial.Polynomial([0, 0, 3.0, -4.5, 2.5])(np.polynomial.Polynomial([1, 0, -1]))  # q, in powers of x
 FLOOR = 0.675
+LAW = np.polynomial.Polynomial([0, 1, 0, -1.2373, 0, 1.7741])  # of an amplitude's parts, from a byte in [-1, 1]
 
 
 def words(numbers):
@@ -33,11 +38,10 @@ def impulse_word(column, row, seed):
     return mix(words(column) * np.uint32(SPREAD) + row_word, row_word)
 
 
-def noise(cell, x, y):
-    """The noise at cell + (x, y), in kernel radii, which are cells in this recipe."""
+def one(cell, x, y):
+    """The recipe `one` at cell + (x, y), in kernel radii, which are its cells."""
     energy = (WINDOW**2).integ()
     variance = (1 + FLOOR**2) / 2 * (energy(1) - energy(-1)) ** 2 / 2
-    wave_x, wave_y = FREQUENCY * np.cos(ORIENTATION), FREQUENCY * np.sin(ORIENTATION)
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     total = np.zeros(np.broadcast(x, y).shape)
     for j in (-1, 0, 1):
@@ -46,18 +50,63 @@ def noise(cell, x, y):
             dx = x - (column + i) - (word >> 8 & 0x7fffff) * 2.0**-23
             dy = y - (row + j) - (word & 0x7fffff) * 2.0**-23
             weight = np.where(word >> 31, 1.0, FLOOR) * ((abs(dx) < 1) & (abs(dy) < 1))
-            total += weight * WINDOW(dx) * WINDOW(dy) * np.sin(2 * np.pi * (wave_x * dx + wave_y * dy + word % 256 / 256))
+            total += weight * WINDOW(dx) * WINDOW(dy) * np.sin(2 * np.pi * (WAVE[0] * dx + WAVE[1] * dy + word % 256 / 256))
     return total / np.sqrt(variance)
 
 
-def scene():
+def line_word(index, axis):
+    """The word of a column (axis 0) or a row (axis 1) of the lattice."""
+    salt = mix(words([SEED * SPREAD + axis & 0xffffffff]), np.uint32(0x2545f491))
+    return mix(words(index) * np.uint32(SPREAD) + salt, salt)
+
+
+def amplitude(byte):
+    """One part of a node's amplitude, with variance 1 over the 256 bytes."""
+    u = (np.asarray(byte, np.int64).astype(np.int8) + 0.5) / 128
+    every = (np.arange(256) - 127.5) / 128
+    return LAW(u) / np.sqrt(np.mean(LAW(every)**2))
+
+
+def window(d, taps):
+    """Hann's, or for two taps that of Vorbis, which ends where d is 1 or -1."""
+    hann = np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
+    return np.sin(np.pi / 2 * hann) if taps == 2 else hann
+
+
+def lattice(cell, x, y, taps=3):
+    """The lattice's noise at cell + (x, y), in node spacings."""
+    radius = taps / 2
+    energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
+    column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    total = np.zeros(np.broadcast(x, y).shape, complex)
+    for j in range(-1, 3):  # the nodes within two spacings
+        for i in range(-1, 3):
+            word = (line_word(cell[0] + column + i, 0) ^ line_word(cell[1] + row + j, 1)) * np.uint32(0x85ebca6b)
+            node = amplitude(word >> 24) + 1j * amplitude(word >> 16 & 0xff)
+            dx, dy = (x - (column + i)) / radius, (y - (row + j)) / radius
+            total += node * window(dx, taps) * window(dy, taps) * np.exp(2j * np.pi * (WAVE[0] * dx + WAVE[1] * dy))
+    return total.imag / energy
+
+
+# Each scene: the drop-in, the macros before it, its noise, and its cells per kernel radius.
+SCENES = {
+    "one": ("gabor_noise", {}, one, 1),
+    "lattice": ("gabor_lattice", {}, lattice, 1.5),
+    "lattice 2": ("gabor_lattice", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
+    "lattice 4": ("gabor_lattice", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
+}
+
+
+@functools.cache
+def values(scene):
+    _, _, noise, cells = SCENES[scene]
     x, y = np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(HEIGHT) + 0.5) / 32)
-    return np.vstack([noise((0, 0), x[:-1], y[:-1]), noise(FAR, x[-1:], y[-1:])])
+    return np.vstack([noise((0, 0), cells * x[:-1], cells * y[:-1]), noise(FAR, x[-1:], y[-1:])])
 
 
-def largest_difference(values):
+def largest_difference(scene, drawn):
     """From the scene, with its row and column; a value that is no number is the largest of all."""
-    difference = np.abs(np.asarray(values, np.float64).reshape(HEIGHT, WIDTH) - scene())
+    difference = np.abs(np.asarray(drawn, np.float64).reshape(HEIGHT, WIDTH) - values(scene))
     difference[np.isnan(difference)] = np.inf
     place = np.unravel_index(difference.argmax(), difference.shape)
     return difference[place], place
