@@ -1,6 +1,7 @@
-// Opens a page of this repository in headless Chromium and keeps what it drew: run.mjs PAGE VALUES.raw [FLAG...]
+// Opens a page of this repository in headless Chromium and keeps what it drew:
+// run.mjs PAGE VALUES.raw [DRIVER [FLAG...]]
 // The page sets globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its
-// canvas. Flags choose another driver than SwiftShader.
+// canvas. Flags are Chromium's; DRIVER is what the driver's name must contain, for Chromium takes another without a word.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -10,8 +11,8 @@ import { chromium } from "playwright-core";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript" };
-const [page, output, ...flags] = process.argv.slice(2);
-const driver = flags.length > 0 ? flags : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const [page, output, wanted = "", ...flags] = process.argv.slice(2);
+const angle = flags.some(flag => flag.startsWith("--use-angle")) ? [] : ["--use-angle=swiftshader"];
 
 const server = createServer(async (request, response) => {
     try {
@@ -39,8 +40,8 @@ await new Promise(resolve => server.listen(0, "localhost", resolve));
 const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-           "--disable-component-update", "--disable-sync", ...driver, "--enable-unsafe-webgpu",
-           "--use-webgpu-adapter=swiftshader"],
+           "--disable-component-update", "--disable-sync", ...angle, ...flags,
+           "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
 });
 try {
     const tab = await browser.newPage();
@@ -52,6 +53,8 @@ try {
         const { values, ...facts } = await globalThis.drawn;
         return { values: Array.from(values), ...facts };
     });
+    if (!facts.driver.includes(wanted))
+        throw new Error(`the driver should be ${wanted}, and is ${facts.driver}`);
     const shown = await deviation(tab, await tab.locator("canvas").screenshot());
     if (!(Math.abs(shown - 0.23) < 0.03))
         throw new Error(`the page should show grey values that deviate by 0.23 from their mean, and they do by ${shown}`);

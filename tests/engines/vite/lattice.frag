@@ -1,5 +1,3 @@
 #version 300 es
-precision highp float;
-
 #include "node_modules/gabor-noise/shaders/gabor_lattice.glsl"
 #include "scene.glsl"
