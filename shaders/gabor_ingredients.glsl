@@ -11,7 +11,9 @@
 //   GABOR_ENVELOPE   0 truncated Gaussian   1 C0: Gaussian less its value at the end
 //                    2 C1 radial (1 - |d|^2)^2   3 C1 separable (1 - x^2)^2 (1 - y^2)^2
 //   GABOR_PERIOD     the instance repeats after so many cells, at least 3; 0 where it does not
-//   GABOR_HEX_STEP, GABOR_HEX_A, GABOR_HEX_B, GABOR_HEX_OVERHANG    the lattice of the hexagons, see gabor_hexagon
+//   GABOR_HEX_STEP, GABOR_HEX_A, GABOR_HEX_B, GABOR_HEX_OVERHANG    the lattice of the hexagons
+//
+// The noise is gabor_ingredients; gabor_count and gabor_point are its impulses. Names with gabor_impl_ are private.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -24,7 +26,7 @@
 
 // Poisson counts by Knuth's product of uniforms, as the seminal implementation has them, in parts whose exponential a
 // float can hold.
-int gabor_poisson(float mean, uint cell_word)
+int gabor_impl_poisson_count(float mean, uint cell_word)
 {
     int draws = 0;
     int parts = 0;
@@ -41,14 +43,14 @@ int gabor_poisson(float mean, uint cell_word)
 }
 
 // Two numbers in (0, 1) from bits 8 to 31.
-vec2 gabor_unit(uint word)
+vec2 gabor_impl_unit_square(uint word)
 {
     return (vec2(int(word >> 20u), int((word >> 8u) & 0xfffu)) + 0.5) / 4096.0;
 }
 
 // N sub-cells of equal area in round(sqrt(N)) rows, a point anywhere in each. Where N is no square the rows differ by
 // one sub-cell, and are as high as they are full.
-vec2 gabor_jittered(int index, vec2 unit)
+vec2 gabor_impl_jittered_point(int index, vec2 unit)
 {
     float n = float(GABOR_IMPULSES);
     float i = float(index);
@@ -63,7 +65,7 @@ vec2 gabor_jittered(int index, vec2 unit)
 // all cells; a point anywhere in each. A and B are a reduced basis of the lattice with A.B >= 0: a point anywhere in
 // their parallelogram, moved by the lattice vectors A, B, B - A that bring it nearer to the centre, is uniform in the
 // hexagon.
-vec2 gabor_hexagon(int index, vec2 unit)
+vec2 gabor_impl_hexagon_point(int index, vec2 unit)
 {
     float n = float(GABOR_IMPULSES);
     vec2 a = GABOR_HEX_A;
@@ -81,7 +83,7 @@ vec2 gabor_hexagon(int index, vec2 unit)
 // the primitive polynomial x + 1, so that each direction number is v ^ (v >> 1) of the one before: together they are
 // Pascal's triangle modulo 2, applied here to all bits in five steps (Ahmed, "An Implementation Algorithm of 2D Sobol
 // Sequence Fast, Elegant, and Compact", EGSR 2024).
-uvec2 gabor_sobol(uint index)
+uvec2 gabor_impl_sobol_point(uint index)
 {
     uint v = index;
     v ^= (v & 0xffff0000u) >> 16u;
@@ -94,7 +96,7 @@ uvec2 gabor_sobol(uint index)
 
 // Owen's nested scrambling: each bit is flipped by a hash of the bits above it (the hash of Laine and Karras 2011 in
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
-uint gabor_owen(uint fraction, uint seed)
+uint gabor_impl_owen_scrambled(uint fraction, uint seed)
 {
     uint v = bitfieldReverse(fraction);
     v += seed;
@@ -108,7 +110,7 @@ uint gabor_owen(uint fraction, uint seed)
 // How many impulses a cell has. `cell_word` is the word of its impulse -1.
 int gabor_count(uint cell_word)
 {
-    return GABOR_POINTS == 0 ? gabor_poisson(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
+    return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }
 
 // Place of an impulse, from its cell's corner. Sobol cells take N successive points from anywhere in the sequence,
@@ -116,35 +118,36 @@ int gabor_count(uint cell_word)
 vec2 gabor_point(int index, uint word, uint cell_word)
 {
     if (GABOR_POINTS == 2)
-        return gabor_jittered(index, gabor_unit(word));
+        return gabor_impl_jittered_point(index, gabor_impl_unit_square(word));
     if (GABOR_POINTS == 3)
-        return gabor_hexagon(index, gabor_unit(word));
+        return gabor_impl_hexagon_point(index, gabor_impl_unit_square(word));
     if (GABOR_POINTS >= 4) {
-        uvec2 fraction = gabor_sobol(uint(index) + (GABOR_POINTS == 4 ? cell_word : 0u));
+        uvec2 fraction = gabor_impl_sobol_point(uint(index) + (GABOR_POINTS == 4 ? cell_word : 0u));
         if (GABOR_POINTS == 5)
-            fraction = uvec2(gabor_owen(fraction.x, cell_word), gabor_owen(fraction.y, gabor_mix(cell_word, 1u)));
+            fraction = uvec2(gabor_impl_owen_scrambled(fraction.x, cell_word),
+                             gabor_impl_owen_scrambled(fraction.y, gabor_mix(cell_word, 1u)));
         return vec2(ivec2(fraction >> 8u)) / 16777216.0;
     }
-    return gabor_unit(word);
+    return gabor_impl_unit_square(word);
 }
 
 // ---- Weights, kernels and envelopes --------------------------------------------------------------------------------
 
-float gabor_weight(uint word)
+float gabor_impl_ingredient_weight(uint word)
 {
     if (GABOR_WEIGHTS == 0)
         return (float(int(word & 0xffu)) - 127.5) / 128.0;
     return GABOR_WEIGHTS == 1 && (word & 0x80u) != 0u ? -1.0 : 1.0;
 }
 
-float gabor_wave(float turns, uint word)
+float gabor_impl_ingredient_wave(float turns, uint word)
 {
     if (GABOR_KERNEL == 2)
         turns += float(int(gabor_mix(word, 2u) >> 8u)) / 16777216.0;
     return gabor_sin_turns(GABOR_KERNEL == 0 ? turns + 0.25 : turns);
 }
 
-float gabor_envelope(vec2 d)
+float gabor_impl_ingredient_envelope(vec2 d)
 {
     if (GABOR_ENVELOPE == 3) {
         vec2 u = max(1.0 - d * d, 0.0);
@@ -161,7 +164,7 @@ float gabor_envelope(vec2 d)
 
 // ---- The noise -----------------------------------------------------------------------------------------------------
 
-int gabor_wrapped(int cell)
+int gabor_impl_wrapped_cell(int cell)
 {
     float period = float(GABOR_PERIOD);
     return GABOR_PERIOD == 0 ? cell : cell - int(period * floor((float(cell) + 0.5) / period));
@@ -178,16 +181,17 @@ float gabor_ingredients(vec2 p, vec2 wave, uint seed)
     uint seed_word = gabor_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(gabor_wrapped(int(base.y + first.y) + j), seed_word);
+        uint row_word = gabor_row_word(gabor_impl_wrapped_cell(int(base.y + first.y) + j), seed_word);
         for (int i = 0; i < visited; ++i) {
-            int column = gabor_wrapped(int(base.x + first.x) + i);
+            int column = gabor_impl_wrapped_cell(int(base.x + first.x) + i);
             uint cell_word = gabor_impulse_word(column, row_word, -1);
             vec2 corner = first + vec2(float(i), float(j));
             int count = gabor_count(cell_word);
             for (int k = 0; k < count; ++k) {
                 uint word = gabor_impulse_word(column, row_word, k);
                 vec2 d = (local - gabor_point(k, word, cell_word)) - corner;
-                sum += gabor_weight(word) * gabor_envelope(d) * gabor_wave(dot(wave, d), word);
+                sum += gabor_impl_ingredient_weight(word) * gabor_impl_ingredient_envelope(d)
+                     * gabor_impl_ingredient_wave(dot(wave, d), word);
             }
         }
     }

@@ -4,7 +4,8 @@
 #include "error.hpp"
 #include "render/bake.hpp"
 #include "statistics/gaussianity.hpp"
-#include "statistics/spread.hpp"
+
+#include "passes/bench/bench_interface.h"
 
 #include <fmt/format.h>
 
@@ -29,14 +30,14 @@ struct Setting {
 };
 
 // Something that fills a picture, ready to be timed again and again.
-struct Contestant {
+struct Measurement {
     Row row;
-    const noise::Recipe* baked = nullptr; // what a bake bakes
+    const noise::Recipe* baked = nullptr; // of a bake
     std::function<double()> run;
     std::vector<double> seconds;
 };
 
-using Contestants = std::vector<Contestant>;
+using Measurements = std::vector<Measurement>;
 
 template <typename Make>
 auto timed(double& seconds, Make make) {
@@ -46,7 +47,7 @@ auto timed(double& seconds, Make make) {
     return made;
 }
 
-Push make_push(const Setting& setting, std::uint32_t seed) {
+passes::BenchPush make_push(const Setting& setting, std::uint32_t seed) {
     const auto side = static_cast<std::uint32_t>(setting.side);
     return {static_cast<float>(setting.frequency),
             radians,
@@ -57,42 +58,43 @@ Push make_push(const Setting& setting, std::uint32_t seed) {
 }
 
 vulkan::Groups groups(int side) {
-    const std::uint32_t count = (static_cast<std::uint32_t>(side) + group - 1) / group;
+    const std::uint32_t count =
+        (static_cast<std::uint32_t>(side) + passes::bench_group - 1) / passes::bench_group;
     return {count, count};
 }
 
-Contestant per_pixel(const vulkan::Device& device, const Subject& subject, const Setting& setting,
-                     const vulkan::Buffer& picture) {
-    Contestant contestant;
-    contestant.row = {
+Measurement per_pixel(const vulkan::Device& device, const Subject& subject, const Setting& setting,
+                      const vulkan::Buffer& picture) {
+    Measurement measurement;
+    measurement.row = {
         subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
     struct State {
         vulkan::Pass pass;
         vulkan::Job job;
     };
     vulkan::Pass pass =
-        timed(contestant.row.pipeline, [&] { return make_pass(device, subject, Use::picture); });
+        timed(measurement.row.pipeline, [&] { return make_pass(device, subject, Use::picture); });
     vulkan::Job job(device, pass, {picture});
     auto state = std::make_shared<State>(State{std::move(pass), std::move(job)});
-    contestant.run = [state, setting] {
+    measurement.run = [state, setting] {
         state->job.submit(make_push(setting, 7), groups(setting.side));
         return state->job.wait();
     };
-    return contestant;
+    return measurement;
 }
 
-Contestant bake(const vulkan::Device& device, const noise::Recipe& recipe, const Setting& setting,
-                const vulkan::Buffer& picture) {
-    Contestant contestant;
-    contestant.row = {fmt::format("bake, {}", recipe.name),
-                      static_cast<double>(noise::visited_impulses(recipe)),
-                      setting.side,
-                      setting.scale,
-                      setting.frequency,
-                      {},
-                      0,
-                      {}};
-    contestant.baked = &recipe;
+Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, const Setting& setting,
+                 const vulkan::Buffer& picture) {
+    Measurement measurement;
+    measurement.row = {fmt::format("bake, {}", recipe.name),
+                       static_cast<double>(noise::visited_impulses(recipe)),
+                       setting.side,
+                       setting.scale,
+                       setting.frequency,
+                       {},
+                       0,
+                       {}};
+    measurement.baked = &recipe;
     const render::Picture wanted{
         setting.side, setting.side, setting.scale, setting.frequency, degrees, 7, std::string(recipe.name)};
     struct State {
@@ -100,38 +102,38 @@ Contestant bake(const vulkan::Device& device, const noise::Recipe& recipe, const
         vulkan::Job job;
         std::vector<render::Bake::Band> bands;
     };
-    render::Bake made = timed(contestant.row.pipeline, [&] {
+    render::Bake made = timed(measurement.row.pipeline, [&] {
         return render::Bake(device, wanted, {0, 0, setting.side, setting.side});
     });
     vulkan::Job job = made.job(device, picture);
     std::vector<render::Bake::Band> bands = made.bands(setting.side);
     auto state = std::make_shared<State>(State{std::move(made), std::move(job), std::move(bands)});
-    contestant.run = [state] {
+    measurement.run = [state] {
         state->bake.submit(state->job, state->bands.front());
         return state->job.wait();
     };
-    return contestant;
+    return measurement;
 }
 
 // One round after another, so that what disturbs the machine disturbs all alike.
-void interleave(Contestants& contestants, int repetitions, const std::function<void()>& step) {
+void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
     for (int round = -1; round < repetitions; ++round) {
-        for (Contestant& contestant : contestants) {
-            const double seconds = contestant.run();
+        for (Measurement& measurement : measurements) {
+            const double seconds = measurement.run();
             if (round >= 0)
-                contestant.seconds.push_back(seconds);
+                measurement.seconds.push_back(seconds);
             step();
         }
     }
-    for (Contestant& contestant : contestants) {
-        const auto quantile = [&](double share) { return statistics::quantile(contestant.seconds, share); };
-        contestant.row.seconds = {quantile(0.5), quantile(0.25), quantile(0.75)};
+    for (Measurement& measurement : measurements) {
+        const auto quantile = [&](double share) { return statistics::quantile(measurement.seconds, share); };
+        measurement.row.seconds = {quantile(0.5), quantile(0.25), quantile(0.75)};
     }
 }
 
-std::vector<Row> rows(const Contestants& contestants) {
+std::vector<Row> rows(const Measurements& measurements) {
     std::vector<Row> result;
-    std::ranges::transform(contestants, std::back_inserter(result), &Contestant::row);
+    std::ranges::transform(measurements, std::back_inserter(result), &Measurement::row);
     return result;
 }
 
@@ -168,7 +170,7 @@ std::vector<Setting> trend_settings(int side) {
 int steps(const Effort& effort) {
     const auto all = subjects();
     const auto recipes = static_cast<int>(noise::recipes().size());
-    const auto noises = static_cast<int>(std::ranges::count_if(all, &Subject::is_gabor));
+    const auto noises = static_cast<int>(std::ranges::count_if(all, &Subject::measure_cvm));
     return (effort.repetitions + 1) * (static_cast<int>(all.size()) + recipes +
                                        2 * static_cast<int>(trend_settings(effort.side).size())) +
            noises * effort.sample_batches;
@@ -185,29 +187,29 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
     const vulkan::Buffer picture(device, bytes(2 * effort.side), memory);
     const std::vector<Subject> all = subjects();
 
-    Contestants contestants;
+    Measurements measurements;
     const Setting base{effort.side, base_scale, base_frequency};
     for (const Subject& subject : all)
-        contestants.push_back(per_pixel(device, subject, base, picture));
+        measurements.push_back(per_pixel(device, subject, base, picture));
     for (const noise::Recipe& recipe : noise::recipes())
-        contestants.push_back(bake(device, recipe, base, picture));
-    interleave(contestants, effort.repetitions, step);
+        measurements.push_back(bake(device, recipe, base, picture));
+    interleave(measurements, effort.repetitions, step);
 
     const vulkan::Buffer values(device, bytes(sample_side), vulkan::Memory::readback);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!all[i].is_gabor())
+        if (!all[i].measure_cvm)
             continue;
         const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
-        contestants[i].row.cvm = cvm;
-        for (Contestant& other : contestants) // a bake gives the values of its recipe, to 5e-5
+        measurements[i].row.cvm = cvm;
+        for (Measurement& other : measurements) // a bake has the values of its recipe, to 5e-5
             if (other.baked && other.baked == all[i].recipe)
                 other.row.cvm = cvm;
     }
-    Report report{rows(contestants), {}};
+    Report report{rows(measurements), {}};
 
     const noise::Recipe& recipe = noise::recipes().front();
     const auto subject = std::ranges::find(all, &recipe, &Subject::recipe);
-    Contestants trends;
+    Measurements trends;
     for (const Setting& setting : trend_settings(effort.side)) {
         trends.push_back(per_pixel(device, *subject, setting, picture));
         trends.push_back(bake(device, recipe, setting, picture));

@@ -10,11 +10,11 @@
 
 namespace gabor::bench {
 
-/// Seconds of one measurement, repeated: the median, and the quartiles as its spread.
-struct Spread {
+/// Of the seconds of a measurement that was repeated.
+struct Quartiles {
     double median = 0;
-    double low = 0;
-    double high = 0;
+    double lower = 0;
+    double upper = 0;
 };
 
 struct Row {
@@ -23,22 +23,22 @@ struct Row {
     int side = 0;       ///< pixels of the square picture along a side
     double scale = 0;   ///< pixels per kernel radius
     double frequency = 0;
-    Spread seconds;      ///< on the device's own clock, for the whole picture
+    Quartiles seconds;   ///< on the device's own clock, for the whole picture
     double pipeline = 0; ///< seconds to create the pipeline, the first time in this process
-    std::optional<statistics::Estimate> cvm; ///< of its values; absent where it is no Gabor noise
+    std::optional<statistics::Estimate> cvm; ///< of its values; absent where it is not measured
 
     double nanoseconds_per_pixel() const { return seconds.median * 1e9 / side / side; }
 };
 
 struct Report {
-    std::vector<Row> base;   ///< everything at one size, scale and frequency: what ratios are taken of
-    std::vector<Row> trends; ///< what ours cost at other sizes, scales and frequencies
+    std::vector<Row> base;   ///< everything at one size, scale and frequency
+    std::vector<Row> trends; ///< what the first recipe costs at other sizes, scales and frequencies
 };
 
 struct Effort {
     int repetitions = 21;
     int side = 1024;
-    int sample_batches = 16; ///< of 2^20 samples for each law
+    int sample_batches = 16; ///< of 2^20 samples for each cvm
 };
 
 /// Runs everything in one process, interleaved, after a warm-up. `step` is called after each measurement, for
@@ -47,5 +47,19 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
 
 /// How often `run` calls `step`.
 int steps(const Effort& effort);
+
+/// What a device's compiler makes of a pipeline, from VK_KHR_pipeline_executable_properties.
+struct Code {
+    std::string name;
+    double instructions = 0; ///< per pixel
+    double throughput = 0;   ///< estimated inverse throughput, cycles per pixel
+    int registers = 0;       ///< vector registers of an invocation
+};
+
+/// The code of everything that the benchmark times, except the seminal noise, whose loops end at random. It
+/// is compiled and never run, so the device need not exist: RADV's null device gives the same figures on
+/// every machine. A bake's loop over rows is counted as often as it runs in a full block. Throws RequestError
+/// on a device without that extension.
+std::vector<Code> measure_code(const vulkan::Device& device);
 
 } // namespace gabor::bench

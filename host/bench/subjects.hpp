@@ -10,34 +10,23 @@
 
 namespace gabor::bench {
 
-/// As in passes/bench/bench.glsl.
-struct Push {
-    float frequency;
-    float orientation;
-    float pixel;
-    std::uint32_t seed;
-    std::uint32_t width;
-    std::uint32_t height;
-};
-
-constexpr std::uint32_t group = 8; // local_size of passes/bench/bench.glsl, in x and y
-
-/// A noise that the benchmark fills a picture with, one pixel per invocation.
+/// A noise that the benchmark fills a picture with, one pixel per invocation, by a pass that includes
+/// passes/bench/bench.glsl.
 struct Subject {
     std::string name;
     double visited = 0; ///< impulses visited for each pixel; 0 where there are none
     std::span<const std::uint32_t> spirv;
-    const noise::Recipe* recipe = nullptr; ///< of the drop-in
-    std::uint32_t mean_impulses = 0;       ///< of the seminal noise and the advice; 0 for all others
-    bool advice = false;
-    std::uint32_t entry = 0; ///< which function, as in passes/bench/recipe.comp or space.comp
-
-    /// Whether it is a Gabor noise by itself, whose law is worth measuring.
-    bool is_gabor() const { return visited > 0 && entry == 0; }
+    const noise::Recipe* recipe = nullptr;   ///< of the drop-in
+    std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
+    bool measure_cvm = false;                ///< whether to measure how Gaussian its values are
+    bool random_loops = false;               ///< its loops end at random, so that its code cannot be counted
 };
 
-/// Seminal noise, the paper's advice written plainly, every recipe of the drop-in, gradient noise, and
-/// writing alone.
+/// What others are compared with: the same noises as published, written plainly but with everything that all
+/// impulses share computed once.
+inline constexpr const char* seminal_yardstick = "seminal, N = 30, hoisted";
+inline constexpr const char* advice_yardstick = "the paper's advice, N = 2, hoisted";
+
 std::vector<Subject> subjects();
 
 /// What a pass is made for: to fill a picture, to evaluate random places of independent instances, or to ask

@@ -1,5 +1,5 @@
 #include "bench/bench.hpp"
-#include "bench/isa.hpp"
+#include "bench/subjects.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "image/output_file.hpp"
@@ -26,28 +26,28 @@ struct BenchOptions {
 };
 
 const bench::Row& find(const std::vector<bench::Row>& rows, const char* name) {
-    return *std::ranges::find_if(rows, [&](const bench::Row& row) { return row.name.starts_with(name); });
+    return *std::ranges::find(rows, name, &bench::Row::name);
 }
 
 void print_base(const std::vector<bench::Row>& rows) {
-    const double seminal = find(rows, "seminal").seconds.median;
-    const double advice = find(rows, "the paper's advice").seconds.median;
-    const double gradient = find(rows, "gradient").seconds.median;
-    const double writing = find(rows, "writing").seconds.median;
+    const double seminal = find(rows, bench::seminal_yardstick).seconds.median;
+    const double advice = find(rows, bench::advice_yardstick).seconds.median;
+    const double gradient = find(rows, "gradient noise").seconds.median;
+    const double writing = find(rows, "writing alone").seconds.median;
     const bench::Row& first = rows.front();
     fmt::print("{0} x {0} pixels, {1} pixels per kernel radius, frequency {2}\n", first.side, first.scale,
                first.frequency);
-    fmt::print("{:<34}{:>8}{:>10}{:>19}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
+    fmt::print("{:<36}{:>8}{:>10}{:>19}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
                "quartiles", "seminal/", "advice/", "/gradient", "writing/", "pipeline", "cvm");
     for (const bench::Row& row : rows) {
         const double to_nanoseconds = 1e9 / row.side / row.side;
         const std::string cvm =
             row.cvm ? fmt::format("{:.3f} [{:.3f}, {:.3f}]", row.cvm->value, row.cvm->low, row.cvm->high)
                     : "";
-        fmt::print("{:<34}{:>8}{:>10.3f}{:>19}{:>10.1f}{:>9.2f}{:>10.2f}{:>9.3f}{:>7.1f} ms  {}\n", row.name,
+        fmt::print("{:<36}{:>8}{:>10.3f}{:>19}{:>10.1f}{:>9.2f}{:>10.2f}{:>9.3f}{:>7.1f} ms  {}\n", row.name,
                    row.visited > 0 ? fmt::format("{:.0f}", row.visited) : "", row.nanoseconds_per_pixel(),
-                   fmt::format("{:.3f} to {:.3f}", row.seconds.low * to_nanoseconds,
-                               row.seconds.high * to_nanoseconds),
+                   fmt::format("{:.3f} to {:.3f}", row.seconds.lower * to_nanoseconds,
+                               row.seconds.upper * to_nanoseconds),
                    seminal / row.seconds.median, advice / row.seconds.median, row.seconds.median / gradient,
                    writing / row.seconds.median, row.pipeline * 1e3, cvm);
     }
@@ -60,8 +60,8 @@ void print_trends(const std::vector<bench::Row>& rows) {
         const double to_nanoseconds = 1e9 / row.side / row.side;
         fmt::print("{:<22}{:>8}{:>8}{:>11}{:>10.3f}{:>19}\n", row.name, row.side, row.scale, row.frequency,
                    row.nanoseconds_per_pixel(),
-                   fmt::format("{:.3f} to {:.3f}", row.seconds.low * to_nanoseconds,
-                               row.seconds.high * to_nanoseconds));
+                   fmt::format("{:.3f} to {:.3f}", row.seconds.lower * to_nanoseconds,
+                               row.seconds.upper * to_nanoseconds));
     }
 }
 
@@ -77,8 +77,8 @@ ordered_json to_json(const std::vector<bench::Row>& rows) {
                           {"scale", row.scale},
                           {"frequency", row.frequency},
                           {"seconds", row.seconds.median},
-                          {"seconds_low", row.seconds.low},
-                          {"seconds_high", row.seconds.high},
+                          {"seconds_low", row.seconds.lower},
+                          {"seconds_high", row.seconds.upper},
                           {"ns_per_pixel", row.nanoseconds_per_pixel()},
                           {"pipeline_seconds", row.pipeline},
                           {"cvm", cvm}});

@@ -40,7 +40,7 @@ struct Measured {
     std::string channel;
     json parameters;             // null without a `gabor` attribute
     std::optional<double> scale; // pixels per kernel radius
-    statistics::Reference reference;
+    statistics::NormalDistribution expected;
     PictureReport report;
 };
 
@@ -79,16 +79,16 @@ Measured measure(const StatsOptions& options) {
         statistics::Moments moments;
         image::ExrReader first_pass(options.file, options.channel);
         read_bands(first_pass, progress, [&](auto band) { statistics::add_finite(moments, band); });
-        measured.reference = statistics::measured_reference(moments);
+        measured.expected = statistics::fitted_normal(moments);
     }
-    statistics::PictureStatistics statistics(measured.width, measured.height, measured.reference);
+    statistics::PictureStatistics statistics(measured.width, measured.height, measured.expected);
     read_bands(reader, progress, [&](auto band) { statistics.add_rows(band); });
     measured.report = statistics.report();
     return measured;
 }
 
 const char* reference_name(const Measured& measured) {
-    return measured.reference.measured ? "measured" : "analytic";
+    return measured.expected.fitted ? "measured" : "analytic";
 }
 
 json interval(const Estimate& estimate) {

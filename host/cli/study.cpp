@@ -79,7 +79,7 @@ void add_study_command(CLI::App& app) {
         app.add_subcommand("study", "Measure the figures of [TNVT19], and what lies past them");
     std::string names;
     for (const study::Study& study : study::studies())
-        names += fmt::format("{} ({}); ", study.name, study.is);
+        names += fmt::format("{} ({}); ", study.name, study.description);
     command->add_option("NAME", options->name, fmt::format("Which: {}all", names))->required();
     command
         ->add_option("-o,--output", options->folder,

@@ -1,5 +1,8 @@
 #include "noise/variance.hpp"
 
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/hypergeometric_0F1.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -7,21 +10,10 @@ namespace gabor::noise {
 
 namespace {
 
-// integral over [-1, 1] of (1 - x^2)^n cos(a x) dx = 2^(n+1) n! j_n(a) / a^n: Poisson's integral,
-// DLMF 10.54.1. Below a = 2 the power series of j_n, DLMF 10.53.1, where the quotient would lose digits.
+// integral over [-1, 1] of (1 - x^2)^n cos(a x) dx = B(1/2, n + 1) 0F1(; n + 3/2; -a^2 / 4): Poisson's
+// integral, DLMF 10.9.4 with 10.16.9.
 double cosine_integral(unsigned n, double a) {
-    const double scale = std::ldexp(std::tgamma(n + 1.0), static_cast<int>(n) + 1);
-    if (std::abs(a) >= 2)
-        return scale * std::sph_bessel(n, std::abs(a)) / std::pow(std::abs(a), n);
-    double term = 1;
-    for (unsigned odd = 3; odd <= 2 * n + 1; odd += 2)
-        term /= odd;
-    double sum = 0;
-    for (int k = 1; k < 25; ++k) {
-        sum += term;
-        term *= -a * a / (2.0 * k * (2.0 * n + 2.0 * k + 1.0));
-    }
-    return scale * sum;
+    return boost::math::beta(0.5, n + 1.0) * boost::math::hypergeometric_0F1(n + 1.5, -a * a / 4);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "statistics/blocks.hpp"
 
-#include "statistics/gaussianity.hpp"
-#include "statistics/normal.hpp"
+#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +13,10 @@ namespace gabor::statistics {
 
 namespace {
 
-constexpr int finest = 16;             ///< blocks per side
-constexpr int coarsest = 8;            ///< 64 blocks, 16 groups
-constexpr std::size_t bin_count = 256; ///< the deviation from a normal law is smooth: see test_blocks.cpp
+constexpr int finest = 16;  ///< blocks per side
+constexpr int coarsest = 8; ///< 64 blocks, 16 groups
+constexpr std::size_t bin_count =
+    256; ///< the deviation from a normal distribution is smooth: see test_blocks.cpp
 
 /// The jackknife leaves out groups of blocks, a sixteenth of the picture each, so that correlation across a
 /// border between two of them matters little.
@@ -55,9 +55,10 @@ std::vector<Block> coarsen(const std::vector<Block>& blocks, int side, Merge mer
     return joined;
 }
 
-/// The 97.5 % point of Student's t with 15 degrees of freedom.
-constexpr double quantile = 2.131;
-static_assert(groups == 16);
+/// Of Student's t, for 95 % between its negative and itself.
+double t_quantile() {
+    return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
+}
 
 /// The mean over all pixels of something of which `excess` holds each block's sum less its expected share.
 /// Across borders the noise anticorrelates as often as not, so that the interval for the mean is on the safe
@@ -69,7 +70,7 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
     double squares = 0;
     for (const double sum : sums)
         squares += sum * sum;
-    return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, quantile);
+    return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, t_quantile());
 }
 
 /// The index from pairs of blocks that do not touch. G_i = n_i (F_i - Phi) are independent for such a pair,
@@ -79,8 +80,8 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
 ///
 /// It is a U-statistic. With h_IJ the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J,
 /// leaving out one group after the other gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n
-/// n)^2. For a normal law U is degenerate, and its variance 2 sum_IJ h_IJ^2 / (sum n n)^2, half of that
-/// (Hoeffding, 1948). As in Gaussianity::index, the first is taken to be proportional to the index, with
+/// n)^2. For a normal distribution U is degenerate, and its variance 2 sum_IJ h_IJ^2 / (sum n n)^2, half of
+/// that (Hoeffding, 1948). As in Gaussianity::index, the first is taken to be proportional to the index, with
 /// noise in both.
 Estimate pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
                     const Grid& grid) {
@@ -122,18 +123,18 @@ Estimate pair_index(const std::vector<std::vector<double>>& deviation, std::span
     }
     const double variance_scale = cvm_scale * cvm_scale / (weight * weight);
     const double slope = variance_scale * jackknife / (cvm_scale * biased);
-    return score_interval(cvm_scale * index, variance_scale * degenerate, slope, quantile);
+    return score_interval(cvm_scale * index, variance_scale * degenerate, slope, t_quantile());
 }
 
 } // namespace
 
-Reference measured_reference(const Moments& moments) {
+NormalDistribution fitted_normal(const Moments& moments) {
     const double variance = moments.variance();
     return {moments.count() > 0 ? moments.mean() : 0, variance > 0 ? std::sqrt(variance) : 1, true};
 }
 
-Blocks::Blocks(int width, int height, const Reference& reference)
-    : width_(width), height_(height), reference_(reference), moments_(finest * finest),
+Blocks::Blocks(int width, int height, const NormalDistribution& expected)
+    : width_(width), height_(height), expected_(expected), moments_(finest * finest),
       counts_(finest * finest, Counts(bin_count)) {}
 
 void Blocks::add(int x, int y, std::span<const float> pixels) {
@@ -144,7 +145,7 @@ void Blocks::add(int x, int y, std::span<const float> pixels) {
         const auto part = pixels.first(std::min(length, pixels.size()));
         const auto block = static_cast<std::size_t>(row * finest + column);
         moments_[block].add(part);
-        count_uniform(part, reference_.mean, reference_.deviation, counts_[block]);
+        count_uniform(part, expected_.mean, expected_.deviation, counts_[block]);
         x += static_cast<int>(part.size());
         pixels = pixels.subspan(part.size());
     }
@@ -177,7 +178,7 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
     if (!(all.variance() > 0))
         return {};
     const double pixels = static_cast<double>(all.count());
-    const double spread = std::sqrt(all.variance());
+    const double sigma = std::sqrt(all.variance());
 
     std::vector<double> mean_excess;
     std::vector<double> variance_excess;
@@ -188,14 +189,14 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         mean_excess.push_back(n * d);
         variance_excess.push_back(moments[i].state().m2 + n * d * d - n * all.variance());
         deviation.push_back(deviations(counts[i]));
-        if (!reference_.measured)
+        if (!expected_.fitted)
             continue;
-        // A reference fitted to all blocks ties them together. To first order, this is what block i would
-        // have shown against its own mean and variance, which depend on no other block.
+        // A normal distribution fitted to all blocks ties them together. To first order, this is what block i
+        // would have shown against its own mean and variance, which depend on no other block.
         for (std::size_t k = 0; k + 1 < bin_count; ++k) {
             const double z = normal_quantile(static_cast<double>(k + 1) / bin_count);
             deviation[i][k] +=
-                normal_density(z) * (mean_excess[i] / spread + z * variance_excess[i] / (2 * all.variance()));
+                normal_density(z) * (mean_excess[i] / sigma + z * variance_excess[i] / (2 * all.variance()));
         }
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "statistics/edf.hpp"
 #include "statistics/estimate.hpp"
+#include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace gabor::statistics {
 
-/// The normal law with which a picture is compared.
-struct Reference {
+/// The normal distribution with which a picture is compared.
+struct NormalDistribution {
     double mean = 0;
     double deviation = 1;
-    bool measured = false; ///< taken from the same picture, not from theory
+    bool fitted = false; ///< to the same picture, not known from theory
 };
 
-/// Of a picture of which nothing is known beforehand. A picture without variance gets the deviation 1.
-Reference measured_reference(const Moments& moments);
+/// For a picture of which nothing is known beforehand. A picture without variance gets the deviation 1.
+NormalDistribution fitted_normal(const Moments& moments);
 
 /// What can be said of the noise behind one picture, whose pixels are correlated.
 struct BlockEstimates {
@@ -35,7 +35,7 @@ struct BlockEstimates {
 /// are longer than the correlation.
 class Blocks {
   public:
-    Blocks(int width, int height, const Reference& reference);
+    Blocks(int width, int height, const NormalDistribution& expected);
 
     /// Adds pixels of row `y`, from column `x` on. Throws std::domain_error at a NaN.
     void add(int x, int y, std::span<const float> pixels);
@@ -50,7 +50,7 @@ class Blocks {
   private:
     int width_;
     int height_;
-    Reference reference_;
+    NormalDistribution expected_;
     std::vector<Moments> moments_; ///< row by row of blocks, as are the counts
     std::vector<Counts> counts_;
 };

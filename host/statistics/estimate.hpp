@@ -1,5 +1,9 @@
 #pragma once
 
+// A measured number with its confidence interval, quantiles of samples, and the normal distribution.
+
+#include <vector>
+
 namespace gabor::statistics {
 
 /// A measured number and the ends of its 95 % confidence interval, in the same unit.
@@ -14,5 +18,26 @@ struct Estimate {
 /// A value whose variance would be null_variance + slope * max(truth, 0): the interval holds every truth from
 /// which the value is at most `quantile` standard deviations away (Wilson's score interval, 1927).
 Estimate score_interval(double value, double null_variance, double slope, double quantile);
+
+/// The number below which a share of `values` lies, interpolated linearly between order statistics.
+/// Throws std::invalid_argument without values.
+double quantile(std::vector<double> values, double share);
+
+/// How much positive numbers differ: [TNVT19] has it as "median and relative interdecile".
+struct Dispersion {
+    double median = 0;
+    double interdecile = 0; ///< (q90 - q10) / median
+};
+
+Dispersion dispersion(const std::vector<double>& values);
+
+/// Density of the standard normal distribution.
+double normal_density(double x);
+
+/// Phi(x), the probability that a standard normal variable is at most x.
+double normal_cdf(double x);
+
+/// The x with Phi(x) = p. -inf at 0, +inf at 1, NaN outside [0, 1].
+double normal_quantile(double p);
 
 } // namespace gabor::statistics

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "statistics/edf.hpp"
 #include "statistics/estimate.hpp"
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace gabor::statistics {
 
@@ -12,10 +12,29 @@ namespace gabor::statistics {
 /// Cramér-von Mises statistic, less its 1/6, when it is taken from 2^18 independent samples.
 constexpr double cvm_scale = 1 << 18;
 
-/// How far the law of independent samples is from a normal law of mean 0 and known standard deviation.
+/// An empirical distribution function is kept as the counts of samples in bins that are uniform in
+/// u = Phi((x - mean) / deviation): integers, so that merging is exact in any order.
+using Counts = std::vector<std::uint64_t>;
+
+/// Counts `values` into the bins of `counts`. Values beyond eight deviations, infinite ones too, go to the
+/// outermost bins. Throws std::domain_error at a NaN.
+void count_uniform(std::span<const float> values, double mean, double deviation,
+                   std::span<std::uint64_t> counts);
+
+/// n (F(u_k) - u_k) at the upper edges u_k = (k + 1) / bins of the bins, F being the empirical distribution
+/// function: exact there, whatever the width of the bins.
+std::vector<double> deviations(std::span<const std::uint64_t> counts);
+
+/// The integral over u in [0, 1] of the product of two functions given at the upper edges of uniform bins,
+/// at least one of which vanishes at 0 and 1 (trapezium rule).
+double integrate_product(std::span<const double> a, std::span<const double> b);
+
+/// How far the distribution of independent samples is from a normal one of mean 0 and known standard
+/// deviation.
 ///
 /// From n samples, T = 1 / (12 n) + sum_i ((2 i - 1) / (2 n) - Phi(x_(i)))^2, and the index is
-/// 2^18 (T - 1/6) / n: its expectation does not depend on n, and is 0 for a normal law.
+/// 2^18 (T - 1/6) / n: its expectation does not depend on n, and is 0 for a
+/// normal distribution.
 class Gaussianity {
   public:
     /// `deviation`: the standard deviation that theory predicts, in the unit of the samples.

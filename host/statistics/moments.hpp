@@ -37,7 +37,7 @@ class Moments {
     double variance() const { return state_.m2 / static_cast<double>(state_.count); }
     /// NaN where the variance is 0, as is the kurtosis.
     double skewness() const;
-    /// 0 for a normal law.
+    /// 0 for a normal distribution.
     double excess_kurtosis() const;
     double minimum() const { return state_.minimum; }
     double maximum() const { return state_.maximum; }

@@ -29,8 +29,8 @@ std::uint64_t for_finite_runs(std::span<const float> pixels, Visit visit) {
 
 } // namespace
 
-PictureStatistics::PictureStatistics(int width, int height, const Reference& reference)
-    : width_(width), reference_(reference), blocks_(width, height, reference),
+PictureStatistics::PictureStatistics(int width, int height, const NormalDistribution& expected)
+    : width_(width), expected_(expected), blocks_(width, height, expected),
       centred_(static_cast<std::size_t>(width)) {
     if (segment_side(width, height))
         spectrum_.emplace(width, height);
@@ -47,7 +47,7 @@ void PictureStatistics::add_row(std::span<const float> row) {
     not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
         blocks_.add(static_cast<int>(first), row_, run);
         std::transform(run.begin(), run.end(), centred_.begin() + first,
-                       [&](float value) { return static_cast<float>(value - reference_.mean); });
+                       [&](float value) { return static_cast<float>(value - expected_.mean); });
     });
     if (spectrum_)
         spectrum_->add_row(centred_);

@@ -21,10 +21,11 @@ struct PictureReport {
 };
 
 /// Statistics of a picture that passes by once, row after row. Memory grows with the width, not with the
-/// height. The reference must be known beforehand: `add_finite` measures it in a pass before.
+/// height. The expected distribution must be known beforehand: `add_finite` measures what it is
+/// fitted to, in a pass before.
 class PictureStatistics {
   public:
-    PictureStatistics(int width, int height, const Reference& reference);
+    PictureStatistics(int width, int height, const NormalDistribution& expected);
 
     /// The next rows, whole ones.
     void add_rows(std::span<const float> pixels);
@@ -36,7 +37,7 @@ class PictureStatistics {
     void add_row(std::span<const float> row);
 
     int width_;
-    Reference reference_;
+    NormalDistribution expected_;
     int row_ = 0;
     std::uint64_t not_finite_ = 0;
     Blocks blocks_;

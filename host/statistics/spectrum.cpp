@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <new>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace gabor::statistics {
@@ -155,6 +156,157 @@ std::optional<int> segment_side(int width, int height) {
     while (std::int64_t(side) * width > most_values && side > shortest_side)
         side /= 2;
     return side;
+}
+
+namespace {
+
+struct Cell {
+    double x; ///< frequency, in cells
+    double y;
+};
+
+/// A periodogram of real data as a function on the whole plane: even, and periodic in `side`.
+class Plane {
+  public:
+    Plane(std::span<const double> half, int side) : half_(half), side_(side) {}
+
+    double operator()(int x, int y) const {
+        x &= side_ - 1;
+        y &= side_ - 1;
+        if (x > side_ / 2) {
+            x = side_ - x;
+            y = (side_ - y) & (side_ - 1);
+        }
+        return half_[static_cast<std::size_t>(y * (side_ / 2 + 1) + x)];
+    }
+
+    /// Calls visit(x, y, power) for each cell, x and y in (-side / 2, side / 2].
+    template <typename Visit>
+    void for_each(Visit visit) const {
+        for (int y = 1 - side_ / 2; y <= side_ / 2; ++y)
+            for (int x = 1 - side_ / 2; x <= side_ / 2; ++x)
+                visit(x, y, (*this)(x, y));
+    }
+
+  private:
+    std::span<const double> half_;
+    int side_;
+};
+
+/// Power per annulus. Each cell's power is shared by the two nearest annuli, in proportion to its distance
+/// from them: counting it in one only would show how unevenly the lattice falls into narrow annuli.
+std::vector<double> radial_profile(const Plane& plane, int side) {
+    std::vector<double> radial(static_cast<std::size_t>(side / std::numbers::sqrt2) + 2);
+    plane.for_each([&](int x, int y, double power) {
+        const double r = std::hypot(x, y);
+        const auto inner = static_cast<std::size_t>(r);
+        const double share = r - static_cast<double>(inner);
+        radial[inner] += (1 - share) * power;
+        radial[inner + 1] += share * power;
+    });
+    return radial;
+}
+
+/// How far from `peak`, in the direction of `step`, the profile falls to half its value there.
+double half_width(std::span<const double> profile, std::size_t peak, int step) {
+    const double half = profile[peak] / 2;
+    double inside = profile[peak];
+    double distance = 0;
+    for (auto i = static_cast<std::ptrdiff_t>(peak) + step; i >= 0 && i < std::ssize(profile); i += step) {
+        const double value = profile[static_cast<std::size_t>(i)];
+        if (value < half)
+            return distance + (inside - half) / (inside - value);
+        inside = value;
+        ++distance;
+    }
+    return distance;
+}
+
+double full_width(std::span<const double> profile) {
+    const auto peak =
+        static_cast<std::size_t>(std::max_element(profile.begin(), profile.end()) - profile.begin());
+    return half_width(profile, peak, -1) + half_width(profile, peak, 1);
+}
+
+/// Of a lobe whose profile scatters: the largest of many annuli is too large, and too narrow at half of that.
+/// So the profile is first smoothed by a triangle of a quarter of the width for half its base, and what that
+/// adds to the width, in squares as for a normal lobe, is taken off again.
+double lobe_width(std::span<const double> profile) {
+    const double reach = full_width(profile) / 4;
+    const auto last = static_cast<std::ptrdiff_t>(reach);
+    double weights = 0;
+    double squares = 0;
+    std::vector<double> smooth(profile.size());
+    for (std::ptrdiff_t d = -last; d <= last; ++d) {
+        const double weight = 1 - std::abs(static_cast<double>(d)) / reach;
+        weights += weight;
+        squares += weight * static_cast<double>(d * d);
+        for (auto i = std::max<std::ptrdiff_t>(0, -d);
+             i < std::ssize(profile) - std::max<std::ptrdiff_t>(0, d); ++i)
+            smooth[static_cast<std::size_t>(i)] += weight * profile[static_cast<std::size_t>(i + d)];
+    }
+    const double width = full_width(smooth);
+    return std::sqrt(width * width - 8 * std::numbers::ln2 * squares / weights);
+}
+
+/// The mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
+/// (Fukunaga and Hostetler, 1975). Cells of a noise's periodogram scatter by as much as their mean, or less
+/// by the root of the number of segments: a parabola through three of them would only see the scatter.
+Cell find_peak(const Plane& plane, double radius) {
+    Cell peak{0, 0};
+    double largest = 0;
+    plane.for_each([&](int x, int y, double power) {
+        if (power > largest) {
+            largest = power;
+            peak = {static_cast<double>(x), static_cast<double>(y)};
+        }
+    });
+    for (int step = 0; step < 50; ++step) {
+        Cell shift{0, 0};
+        double weight = 0;
+        for (int y = static_cast<int>(std::ceil(peak.y - radius)); y <= peak.y + radius; ++y)
+            for (int x = static_cast<int>(std::ceil(peak.x - radius)); x <= peak.x + radius; ++x) {
+                const double dx = x - peak.x;
+                const double dy = y - peak.y;
+                const double w = plane(x, y) * std::max(0.0, 1 - (dx * dx + dy * dy) / (radius * radius));
+                shift.x += w * dx;
+                shift.y += w * dy;
+                weight += w;
+            }
+        if (weight == 0)
+            break;
+        peak.x += shift.x / weight;
+        peak.y += shift.y / weight;
+    }
+    return peak;
+}
+
+} // namespace
+
+SpectrumSummary summarize(std::span<const double> periodogram, int side) {
+    const Plane plane(periodogram, side);
+    const double cells = side;
+    SpectrumSummary summary;
+    summary.radial = radial_profile(plane, side);
+    summary.radial_step = 1 / cells;
+    summary.power = std::reduce(summary.radial.begin(), summary.radial.end());
+    summary.resolution = 2 / cells; // the Hann window has 1.44, sharing between annuli adds the rest
+    if (!(summary.power > 0))
+        return summary;
+    const double width = lobe_width(summary.radial);
+    summary.bandwidth = width / cells;
+
+    const Cell peak = find_peak(plane, std::max(2.5, width));
+    summary.peak_frequency = std::hypot(peak.x, peak.y) / cells;
+    const double degrees = std::atan2(peak.y, peak.x) * 180 / std::numbers::pi;
+    summary.peak_orientation = std::fmod(degrees + 360, 180);
+
+    // Twice the root of the integral of the autocorrelation's square, by Parseval's theorem that of the
+    // spectrum's: 1.4 kernel radii for Gabor noise, whose autocorrelation has sunk to exp(-pi) there.
+    double squares = 0;
+    plane.for_each([&](int, int, double power) { squares += power * power; });
+    summary.correlation = 2 * cells * std::sqrt(squares) / summary.power;
+    return summary;
 }
 
 } // namespace gabor::statistics

@@ -1,68 +1,64 @@
 #include "statistics/stationarity.hpp"
 
-#include "statistics/normal.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace gabor::statistics {
 
-void Windows::add(std::span<const float> window) {
+void InstanceStationarity::add(std::span<const float> window) {
     Moments moments;
     moments.add(window);
     contrasts_.push_back(moments.variance());
-    means_.push_back(moments.mean());
 }
 
-void Windows::merge(const Windows& other) {
+void InstanceStationarity::merge(const InstanceStationarity& other) {
     contrasts_.insert(contrasts_.end(), other.contrasts_.begin(), other.contrasts_.end());
-    means_.insert(means_.end(), other.means_.begin(), other.means_.end());
 }
 
-double Windows::deviation() const {
+double InstanceStationarity::median_deviation() const {
     std::vector<double> deviations;
     std::ranges::transform(contrasts_, std::back_inserter(deviations), [](double c) { return std::sqrt(c); });
     return quantile(deviations, 0.5);
 }
 
-void Places::add(std::span<const float> instances) {
+void ProcessStationarity::add(std::span<const float> instances) {
     for (std::size_t i = 0; i < instances.size(); ++i)
         places_[i % places_.size()].add(instances[i]);
 }
 
-void Places::merge(const Places& other) {
+void ProcessStationarity::merge(const ProcessStationarity& other) {
     for (std::size_t i = 0; i < places_.size(); ++i)
         places_[i].merge(other.places_.at(i));
 }
 
-Moments Places::all() const {
+Moments ProcessStationarity::all() const {
     Moments all;
     for (const Moments& place : places_)
         all.merge(place);
     return all;
 }
 
-Spread Places::variance() const {
+Dispersion ProcessStationarity::variance() const {
     std::vector<double> variances;
     std::ranges::transform(places_, std::back_inserter(variances), &Moments::variance);
-    return spread(variances);
+    return dispersion(variances);
 }
 
 // A variance from n samples has the relative variance (excess kurtosis + 2) / n; its deciles are those of a
-// normal law.
-double Places::variance_chance() const {
+// normal distribution.
+double ProcessStationarity::chance_interdecile() const {
     const double n = static_cast<double>(places_.front().count());
     return 2 * normal_quantile(0.9) * std::sqrt((all().excess_kurtosis() + 2) / n);
 }
 
-double Places::largest_mean() const {
+double ProcessStationarity::largest_mean() const {
     double largest = 0;
     for (const Moments& place : places_)
         largest = std::max(largest, std::abs(place.mean()));
     return largest;
 }
 
-double Places::mean_chance() const {
+double ProcessStationarity::chance_largest_mean() const {
     const double n = static_cast<double>(places_.front().count());
     const double count = static_cast<double>(places_.size());
     return normal_quantile(1 - 0.05 / (2 * count)) * std::sqrt(all().variance() / n);

@@ -1,8 +1,11 @@
 #pragma once
 
-// Each figure and question of the study, in the file of its name.
+// The figures of the paper (figures.cpp) and the questions beyond them, each in the file of its name.
 
 #include "study/study.hpp"
+#include "study/variant.hpp"
+
+#include <utility>
 
 namespace gabor::study {
 
@@ -20,5 +23,33 @@ void figure6_pictures(const vulkan::Device& device, const Effort& effort, const 
 Tables stationarity(const vulkan::Device& device, const Effort& effort);
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
+
+/// N* of a cvm: the N with which the seminal noise has it, from that noise's own measured curve, interpolated
+/// in logarithms; beyond that curve by what it approaches, cvm = 2^18 (k / (24 N))^2 C with its excess
+/// kurtosis k / N (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite where
+/// cvm is not positive.
+class SeminalCurve {
+  public:
+    void add(int n, double cvm);
+    double equivalent(double cvm) const;
+
+  private:
+    std::vector<std::pair<double, double>> points_; ///< log cvm, log N
+};
+
+inline constexpr std::string_view recipe_columns =
+    "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
+    "places_chance,contrast_interdecile,sidelobe_db,outside";
+
+/// Every criterion of one recipe: Gaussianity, the variance at each place of a cell, the contrast of windows,
+/// spectral purity.
+Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
+
+/// The same for the seminal noise, which is no variant.
+Row seminal_row(const vulkan::Device& device, const Effort& effort);
+
+/// Appends to each of such rows 1 where it is on the Pareto front, 0 elsewhere: where its variance is
+/// stationary, and no such row is as good in visits, Gaussianity and sidelobes and better in one of them.
+void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

@@ -1,7 +1,9 @@
-// Gaussianity against impulses visited and spectral purity: which recipes does no other beat?
+// Gaussianity against impulses visited and spectral purity: the Pareto front of recipes.
 
 #include "study/figures.hpp"
-#include "study/recipe_rows.hpp"
+#include "study/measures.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +12,7 @@ namespace gabor::study {
 
 namespace {
 
-constexpr std::array windows{
+constexpr std::array window_functions{
     Window{"u2", Shape::separable, {1, 0, 0}},
     Window{"u2(1.5-0.5u)", Shape::separable, {1.5, -0.5, 0}},
     Window{"u2(2-u)", Shape::separable, {2, -1, 0}},
@@ -31,7 +33,7 @@ enum Column : std::size_t {
     sidelobe = 8
 };
 
-bool beats(const Numbers& a, const Numbers& b) {
+bool dominates(const Numbers& a, const Numbers& b) {
     bool better = false;
     for (const std::size_t column : {visits, cvm_high, sidelobe}) {
         if (a[column] > b[column])
@@ -41,24 +43,70 @@ bool beats(const Numbers& a, const Numbers& b) {
     return better;
 }
 
+Numbers criteria(Noise noise, const Window& window, double visits, double cell, const Effort& effort,
+                 std::uint32_t seed) {
+    const std::span<Noise> sum(&noise, 1);
+    const ValueStatistics values = measure_values(sum, effort.samples, seed);
+    const statistics::Estimate cvm = values.gaussianity.index();
+    const statistics::ProcessStationarity places = measure_places(sum, cell, effort.places, seed);
+    const statistics::InstanceStationarity windows = measure_windows(sum, effort.windows, seed);
+    const SpectralPurity purity = spectral_purity(window);
+    return {visits,
+            cvm.value,
+            cvm.low,
+            cvm.high,
+            values.moments.variance(),
+            places.variance().interdecile,
+            places.chance_interdecile(),
+            windows.contrast().interdecile,
+            purity.sidelobe,
+            purity.outside};
+}
+
+double cost(double visits, const Effort& effort) {
+    return visits * (static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
+                     256 * static_cast<double>(effort.windows));
+}
+
+} // namespace
+
+Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort) {
+    const double visits = visited(variant);
+    return {fmt::format("{},{},{},{:.3f},{:g},{},{:g},{}", variant.window.name, name(variant.lattice),
+                        name(variant.magnitudes), variant.floor, variant.jitter, variant.impulses,
+                        variant.radius, effort.samples),
+            cost(visits, effort), [&device, variant, visits, effort](std::uint32_t seed) {
+                return criteria(Noise(device, variant), variant.window, visits, 1 / variant.radius, effort,
+                                seed);
+            }};
+}
+
+Row seminal_row(const vulkan::Device& device, const Effort& effort) {
+    const Ingredients seminal;
+    const double visits = 9 * seminal.impulses;
+    return {fmt::format("gaussian,poisson,uniform_signed,0.000,1,{},1,{}", seminal.impulses, effort.samples),
+            cost(visits, effort), [&device, seminal, visits, effort](std::uint32_t seed) {
+                return criteria(Noise(device, seminal), Window{"gaussian", Shape::gaussian}, visits, 1,
+                                effort, seed);
+            }};
+}
+
 void mark_pareto(std::vector<Numbers>& rows) {
     const std::vector<Numbers> all = rows;
     for (Numbers& row : rows) {
         const auto stationary = [](const Numbers& r) {
             return r[places_interdecile] < 0.05 + r[places_chance];
         };
-        const bool beaten =
-            std::ranges::any_of(all, [&](const Numbers& r) { return stationary(r) && beats(r, row); });
-        row.push_back(stationary(row) && !beaten);
+        const bool dominated =
+            std::ranges::any_of(all, [&](const Numbers& r) { return stationary(r) && dominates(r, row); });
+        row.push_back(stationary(row) && !dominated);
     }
 }
-
-} // namespace
 
 Tables frontier(const vulkan::Device& device, const Effort& effort) {
     Table table{"frontier", std::string(recipe_columns), {}, "pareto", mark_pareto};
     table.rows.push_back(seminal_row(device, effort));
-    for (const Window& window : windows)
+    for (const Window& window : window_functions)
         for (const int n : {1, 2})
             for (const double radius : effort.radii)
                 for (const Lattice lattice : {Lattice::square, Lattice::brick}) {
@@ -66,8 +114,8 @@ Tables frontier(const vulkan::Device& device, const Effort& effort) {
                     if (visited(variant) > most_visited)
                         continue;
                     table.rows.push_back(recipe_row(device, variant, effort)); // Bernoulli
-                    for (const Law law : {Law::uniform, Law::two_point}) {
-                        variant.law = law;
+                    for (const Magnitudes magnitudes : {Magnitudes::uniform, Magnitudes::two_point}) {
+                        variant.magnitudes = magnitudes;
                         variant.floor = best_floor(variant);
                         if (variant.floor < 1)
                             table.rows.push_back(recipe_row(device, variant, effort));

@@ -2,7 +2,6 @@
 
 #include "study/figures.hpp"
 #include "study/measures.hpp"
-#include "study/recipe_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -36,16 +35,18 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                              const statistics::Estimate cvm =
                                  measure_values(sum, effort.samples, seed, std::sqrt(variance))
                                      .gaussianity.index();
-                             const statistics::Places places = measure_places(sum, 1, effort.places, seed);
-                             const statistics::Windows windows = measure_windows(sum, effort.windows, seed);
+                             const statistics::ProcessStationarity places =
+                                 measure_places(sum, 1, effort.places, seed);
+                             const statistics::InstanceStationarity windows =
+                                 measure_windows(sum, effort.windows, seed);
                              return {variance,
                                      cvm.value,
                                      cvm.low,
                                      cvm.high,
                                      places.variance().interdecile,
-                                     places.variance_chance(),
+                                     places.chance_interdecile(),
                                      places.largest_mean(),
-                                     places.mean_chance(),
+                                     places.chance_largest_mean(),
                                      windows.contrast().interdecile};
                          }});
                 }
@@ -61,9 +62,9 @@ Table grids(const vulkan::Device& device, const Effort& effort) {
           Window{"gaussian", Shape::gaussian}})
         for (const double radius : {1.0, 1.5, 2.0})
             for (const double jitter : {0.0, 1.0})
-                for (const Law law : {Law::two_point, Law::rayleigh})
-                    table.rows.push_back(
-                        recipe_row(device, {window, 1, radius, Lattice::square, law, 1, jitter}, effort));
+                for (const Magnitudes magnitudes : {Magnitudes::two_point, Magnitudes::rayleigh})
+                    table.rows.push_back(recipe_row(
+                        device, {window, 1, radius, Lattice::square, magnitudes, 1, jitter}, effort));
     return table;
 }
 

@@ -1,8 +1,9 @@
 #include "study/ingredients.hpp"
 
-#include "study/hexagons.hpp"
 #include "vulkan/pass.hpp"
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/bessel.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,14 +17,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Simpson's rule.
 double integral(double low, double high, const std::function<double(double)>& f) {
-    constexpr int intervals = 4096;
-    const double step = (high - low) / intervals;
-    double sum = f(low) + f(high);
-    for (int i = 1; i < intervals; ++i)
-        sum += (i % 2 ? 4 : 2) * f(low + i * step);
-    return sum * step / 3;
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(f, low, high, 10, 1e-13);
 }
 
 double radial_envelope(Envelope envelope, double r) {
@@ -48,7 +43,7 @@ double envelope_integral(Envelope envelope, double power, double frequency, doub
     }
     return integral(0, 1, [&](double r) {
         return 2 * pi * r * std::pow(radial_envelope(envelope, r), power) *
-               std::cyl_bessel_j(0.0, 2 * pi * std::abs(frequency) * r);
+               boost::math::cyl_bessel_j(0, 2 * pi * std::abs(frequency) * r);
     });
 }
 
@@ -63,6 +58,37 @@ double envelope_at(Envelope envelope, double x, double y) {
 // and a random phase leaves the constants.
 double sign(Kernel kernel) {
     return kernel == Kernel::cosine ? 1 : kernel == Kernel::sine ? -1 : 0;
+}
+
+using Vector = std::array<double, 2>;
+
+double dot(const Vector& u, const Vector& v) {
+    return u[0] * v[0] + u[1] * v[1];
+}
+
+Vector subtract_multiple(const Vector& u, const Vector& v, double factor) {
+    return {u[0] - factor * v[0], u[1] - factor * v[1]};
+}
+
+// Lagrange's reduction: a is a shortest vector, b a shortest one beside it.
+void reduce(Vector& a, Vector& b) {
+    for (;;) {
+        if (dot(b, b) < dot(a, a))
+            std::swap(a, b);
+        const Vector shorter = subtract_multiple(b, a, std::round(dot(a, b) / dot(a, a)));
+        if (dot(shorter, shorter) >= dot(b, b) - 1e-12)
+            break;
+        b = shorter;
+    }
+    if (dot(a, b) < 0)
+        b = {-b[0], -b[1]};
+}
+
+// Of the triangle 0, a, b, which is that of the hexagon's corners.
+double circumradius(const Vector& a, const Vector& b) {
+    const double area = std::abs(a[0] * b[1] - a[1] * b[0]) / 2;
+    const Vector c = subtract_multiple(b, a, 1);
+    return std::sqrt(dot(a, a) * dot(b, b) * dot(c, c)) / (4 * area);
 }
 
 } // namespace
@@ -93,9 +119,24 @@ std::string key(const Ingredients& ingredients) {
                        name(ingredients.kernel), name(ingredients.envelope), ingredients.impulses);
 }
 
+HexagonalLattice hexagonal_lattice(int n) {
+    HexagonalLattice best;
+    for (int step = 0; step < n; ++step) {
+        Vector a{1.0 / n, static_cast<double>(step) / n};
+        Vector b{0, 1};
+        reduce(a, b);
+        if (dot(a, a) > dot(best.a, best.a) + 1e-12)
+            best = {step, a, b, std::max(0.0, circumradius(a, b) - 0.5 / n)};
+    }
+    // One square cell needs no neighbours beyond the usual ones.
+    if (n == 1)
+        best.overhang = 0;
+    return best;
+}
+
 std::vector<std::uint32_t> constants(const Ingredients& ingredients) {
     using vulkan::constant;
-    const Hexagons hex = hexagons(ingredients.impulses);
+    const HexagonalLattice hex = hexagonal_lattice(ingredients.impulses);
     const auto real = [](double value) { return constant(static_cast<float>(value)); };
     return {constant(ingredients.impulses),
             constant(static_cast<int>(ingredients.points)),

@@ -1,14 +1,19 @@
 #pragma once
 
-#include "study/wave.hpp"
-
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gabor::study {
+
+/// The wave of a kernel. The study looks at an oblique one, so that no axis of the grid is special.
+struct Wave {
+    double frequency = 4;                      ///< cycles per kernel radius
+    double orientation = std::numbers::pi / 4; ///< radians
+};
 
 // In the order of shaders/gabor_ingredients.glsl.
 enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
@@ -47,6 +52,19 @@ inline constexpr Ingredients recommended{
 
 /// "points,weights,kernel,envelope,N", as the first columns of a table.
 std::string key(const Ingredients& ingredients);
+
+/// The lattice (i / n, i step / n) mod 1: n points in each unit cell, the same in all cells. Its Voronoi
+/// cells are equal hexagons that tile the plane, as close to regular ones as a lattice that repeats in each
+/// cell can have.
+struct HexagonalLattice {
+    int step = 0;
+    std::array<double, 2> a{}; ///< a reduced basis, a.b >= 0
+    std::array<double, 2> b{};
+    double overhang = 0; ///< how far hexagons reach over the border of the unit cell, at most 1/2
+};
+
+/// The lattice for n points per cell whose nearest points are the furthest apart.
+HexagonalLattice hexagonal_lattice(int n);
 
 /// The specialization constants of passes/ingredients.glsl.
 std::vector<std::uint32_t> constants(const Ingredients& ingredients);

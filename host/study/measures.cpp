@@ -1,6 +1,7 @@
 #include "study/measures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -10,9 +11,9 @@ namespace {
 
 constexpr std::uint64_t batch = 1 << 20; // values
 
-// Hands the values of whole instances to `take`, many instances at a time.
+// Calls `visit` with the values of whole instances, many instances at a time.
 void for_each_batch(std::span<Noise> sum, const Grid& grid, std::uint64_t instances, std::uint32_t seed,
-                    const std::function<void(std::span<const float>)>& take) {
+                    const std::function<void(std::span<const float>)>& visit) {
     const std::uint64_t per_batch = batch >> 2 * grid.bits;
     std::vector<float> total;
     std::vector<float> part;
@@ -26,14 +27,21 @@ void for_each_batch(std::span<Noise> sum, const Grid& grid, std::uint64_t instan
             noise.fill(part, grid, static_cast<std::uint32_t>(first), ++noise_seed, ~seed);
             std::ranges::transform(total, part, total.begin(), std::plus<>());
         }
-        take(total);
+        visit(total);
     }
+}
+
+constexpr double pixels_per_radius = 32;
+
+Grid picture_grid(int bits) {
+    return {static_cast<unsigned>(bits), std::ldexp(1 / pixels_per_radius, bits), false};
 }
 
 } // namespace
 
-OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed, double deviation) {
-    OneValue result{{}, statistics::Gaussianity(deviation)};
+ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
+                               double deviation) {
+    ValueStatistics result{{}, statistics::Gaussianity(deviation)};
     for_each_batch(sum, {}, samples, seed, [&](std::span<const float> values) {
         result.moments.add(values);
         result.gaussianity.add(values);
@@ -41,10 +49,11 @@ OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32
     return result;
 }
 
-statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed) {
+statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
+                                                 std::uint32_t seed) {
     constexpr Grid grid{4, 2, true};
     constexpr std::size_t pixels = std::size_t{1} << 2 * grid.bits;
-    statistics::Windows result;
+    statistics::InstanceStationarity result;
     for_each_batch(sum, grid, windows, seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels))
             result.add(values.first(pixels));
@@ -52,10 +61,10 @@ statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows,
     return result;
 }
 
-statistics::Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                  std::uint32_t seed) {
+statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                                               std::uint32_t seed) {
     const Grid grid{3, cell, false};
-    statistics::Places places(std::size_t{1} << 2 * grid.bits);
+    statistics::ProcessStationarity places(std::size_t{1} << 2 * grid.bits);
     for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) { places.add(values); });
     return places;
 }
@@ -72,6 +81,24 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
         }
     });
     return means;
+}
+
+std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings) {
+    std::vector<float> pixels(std::size_t{1} << 2 * bits);
+    std::vector<std::vector<double>> seconds(noises.size());
+    for (int round = 0; round < timings; ++round)
+        for (std::size_t i = 0; i < noises.size(); ++i)
+            seconds[i].push_back(noises[i].fill(pixels, picture_grid(bits), 0, 1, 1));
+    std::vector<double> medians;
+    for (const std::vector<double>& times : seconds)
+        medians.push_back(statistics::quantile(times, 0.5));
+    return medians;
+}
+
+std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed) {
+    std::vector<float> pixels(std::size_t{1} << 2 * bits);
+    noise.fill(pixels, picture_grid(bits), 0, seed, 1);
+    return pixels;
 }
 
 } // namespace gabor::study

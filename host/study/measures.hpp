@@ -14,25 +14,33 @@ namespace gabor::study {
 // Each measures the sum of several noises, with another seed each: `seed` decides everything.
 
 /// One value at a random place of each of `samples` independent instances.
-struct OneValue {
+struct ValueStatistics {
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
 };
 
-/// `deviation`: the standard deviation to compare the law with.
-OneValue measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
-                        double deviation = 1);
+/// `deviation`: the standard deviation of the normal distribution to compare with.
+ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
+                               double deviation = 1);
 
 /// Windows of one kernel diameter, each of another instance, 16 x 16 pixels each.
-statistics::Windows measure_windows(std::span<Noise> sum, std::uint64_t windows, std::uint32_t seed);
+statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
+                                                 std::uint32_t seed);
 
 /// 8 x 8 places of a cell, over many instances. `cell`: its side in kernel radii.
-statistics::Places measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                  std::uint32_t seed);
+statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                                               std::uint32_t seed);
 
 /// The mean of a whole instance, 64 x 64 pixels on a square of `side` kernel radii from a cell's corner, for
 /// each of many instances.
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
                                   std::uint32_t seed);
+
+/// Seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius: the median over
+/// `timings` rounds in which the noises take turns, so that what else the machine does touches all alike.
+std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
+
+/// The picture itself: its pixels, row by row.
+std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed);
 
 } // namespace gabor::study

@@ -1,30 +1,20 @@
 #include "study/noise.hpp"
 
 #include "passes/ingredients.h"
+#include "passes/places_interface.h"
+#include "passes/points.h"
+#include "passes/points_interface.h"
 #include "passes/recipes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace gabor::study {
 
 namespace {
 
 constexpr std::size_t batch = std::size_t{1} << 20; // values
-constexpr std::uint32_t group = 64;                 // local_size of passes/places.glsl
-
-struct Push {
-    float wave_x;
-    float wave_y;
-    float amplitude;
-    float spacing;
-    float origin;
-    std::uint32_t grid_bits;
-    std::uint32_t first;
-    std::uint32_t count;
-    std::uint32_t place_seed;
-    std::uint32_t noise_seed;
-};
 
 } // namespace
 
@@ -40,7 +30,7 @@ Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
              std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
              double cells_per_radius)
     : wave_(wave), amplitude_(amplitude), cells_per_radius_(cells_per_radius),
-      pass_(device, spirv, {1, sizeof(Push)}, constants),
+      pass_(device, spirv, {1, sizeof(passes::PlacesPush)}, constants),
       values_(device, batch * sizeof(float),
               device.unified() ? vulkan::Memory::readback : vulkan::Memory::device),
       job_(device, pass_, {values_}) {
@@ -50,9 +40,9 @@ Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
 
 double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
                    std::uint32_t place_seed) {
-    Push push{};
-    push.wave_x = static_cast<float>(wave_.frequency * std::cos(wave_.orientation));
-    push.wave_y = static_cast<float>(wave_.frequency * std::sin(wave_.orientation));
+    passes::PlacesPush push{};
+    push.wave = {static_cast<float>(wave_.frequency * std::cos(wave_.orientation)),
+                 static_cast<float>(wave_.frequency * std::sin(wave_.orientation))};
     push.amplitude = static_cast<float>(amplitude_);
     push.spacing =
         static_cast<float>(std::ldexp(grid.side * cells_per_radius_, -static_cast<int>(grid.bits)));
@@ -68,11 +58,37 @@ double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t firs
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
             copy.emplace(vulkan::Job::Copy{values_, *staging_, part.size_bytes()});
-        job_.submit(push, {(push.count + group - 1) / group}, copy);
+        job_.submit(push, {(push.count + passes::places_group - 1) / passes::places_group}, copy);
         seconds += job_.wait();
         std::ranges::copy((staging_ ? *staging_ : values_).as<float>().first(part.size()), part.begin());
     }
     return seconds;
+}
+
+PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
+                   std::uint32_t seed) {
+    // Poisson counts stay within twelve standard deviations.
+    const double capacity = ingredients.impulses + 12 * std::sqrt(ingredients.impulses) + 12;
+    const passes::PointsPush push{static_cast<std::uint32_t>(side), static_cast<std::uint32_t>(capacity),
+                                  seed};
+    const std::size_t cells = std::size_t{push.side} * push.side;
+    const vulkan::Pass pass(device, points_spirv, {2, sizeof(push)}, constants(ingredients));
+    const vulkan::Buffer counts(device, cells * sizeof(std::int32_t), vulkan::Memory::readback);
+    const vulkan::Buffer places(device, cells * push.capacity * sizeof(Point), vulkan::Memory::readback);
+    vulkan::Job job(device, pass, {counts, places});
+    const std::uint32_t groups = (push.side + passes::points_group - 1) / passes::points_group;
+    job.submit(push, {groups, groups});
+    job.wait();
+
+    PointSet set;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const auto count = static_cast<std::size_t>(counts.as<std::int32_t>()[cell]);
+        if (count > push.capacity)
+            throw std::runtime_error("a cell has more impulses than a Poisson count should have");
+        const auto first = places.as<Point>().subspan(cell * push.capacity, count);
+        set.emplace_back(first.begin(), first.end());
+    }
+    return set;
 }
 
 } // namespace gabor::study

@@ -2,12 +2,12 @@
 
 #include "study/ingredients.hpp"
 #include "study/variant.hpp"
-#include "study/wave.hpp"
 #include "vulkan/pass.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace gabor::study {
 
@@ -45,5 +45,18 @@ class Noise {
     std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
     vulkan::Job job_;
 };
+
+/// The place of an impulse, in cells.
+struct Point {
+    float x;
+    float y;
+};
+
+/// The impulses of each cell, row by row of cells.
+using PointSet = std::vector<std::vector<Point>>;
+
+/// Of a square of `side` x `side` cells, from the cell at the origin on.
+PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
+                   std::uint32_t seed);
 
 } // namespace gabor::study

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gabor::study {
 
@@ -17,9 +16,10 @@ Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std
             64.0 * ingredients.impulses * static_cast<double>(instances),
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
-                const statistics::Places places = measure_places(std::span(&noise, 1), 1, instances, seed);
-                return {places.variance().median, places.variance().interdecile, places.variance_chance(),
-                        places.largest_mean(), places.mean_chance()};
+                const statistics::ProcessStationarity places =
+                    measure_places(std::span(&noise, 1), 1, instances, seed);
+                return {places.variance().median, places.variance().interdecile, places.chance_interdecile(),
+                        places.largest_mean(), places.chance_largest_mean()};
             }};
 }
 
@@ -28,12 +28,11 @@ Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::
             4096.0 * ingredients.impulses * static_cast<double>(instances),
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
-                std::vector<double> means = measure_means(std::span(&noise, 1), 3, instances, seed);
-                const double largest =
-                    std::abs(*std::ranges::max_element(means, {}, [](double m) { return std::abs(m); }));
+                const std::vector<double> means = measure_means(std::span(&noise, 1), 3, instances, seed);
+                const auto quantile = [&](double share) { return statistics::quantile(means, share); };
                 constexpr double percent = 100.0 / 4; // of the range of four standard deviations
-                return {percent * statistics::quantile(means, 0.5),
-                        percent * (statistics::quantile(means, 0.9) - statistics::quantile(means, 0.1)), percent * largest};
+                return {percent * quantile(0.5), percent * (quantile(0.9) - quantile(0.1)),
+                        percent * std::max(quantile(1), -quantile(0))};
             }};
 }
 

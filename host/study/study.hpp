@@ -30,7 +30,7 @@ struct Effort {
 /// One figure or question: the tables that it consists of, and pictures to write beside them.
 struct Study {
     std::string_view name;
-    std::string_view is; ///< for help texts
+    std::string_view description; ///< for help texts
     std::vector<Table> (*tables)(const vulkan::Device& device, const Effort& effort);
     /// May be null.
     void (*pictures)(const vulkan::Device& device, const Effort& effort, const std::filesystem::path& folder);

@@ -2,6 +2,8 @@
 
 #include "vulkan/pass.hpp"
 
+#include <boost/math/special_functions/bessel.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,15 +15,15 @@ namespace gabor::study {
 namespace {
 
 // E[magnitude^power], for powers 2, 4 and 6.
-double magnitude_moment(Law law, double floor, int power) {
-    switch (law) {
-    case Law::uniform: {
+double magnitude_moment(Magnitudes magnitudes, double floor, int power) {
+    switch (magnitudes) {
+    case Magnitudes::uniform: {
         double sum = 0;
         for (int k = 0; k <= power; ++k)
             sum += std::pow(floor, k);
         return sum / (power + 1);
     }
-    case Law::two_point:
+    case Magnitudes::two_point:
         return (1 + std::pow(floor, power)) / 2;
     default:
         return std::pow(2, power / 2) * std::tgamma(1 + power / 2);
@@ -43,9 +45,9 @@ std::string_view name(Lattice lattice) {
     return lattice == Lattice::square ? "square" : "brick";
 }
 
-std::string_view name(Law law) {
+std::string_view name(Magnitudes magnitudes) {
     constexpr std::array names{"uniform", "two_point", "rayleigh"};
-    return names[static_cast<std::size_t>(law)];
+    return names[static_cast<std::size_t>(magnitudes)];
 }
 
 std::string_view name(Shape shape) {
@@ -76,7 +78,7 @@ std::vector<std::uint32_t> constants(const Variant& variant) {
             real(variant.radius),
             constant(static_cast<int>(variant.lattice)),
             real(variant.jitter),
-            constant(static_cast<int>(variant.law)),
+            constant(static_cast<int>(variant.magnitudes)),
             real(variant.floor),
             constant(static_cast<int>(variant.window.shape)),
             real(variant.window.c[0]),
@@ -88,7 +90,7 @@ double variance(const Variant& variant) {
     const double energy =
         4 * mean_over_cell(512, [&](double x, double y) { return std::pow(value(variant.window, x, y), 2); });
     return variant.impulses * variant.radius * variant.radius *
-           magnitude_moment(variant.law, variant.floor, 2) * energy / 2;
+           magnitude_moment(variant.magnitudes, variant.floor, 2) * energy / 2;
 }
 
 double visited(const Variant& variant) {
@@ -140,9 +142,9 @@ double best_floor(const Variant& variant) {
     double least = std::numeric_limits<double>::infinity();
     for (int thousandth = 1000; thousandth >= 0; --thousandth) {
         const double floor = thousandth / 1000.0;
-        const double w2 = magnitude_moment(variant.law, floor, 2) / 2;
-        const double w4 = magnitude_moment(variant.law, floor, 4) * 3 / 8;
-        const double w6 = magnitude_moment(variant.law, floor, 6) * 5 / 16;
+        const double w2 = magnitude_moment(variant.magnitudes, floor, 2) / 2;
+        const double w4 = magnitude_moment(variant.magnitudes, floor, 4) * 3 / 8;
+        const double w6 = magnitude_moment(variant.magnitudes, floor, 6) * 5 / 16;
         const double n = variant.impulses;
         const double power = n * w2 * a2;
         const double k4 = n * (w4 * a4 - 3 * w2 * w2 * a2a2) / (power * power) / 24;
@@ -155,6 +157,56 @@ double best_floor(const Variant& variant) {
         }
     }
     return best;
+}
+
+namespace {
+
+constexpr double step = 0.01; // cycles per radius
+constexpr double highest = 8; // cycles per radius
+constexpr int nodes = 500;
+
+double node(int i) {
+    return (i + 0.5) / nodes;
+}
+
+// The Fourier transform of a separable window along an axis, or of a round one, which is Hankel's.
+double transform(const Window& window, double frequency) {
+    double sum = 0;
+    for (int i = 0; i < nodes; ++i) {
+        const double x = node(i);
+        const double phase = 2 * std::numbers::pi * frequency * x;
+        sum += value(window, x, 0) *
+               (window.shape == Shape::separable ? std::cos(phase) : x * boost::math::cyl_bessel_j(0, phase));
+    }
+    return sum / nodes;
+}
+
+} // namespace
+
+SpectralPurity spectral_purity(const Window& window) {
+    const bool separable = window.shape == Shape::separable;
+    std::vector<double> power;
+    for (double f = 0; f < highest; f += step)
+        power.push_back(std::pow(transform(window, f), 2));
+    std::size_t end = 1;
+    while (power[end + 1] < power[end])
+        ++end;
+    const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
+
+    // By Parseval's theorem the whole power is that of the window; what is missing in the lobe is outside. On
+    // a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
+    // transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
+    double lobe = 0;
+    double whole = 0;
+    for (std::size_t i = 0; i < end; ++i) {
+        const double f = (static_cast<double>(i) + 0.5) * step;
+        lobe +=
+            (power[i] + power[i + 1]) / 2 * step * (separable ? 4 : std::pow(2 * std::numbers::pi, 2) * f);
+    }
+    for (int i = 0; i < nodes; ++i)
+        whole += std::pow(value(window, node(i), 0), 2) * (separable ? 1 : node(i)) / nodes;
+    const double share = separable ? std::pow(lobe / whole, 2) : lobe / whole;
+    return {10 * std::log10(sidelobe / power[0]), 1 - share};
 }
 
 } // namespace gabor::study

@@ -10,11 +10,11 @@ namespace gabor::study {
 
 // In the order of shaders/passes/recipes.comp.
 enum class Lattice { square, brick };
-enum class Law { uniform, two_point, rayleigh };
+enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
 std::string_view name(Lattice lattice);
-std::string_view name(Law law);
+std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
 
 /// A window: q(x) q(y), q(|d|) with q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2, or the truncated Gaussian.
@@ -32,9 +32,9 @@ struct Variant {
     int impulses = 1;  ///< N, per cell
     double radius = 1; ///< R, cells
     Lattice lattice = Lattice::square;
-    Law law = Law::two_point; ///< of the magnitudes, whose phases are random
-    double floor = 1;         ///< A; unused by the Rayleigh law
-    double jitter = 1;        ///< how far impulses are from the centre of their cell; 0 for a regular grid
+    Magnitudes magnitudes = Magnitudes::two_point; ///< of the amplitudes, whose phases are random
+    double floor = 1;                              ///< A; unused by the Rayleigh distribution
+    double jitter = 1; ///< how far impulses are from the centre of their cell; 0 for a regular grid
 };
 
 /// The specialization constants of passes/recipes.comp.
@@ -47,8 +47,17 @@ double variance(const Variant& variant);
 /// jitter)^2.
 double visited(const Variant& variant);
 
-/// The floor, in steps of 1/1000, with which the noise is nearest to a normal law by its cumulants of orders
-/// 4 and 6, which a Cramér-von Mises index sees together.
+/// The floor, in steps of 1/1000, with which the noise is nearest to a normal distribution by its cumulants
+/// of orders 4 and 6, which a Cramér-von Mises index sees together.
 double best_floor(const Variant& variant);
+
+/// How much of a kernel's power is where it was asked for. The spectrum of a kernel is that of its window
+/// around the wave vector: a lobe up to its first minimum, then sidelobes.
+struct SpectralPurity {
+    double sidelobe = 0; ///< power of the largest sidelobe, dB of the lobe's peak
+    double outside = 0;  ///< share of the power that is outside the lobe
+};
+
+SpectralPurity spectral_purity(const Window& window);
 
 } // namespace gabor::study

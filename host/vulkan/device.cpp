@@ -7,110 +7,30 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cctype>
 #include <charconv>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace gabor::vulkan {
 
 namespace {
 
-std::atomic<int> messages = 0;
+// The best first.
+using Type = vk::PhysicalDeviceType;
+constexpr std::array kinds{std::pair{Type::eDiscreteGpu, "discrete GPU"},
+                           std::pair{Type::eIntegratedGpu, "integrated GPU"},
+                           std::pair{Type::eVirtualGpu, "virtual GPU"}, std::pair{Type::eCpu, "CPU"},
+                           std::pair{Type::eOther, "other"}};
 
-VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                      const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
-    ++messages;
-    fmt::print(stderr, "validation: {}\n", data->pMessage);
-    return VK_FALSE;
-}
-
-std::string_view validation() {
-    const char* value = std::getenv("GABOR_VALIDATION");
-    return value && std::string_view(value) != "0" ? value : "";
-}
-
-bool validating() {
-    return !validation().empty();
-}
-
-vk::raii::Context load() {
-    try {
-        return {};
-    } catch (const std::runtime_error&) {
-        throw RequestError("no Vulkan loader found: install libvulkan1 and a driver (mesa-vulkan-drivers has "
-                           "one that needs no GPU)");
-    }
-}
-
-vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation) {
-    const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
-    vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
-    chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
-    const std::array layers{"VK_LAYER_KHRONOS_validation"};
-    std::vector<const char*> extensions = presentation.instance_extensions;
-    // What instruments the shaders takes many times as long, and its buffers are not for the other checks to
-    // see.
-    using Check = vk::ValidationFeatureEnableEXT;
-    const std::vector<Check> features =
-        validation() == "gpu" ? std::vector{Check::eGpuAssisted}
-        : presentation.can_present // Dear ImGui's backend allocates in its own way
-            ? std::vector{Check::eSynchronizationValidation}
-            : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
-    if (validating()) {
-        extensions.insert(extensions.end(),
-                          {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
-        chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
-        chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
-    } else {
-        chain.unlink<vk::ValidationFeaturesEXT>();
-    }
-    chain.get<vk::InstanceCreateInfo>().setPEnabledExtensionNames(extensions);
-    try {
-        return {context, chain.get<vk::InstanceCreateInfo>()};
-    } catch (const vk::IncompatibleDriverError&) {
-        throw RequestError(
-            "no Vulkan driver found: install one (mesa-vulkan-drivers has one that needs no GPU)");
-    }
-}
-
-vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance) {
-    if (!validating())
-        return nullptr;
-    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(
-                          {}, Severity::eError | Severity::eWarning,
-                          Type::eGeneral | Type::eValidation | Type::ePerformance, report)};
-}
-
-std::string_view kind_name(vk::PhysicalDeviceType type) {
-    switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu:
-        return "discrete GPU";
-    case vk::PhysicalDeviceType::eIntegratedGpu:
-        return "integrated GPU";
-    case vk::PhysicalDeviceType::eVirtualGpu:
-        return "virtual GPU";
-    case vk::PhysicalDeviceType::eCpu:
-        return "CPU";
-    default:
-        return "other";
-    }
-}
-
-// Lower is better.
-int rank(std::string_view kind) {
-    constexpr std::array<std::string_view, 5> order{"discrete GPU", "integrated GPU", "virtual GPU", "CPU",
-                                                    "other"};
-    return static_cast<int>(std::ranges::find(order, kind) - order.begin());
+std::size_t rank(vk::PhysicalDeviceType type) {
+    const auto found = std::ranges::find(kinds, type, &std::pair<Type, const char*>::first);
+    return std::min<std::size_t>(static_cast<std::size_t>(found - kinds.begin()), kinds.size() - 1);
 }
 
 struct Candidate {
     vk::raii::PhysicalDevice physical;
     DeviceInfo info;
+    std::size_t rank;
     std::uint32_t family;
     std::uint32_t timestamp_bits;
 };
@@ -158,7 +78,8 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         DeviceInfo info;
         info.index = static_cast<std::uint32_t>(found.size());
         info.name = properties.deviceName.data();
-        info.kind = kind_name(properties.deviceType);
+        const std::size_t device_rank = rank(properties.deviceType);
+        info.kind = kinds[device_rank].second;
         info.driver = driver_name(physical, properties);
         info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion),
                                VK_API_VERSION_MINOR(properties.apiVersion),
@@ -170,7 +91,7 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         info.group_invocations = properties.limits.maxComputeWorkGroupInvocations;
         info.subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
         info.timestamps = family->timestampValidBits != 0 && properties.limits.timestampPeriod > 0;
-        found.push_back({std::move(physical), std::move(info),
+        found.push_back({std::move(physical), std::move(info), device_rank,
                          static_cast<std::uint32_t>(family - families.begin()), family->timestampValidBits});
     }
     if (found.empty())
@@ -188,8 +109,7 @@ std::string lower(std::string_view text) {
 
 Candidate choose(std::vector<Candidate> all, std::string_view selector) {
     if (selector.empty())
-        return std::move(
-            *std::ranges::min_element(all, {}, [](const Candidate& c) { return rank(c.info.kind); }));
+        return std::move(*std::ranges::min_element(all, {}, &Candidate::rank));
     std::vector<std::string> names;
     for (const Candidate& candidate : all)
         names.push_back(fmt::format("{} ({})", candidate.info.index, candidate.info.name));
@@ -226,14 +146,8 @@ vk::raii::Device make_device(const Candidate& candidate, const Presentation& pre
     return {candidate.physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
-// A process has a handful of buffers, each with memory of its own; drivers want no crumbs.
-constexpr vk::DeviceSize least_memory = 1 << 20;
-
-constexpr vk::MemoryPropertyFlags coherent =
-    vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
-
 std::unique_ptr<Device::State> make_state(std::string_view selector, const Presentation& presentation) {
-    vk::raii::Context context = load();
+    vk::raii::Context context = load_vulkan();
     vk::raii::Instance instance = make_instance(context, presentation);
     vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
     Candidate chosen = choose(candidates(instance, presentation), selector);
@@ -257,30 +171,15 @@ std::unique_ptr<Device::State> make_state(std::string_view selector, const Prese
                           std::move(queue), tick, mask, unified, executable_properties});
 }
 
-// The first allowed memory type with `required` and, if one exists, also with `preferred`.
-std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
-                          vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) {
-    const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();
-    for (const vk::MemoryPropertyFlags wanted : {required | preferred, required})
-        for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i)
-            if ((allowed >> i & 1) && (properties.memoryTypes[i].propertyFlags & wanted) == wanted)
-                return i;
-    throw std::runtime_error(fmt::format("{} has no suitable memory", device.info.name));
-}
-
 } // namespace
 
 std::vector<DeviceInfo> devices() {
-    const vk::raii::Context context = load();
+    const vk::raii::Context context = load_vulkan();
     const vk::raii::Instance instance = make_instance(context, {});
     std::vector<DeviceInfo> result;
     for (Candidate& candidate : candidates(instance, {}))
         result.push_back(std::move(candidate.info));
     return result;
-}
-
-int validation_messages() {
-    return messages;
 }
 
 Device::Device(std::string_view selector, const Presentation& presentation)
@@ -294,38 +193,6 @@ const DeviceInfo& Device::info() const {
 
 bool Device::unified() const {
     return state_->unified;
-}
-
-Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(std::make_unique<State>()) {
-    using Flag = vk::MemoryPropertyFlagBits;
-    using Usage = vk::BufferUsageFlagBits;
-    const vk::raii::Device& logical = device.state().device;
-    state_->bytes = bytes;
-    state_->buffer = vk::raii::Buffer(
-        logical, {{}, bytes, Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
-    const vk::MemoryRequirements needs = state_->buffer.getMemoryRequirements();
-    const bool host = memory != Memory::device;
-    const vk::MemoryPropertyFlags preferred =
-        memory == Memory::readback ? Flag::eHostCached | (device.unified() ? Flag::eDeviceLocal : Flag{})
-                                   : vk::MemoryPropertyFlags(Flag::eDeviceLocal);
-    const std::uint32_t type = memory_type(device.state(), needs.memoryTypeBits,
-                                           host ? coherent : vk::MemoryPropertyFlags(), preferred);
-    state_->memory = vk::raii::DeviceMemory(logical, {std::max(needs.size, least_memory), type});
-    state_->buffer.bindMemory(*state_->memory, 0);
-    if (host)
-        state_->mapped = {static_cast<std::byte*>(state_->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes};
-}
-
-Buffer::~Buffer() = default;
-Buffer::Buffer(Buffer&&) noexcept = default;
-Buffer& Buffer::operator=(Buffer&&) noexcept = default;
-
-std::size_t Buffer::size() const {
-    return state_->bytes;
-}
-
-std::span<std::byte> Buffer::mapped() const {
-    return state_->mapped;
 }
 
 } // namespace gabor::vulkan

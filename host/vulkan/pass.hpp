@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vulkan/device.hpp"
+#include "vulkan/buffer.hpp"
 
 #include <bit>
 #include <functional>

@@ -1,14 +1,28 @@
 #pragma once
 
-// The Vulkan objects behind device.hpp and pass.hpp; included by this room, and by the viewer, which draws
-// with them.
+// The Vulkan objects behind the other headers; included by this room, and by the viewer, which draws with
+// them.
 
+#include "vulkan/buffer.hpp"
 #include "vulkan/device.hpp"
 #include "vulkan/pass.hpp"
 
 #include <vulkan/vulkan_raii.hpp>
 
 namespace gabor::vulkan {
+
+/// Throws RequestError where there is no Vulkan loader.
+vk::raii::Context load_vulkan();
+
+/// With the validation layers where GABOR_VALIDATION asks for them. Throws RequestError without a driver.
+vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation);
+
+/// Counts and prints what the validation layers say; null without them.
+vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance);
+
+/// What a buffer takes that the host reads or writes.
+inline constexpr vk::MemoryPropertyFlags coherent =
+    vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
 struct Device::State {
     vk::raii::Context context;

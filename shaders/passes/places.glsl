@@ -1,21 +1,11 @@
 // Where the study looks: a square grid of 4^grid_bits places in each of many instances, starting at a random place of a
 // cell or at the cell's corner. One value at a random place of each instance, windows, cells and pictures all are this.
 
-layout(local_size_x = 64) in;
+#include "passes/places_interface.h"
+
+layout(local_size_x = places_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
-
-layout(push_constant) uniform Push {
-    vec2 wave;       // cycles per kernel radius
-    float amplitude; // K
-    float spacing;   // of the grid, in cells
-    float origin;    // 1: starts at a random place of a cell, 0: at the corner
-    uint grid_bits;
-    uint first;      // instance
-    uint count;      // values
-    uint place_seed;
-    uint noise_seed;
-};
 
 // Two numbers in [0, 1).
 vec2 place_random(uint instance)

@@ -4,17 +4,12 @@
 // The point set of each cell of a square of cells: its count, then the places of the first `capacity` impulses.
 
 #include "ingredients.glsl"
+#include "passes/points_interface.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = points_group, local_size_y = points_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Counts { int counts[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Places { vec2 places[]; };
-
-layout(push_constant) uniform Push {
-    uint side; // cells
-    uint capacity;
-    uint seed;
-};
 
 void main()
 {

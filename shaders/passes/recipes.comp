@@ -1,14 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Values of recipes around the drop-in's, for the frontier and the open questions: the drop-in's sum with any number of
-// impulses, any lattice, weight law and window.
+// Values of variants of the drop-in's recipes, for the frontier and the open questions: any number of impulses, any
+// lattice, distribution of magnitudes and window.
 
 layout(constant_id = 0) const int impulses = 1;
 layout(constant_id = 1) const float radius = 1.0; // cells
 layout(constant_id = 2) const int brick = 0;      // 1: odd rows of cells are shifted by half a cell
 layout(constant_id = 3) const float jitter = 1.0; // 0: impulses stay at the centre of their cell
-layout(constant_id = 4) const int law = 0;        // of magnitudes: 0 uniform in [weight_floor, 1], 1 weight_floor or 1, 2 Rayleigh
+layout(constant_id = 4) const int magnitudes = 0; // 0 uniform in [weight_floor, 1], 1 weight_floor or 1, 2 Rayleigh
 layout(constant_id = 5) const float weight_floor = 1.0;
 layout(constant_id = 6) const int window = 0; // 0 separable polynomial, 1 radial polynomial, 2 truncated Gaussian
 layout(constant_id = 7) const float window_x = 1.0;
@@ -22,9 +22,9 @@ layout(constant_id = 9) const float window_z = 0.0;
 float magnitude(uint word)
 {
     float u = (float(int(word >> 8u)) + 0.5) / 16777216.0;
-    if (law == 2)
+    if (magnitudes == 2)
         return sqrt(-2.0 * log(u));
-    if (law == 1)
+    if (magnitudes == 1)
         return u < 0.5 ? weight_floor : 1.0;
     return weight_floor + (1.0 - weight_floor) * u;
 }
@@ -40,10 +40,10 @@ float envelope(vec2 d)
 
 float noise(vec2 p, uint seed)
 {
-    float lean = brick == 1 ? 0.5 : 0.0; // the most that a row is shifted
-    int columns = int(ceil(2.0 * radius + lean)) + 1;
+    float largest_shift = brick == 1 ? 0.5 : 0.0;
+    int columns = int(ceil(2.0 * radius + largest_shift)) + 1;
     int rows = int(ceil(2.0 * radius)) + 1;
-    vec2 first = floor(p - radius - vec2(lean, 0.0));
+    vec2 first = floor(p - radius - vec2(largest_shift, 0.0));
     uint seed_word = gabor_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < rows; ++j) {

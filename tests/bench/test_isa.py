@@ -18,7 +18,7 @@ with tempfile.TemporaryDirectory() as folder:
     measured = json.loads(measured_file.read_text())
 
 if measured["driver"] != recorded["driver"]:
-    print(f"recorded with {recorded['driver']}, and this is {measured['driver']}: nothing to compare")
+    print(f"skipped: recorded with {recorded['driver']}, and this is {measured['driver']}: nothing to compare")
     sys.exit(77)
 
 now = {code["name"]: code for code in measured["code"]}

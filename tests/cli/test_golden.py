@@ -3,7 +3,7 @@ last corner of the largest picture. On Mesa 22.3's lavapipe, Debian 12's, they a
 bit for bit; on other drivers within the tolerance that render/picture.hpp states. Whoever changes them changes the
 version. After a change that is meant, this writes the file anew, and the diff shows what changed:
 
-    GABOR_PROGRAM=build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
+    GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
 """
 
 import os

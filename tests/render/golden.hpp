@@ -14,8 +14,8 @@
 
 namespace gabor::test {
 
-/// A file of numbers that this version of the noise gives: 8 x 8 blocks by name. They are compared, or written
-/// where the environment says GABOR_GOLDEN=write.
+/// A file of numbers that this version of the noise gives: 8 x 8 blocks by name. They are compared, or
+/// written where the environment says GABOR_GOLDEN=write.
 class Golden {
   public:
     static constexpr std::size_t side = 8;

@@ -1,6 +1,7 @@
-// What this version of the noise is, in numbers: the words of impulses bit for bit, and 8 x 8 values of every function of
-// the drop-in for each recipe, at the origin and 10^9 cells away. Whoever changes them changes pixels, and so the version.
-// The numbers are in tests/golden; after a change that is meant, this writes them anew, and the diff shows what changed:
+// What this version of the noise is, in numbers: the words of impulses bit for bit, and 8 x 8 values of every
+// function of the drop-in for each recipe, at the origin and 10^9 cells away. Whoever changes them changes
+// pixels, and so the version. The numbers are in tests/golden; after a change that is meant, this writes them
+// anew, and the diff shows what changed:
 //
 //     GABOR_GOLDEN=write build/dev/tests/test_render "[golden]"
 
@@ -121,7 +122,8 @@ TEST_CASE("values of every function are those of this version", "[golden]") {
                     continue;
                 }
                 block("gabor_noise", tight, [](const Answer& a) { return a.noise; });
-                block("gabor_noise_gradient, the noise", tight, [](const Answer& a) { return a.gradient[0]; });
+                block("gabor_noise_gradient, the noise", tight,
+                      [](const Answer& a) { return a.gradient[0]; });
                 block("gabor_noise_gradient, along x", loose, [](const Answer& a) { return a.gradient[1]; });
                 block("gabor_noise_gradient, along y", loose, [](const Answer& a) { return a.gradient[2]; });
                 block("gabor_noise_complex, real", tight, [](const Answer& a) { return a.complex[0]; });
@@ -147,8 +149,9 @@ TEST_CASE("the four noises are those of this version", "[golden]") {
                 return away ? far_sample(recipe, i) : near_sample(recipe, i);
             });
             for (std::size_t c = 0; c < 4; ++c)
-                golden.block(fmt::format("{}, {}: gabor_noise_four, {}", recipe.name, away ? "far" : "near", c),
-                             tolerance(frequency), [&](std::size_t i) { return answers[i].four[c]; });
+                golden.block(
+                    fmt::format("{}, {}: gabor_noise_four, {}", recipe.name, away ? "far" : "near", c),
+                    tolerance(frequency), [&](std::size_t i) { return answers[i].four[c]; });
         }
     }
     golden.finish();

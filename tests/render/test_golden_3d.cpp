@@ -25,6 +25,7 @@ TEST_CASE("values of every function in space are those of this version", "[golde
             if (away)
                 sample.place.cell = {1'000'000'000, -1'000'000'000, 3};
             sample.place.local = {(column - 3.5f) * 0.375f, (row - 3.5f) * 0.375f, 0.4f};
+            sample.position = sample.place.local; // R is 1
             sample.place.time = 0.3f;
             sample.frequency = frequency;
             sample.direction = {1, 0.5f, -2};
@@ -55,7 +56,8 @@ TEST_CASE("values of every function in space are those of this version", "[golde
         block("gabor_noise_3d_tiled", tight, [](const Answer& a) { return a.tiled; });
         block("gabor_noise_3d_animated", tight, [](const Answer& a) { return a.animated; });
         block("gabor_noise_surface", 8 * tight, [](const Answer& a) { return a.surface; });
-        block("gabor_noise_surface_isotropic", 8 * tight, [](const Answer& a) { return a.surface_isotropic; });
+        block("gabor_noise_surface_isotropic", 8 * tight,
+              [](const Answer& a) { return a.surface_isotropic; });
     }
     golden.finish();
 }

@@ -1,6 +1,6 @@
 #include "samples.hpp"
 
-#include "statistics/normal.hpp"
+#include "statistics/estimate.hpp"
 
 #include <cmath>
 #include <numbers>

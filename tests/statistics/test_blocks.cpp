@@ -1,7 +1,7 @@
 #include "statistics/blocks.hpp"
 
 #include "samples.hpp"
-#include "statistics/normal.hpp"
+#include "statistics/estimate.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -77,7 +77,7 @@ TEST_CASE("estimates from blocks have no bias and their intervals cover the trut
         variance.add(known->variance);
         analytic.add(known->cvm);
 
-        Blocks against_itself(side, side, measured_reference(moments));
+        Blocks against_itself(side, side, fitted_normal(moments));
         add_picture(against_itself, picture, side);
         measured.add(against_itself.estimate(correlation)->cvm);
     }
@@ -137,11 +137,11 @@ TEST_CASE("a picture without variance has no law to speak of") {
     const std::vector<float> flat(64 * 64, 0.5f);
     Moments moments;
     moments.add(flat);
-    const Reference reference = measured_reference(moments);
+    const NormalDistribution reference = fitted_normal(moments);
     CHECK(reference.mean == 0.5);
     CHECK(reference.deviation == 1);
     Blocks blocks(64, 64, reference);
     add_picture(blocks, flat, 64);
     CHECK_FALSE(blocks.estimate(1));
-    CHECK(measured_reference(Moments()).deviation == 1);
+    CHECK(fitted_normal(Moments()).deviation == 1);
 }

@@ -1,7 +1,7 @@
 #include "statistics/gaussianity.hpp"
 
 #include "samples.hpp"
-#include "statistics/normal.hpp"
+#include "statistics/estimate.hpp"
 
 #include <catch2/catch.hpp>
 

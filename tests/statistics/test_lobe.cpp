@@ -1,4 +1,4 @@
-#include "statistics/lobe.hpp"
+#include "statistics/spectrum.hpp"
 
 #include "samples.hpp"
 

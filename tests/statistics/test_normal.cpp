@@ -1,4 +1,4 @@
-#include "statistics/normal.hpp"
+#include "statistics/estimate.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -12,7 +12,7 @@ using namespace gabor::statistics;
 namespace {
 
 PictureReport report_on(const std::vector<float>& picture, int width, int height, int band,
-                        const Reference& reference = {}) {
+                        const NormalDistribution& reference = {}) {
     PictureStatistics statistics(width, height, reference);
     const std::span<const float> pixels = picture;
     const auto columns = static_cast<std::size_t>(width);
@@ -41,8 +41,8 @@ TEST_CASE("a report holds what its parts measure") {
         value = 0.5f + 0.25f * value;
     Moments moments;
     CHECK(add_finite(moments, picture) == 0);
-    const Reference reference = measured_reference(moments);
-    CHECK(reference.measured);
+    const NormalDistribution reference = fitted_normal(moments);
+    CHECK(reference.fitted);
     CHECK(reference.mean == Approx(0.5).epsilon(0.01));
     CHECK(reference.deviation == Approx(0.25).epsilon(0.02));
 

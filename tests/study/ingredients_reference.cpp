@@ -1,7 +1,7 @@
 #include "ingredients_reference.hpp"
 
 #include "noise/reference.hpp"
-#include "study/hexagons.hpp"
+#include "study/ingredients.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ std::uint32_t owen(std::uint32_t fraction, std::uint32_t seed) {
 
 // A point of the parallelogram of a and b, moved into the Voronoi cell of the lattice point that it is
 // nearest to.
-std::pair<double, double> hexagon(const study::Hexagons& hex, double u, double v) {
+std::pair<double, double> hexagon(const study::HexagonalLattice& hex, double u, double v) {
     const double x = (u - 0.5) * hex.a[0] + (v - 0.5) * hex.b[0];
     const double y = (u - 0.5) * hex.a[1] + (v - 0.5) * hex.b[1];
     std::pair<double, double> best{x, y};
@@ -117,7 +117,7 @@ std::vector<Impulse> cell_impulses(const Ingredients& it, std::int32_t cell_x, s
     const std::uint32_t cell_word = noise::impulse_word(cell_x, cell_y, -1, seed);
     const bool counted = it.points == Points::poisson;
     const int count = counted ? poisson(static_cast<float>(it.impulses), cell_word) : it.impulses;
-    const study::Hexagons hex = study::hexagons(it.impulses);
+    const study::HexagonalLattice hex = study::hexagonal_lattice(it.impulses);
     std::vector<Impulse> impulses;
     for (int k = 0; k < count; ++k) {
         const std::uint32_t word = noise::impulse_word(cell_x, cell_y, k, seed);

@@ -1,7 +1,7 @@
 // The study's numbers on a device, against what theory or the paper has, with thresholds that an error of 2 %
 // in variance or a doubled cvm crosses.
 
-#include "study/convergence.hpp"
+#include "study/figures.hpp"
 #include "study/measures.hpp"
 #include "study/variant.hpp"
 
@@ -25,7 +25,7 @@ TEST_CASE("variance 1 with every ingredient", "[criteria]") {
     const vulkan::Device device;
     const auto check = [&](const Ingredients& it) {
         Noise noise(device, it);
-        const OneValue values = measure_values(alone(noise), 1 << 19, 3);
+        const ValueStatistics values = measure_values(alone(noise), 1 << 19, 3);
         INFO(key(it) << ": variance " << values.moments.variance());
         CHECK(values.moments.variance() ==
               Approx(1).margin(0.0105)); // 3 standard errors at the largest kurtosis
@@ -75,11 +75,11 @@ TEST_CASE("recipes have variance 1, and next to no excess kurtosis with the best
     for (const Window& window : {Window{"", Shape::separable, {3, -4.5, 2.5}},
                                  Window{"", Shape::radial, {1, 0, 0}}, Window{"", Shape::gaussian}})
         for (const Lattice lattice : {Lattice::square, Lattice::brick})
-            for (const Law law : {Law::uniform, Law::two_point}) {
+            for (const Magnitudes law : {Magnitudes::uniform, Magnitudes::two_point}) {
                 Variant variant{window, 1, 1.25, lattice, law};
                 variant.floor = best_floor(variant);
                 Noise noise(device, variant);
-                const OneValue values = measure_values(alone(noise), 1 << 18, 9);
+                const ValueStatistics values = measure_values(alone(noise), 1 << 18, 9);
                 INFO(name(window.shape) << ", " << name(lattice) << ", " << name(law));
                 CHECK(values.moments.variance() == Approx(1).margin(0.0105));
                 CHECK(values.moments.excess_kurtosis() == Approx(0).margin(0.04));
@@ -88,9 +88,10 @@ TEST_CASE("recipes have variance 1, and next to no excess kurtosis with the best
 
 TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[criteria]") {
     const vulkan::Device device;
-    Noise noise(device,
-                Variant{{"", Shape::separable, {1, -1, 1}}, 1, 1.5, Lattice::square, Law::rayleigh, 1, 0});
-    const OneValue values = measure_values(alone(noise), 1 << 19, 4);
+    Noise noise(
+        device,
+        Variant{{"", Shape::separable, {1, -1, 1}}, 1, 1.5, Lattice::square, Magnitudes::rayleigh, 1, 0});
+    const ValueStatistics values = measure_values(alone(noise), 1 << 19, 4);
     CHECK(values.moments.variance() == Approx(1).margin(0.0105));
     CHECK(values.moments.excess_kurtosis() == Approx(0).margin(0.03));
 }
@@ -98,14 +99,14 @@ TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[crit
 TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
     const vulkan::Device device;
     Noise noise(device, recommended);
-    const statistics::Windows windows = measure_windows(alone(noise), 1 << 12, 1);
+    const statistics::InstanceStationarity windows = measure_windows(alone(noise), 1 << 12, 1);
     CHECK(windows.contrast().interdecile ==
           Approx(0.94).epsilon(0.06)); // shared figures of the paper's criteria
-    CHECK(windows.deviation() == Approx(0.96).epsilon(0.02));
-    const statistics::Places places = measure_places(alone(noise), 1, 1 << 13, 1);
+    CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
+    const statistics::ProcessStationarity places = measure_places(alone(noise), 1, 1 << 13, 1);
     CHECK(places.variance().median == Approx(1).margin(0.01));
-    CHECK(places.variance().interdecile < 1.3 * places.variance_chance());
-    CHECK(places.largest_mean() < 1.3 * places.mean_chance());
+    CHECK(places.variance().interdecile < 1.3 * places.chance_interdecile());
+    CHECK(places.largest_mean() < 1.3 * places.chance_largest_mean());
 }
 
 TEST_CASE("an instance that repeats has the mean 0 if its kernel is a sine", "[criteria]") {

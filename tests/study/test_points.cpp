@@ -1,8 +1,8 @@
 // The point sets: their counts, and that they are where they should be.
 
 #include "ingredients_reference.hpp"
-#include "study/hexagons.hpp"
-#include "study/point_set.hpp"
+#include "study/ingredients.hpp"
+#include "study/noise.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -74,7 +74,7 @@ TEST_CASE("jittered points are one in each sub-cell of equal area", "[points]") 
 TEST_CASE("hexagons meet seamlessly: each point is nearest to its own centre, across all cells", "[points]") {
     const vulkan::Device device;
     for (const int n : {2, 4, 7, 12, 29}) {
-        const study::Hexagons hex = study::hexagons(n);
+        const study::HexagonalLattice hex = study::hexagonal_lattice(n);
         const study::PointSet set =
             study::point_set(device, {.points = Points::jittered_hex, .impulses = n}, 5, 5);
         for (std::size_t cell = 0; cell < set.size(); ++cell)
@@ -95,7 +95,7 @@ TEST_CASE("hexagons meet seamlessly: each point is nearest to its own centre, ac
             }
     }
     // As close to regular as it gets: for 15 points the lattice has its neighbours within 5 % of one another.
-    const study::Hexagons hex = study::hexagons(15);
+    const study::HexagonalLattice hex = study::hexagonal_lattice(15);
     CHECK(std::hypot(hex.b[0], hex.b[1]) < 1.05 * std::hypot(hex.a[0], hex.a[1]));
 }
 

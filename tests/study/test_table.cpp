@@ -2,9 +2,9 @@
 
 #include "../image/scratch_folder.hpp"
 #include "error.hpp"
-#include "study/convergence.hpp"
-#include "study/purity.hpp"
+#include "study/figures.hpp"
 #include "study/table.hpp"
+#include "study/variant.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,18 +13,37 @@
 using namespace gabor;
 using namespace gabor::study;
 
+TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
+    const auto row = [](double visits, double cvm_high, double sidelobe, double interdecile = 0.01) {
+        return Numbers{visits, 0, 0, cvm_high, 1, interdecile, 0.02, 1, sidelobe, 0};
+    };
+    std::vector<Numbers> rows{
+        row(9, 0.5, -28),       row(9, 0.5, -28), // as good as the first: neither dominates the other
+        row(18, 0.5, -28),                        // more visits for nothing
+        row(18, 0.1, -28),                        // more visits for more Gaussianity
+        row(16, 0.6, -30),                        // for lower sidelobes
+        row(9, 0.01, -40, 0.2), // better than all, but not stationary: dominates nothing, and is not on the
+                                // front
+    };
+    mark_pareto(rows);
+    std::vector<double> front;
+    for (const Numbers& numbers : rows)
+        front.push_back(numbers.back());
+    CHECK(front == std::vector<double>{1, 1, 0, 1, 1, 0});
+}
+
 TEST_CASE("spectral purity of known windows", "[purity]") {
     // (1 - x^2)^2 has the spectrum j_2(a) / a^2, whose largest sidelobe is at a = 6.988.
     const double a = 6.9879;
     const double side = std::sph_bessel(2, a) / (a * a) * 15;
-    CHECK(purity({"", Shape::separable, {1, 0, 0}}).sidelobe ==
+    CHECK(spectral_purity({"", Shape::separable, {1, 0, 0}}).sidelobe ==
           Approx(20 * std::log10(std::abs(side))).margin(0.01));
     // (1 - r^2)^2 has J_3(a) / a^3, with its largest at a = 7.588.
     const double b = 7.5883;
-    CHECK(purity({"", Shape::radial, {1, 0, 0}}).sidelobe ==
+    CHECK(spectral_purity({"", Shape::radial, {1, 0, 0}}).sidelobe ==
           Approx(20 * std::log10(std::abs(std::cyl_bessel_j(3.0, b)) / (b * b * b) * 48)).margin(0.01));
     for (const Shape shape : {Shape::separable, Shape::radial, Shape::gaussian}) {
-        const double outside = purity({"", shape, {1, 0, 0}}).outside;
+        const double outside = spectral_purity({"", shape, {1, 0, 0}}).outside;
         CHECK(outside > 1e-4);
         CHECK(outside < 4e-3);
     }

@@ -1,6 +1,6 @@
 #include "viewer/panels.hpp"
 
-#include "statistics/normal.hpp"
+#include "statistics/estimate.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,22 +1,15 @@
 // What the benchmark's passes share. Each defines
 //     float value(vec2 p, uint seed)
-// and is timed filling a picture, one pixel per invocation; or, to measure the law of its values, samples one random
-// place of an independent instance per invocation.
+// and is timed filling a picture, one pixel per invocation; or, to measure how its values are distributed, samples
+// one random place of an independent instance per invocation.
 
-layout(constant_id = 7) const bool sampling = false;
+#include "passes/bench/bench_interface.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = sampling_id) const bool sampling = false;
+
+layout(local_size_x = bench_group, local_size_y = bench_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
-
-layout(push_constant) uniform Push {
-    float frequency;
-    float orientation;
-    float pixel; // kernel radii per pixel
-    uint seed;
-    uint width;
-    uint height;
-};
 
 float value(vec2 p, uint instance);
 

@@ -27,9 +27,9 @@ float slope(ivec2 corner, vec2 offset, uint instance)
 float value(vec2 p, uint instance)
 {
     p *= 2.0 * frequency;
-    vec2 whole = floor(p);
-    ivec2 cell = ivec2(whole);
-    vec2 f = p - whole;
+    vec2 corner = floor(p);
+    ivec2 cell = ivec2(corner);
+    vec2 f = p - corner;
     vec2 fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
     float a = slope(cell, f, instance);
     float b = slope(cell + ivec2(1, 0), f - vec2(1.0, 0.0), instance);

@@ -8,11 +8,11 @@
 #include "../recipe.glsl"
 #include "bench.glsl"
 
-layout(constant_id = 10) const int entry = 0;
+layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
 
 float value(vec2 p, uint instance)
 {
-    switch (entry) {
+    switch (function) {
     case 1:
         vec3 bump = gabor_noise_gradient(p, frequency, orientation, instance);
         return bump.x + bump.y + bump.z;
@@ -33,7 +33,7 @@ float value(vec2 p, uint instance)
         GaborLobes lobes;
         for (int i = 0; i < GABOR_LOBES; ++i)
             lobes.lobe[i] = gabor_lobe(frequency + float(i), orientation + float(i), 0.0, 0.0, 1.0);
-        lobes.count = entry == 7 ? 3 : 16;
+        lobes.count = function == 7 ? 3 : 16;
         return gabor_noise_lobes(p, lobes, instance);
     case 9:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);

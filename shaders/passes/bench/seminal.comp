@@ -5,16 +5,19 @@
 // The seminal noise as its authors' published method goes: Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise
 // using sparse Gabor convolution", 2009. A generator seeded for each cell and drawn from in sequence, a Poisson number
 // of impulses (Knuth's product), uniform weights, a Gaussian cut off at the kernel radius, a cosine. With `advice` it
-// is the paper's advice, written in the same plain way: a fixed number, Bernoulli weights, a sine.
+// is the paper's advice, written in the same plain way: a fixed number, Bernoulli weights, a sine. Both compute the
+// direction of the wave for every impulse, as published; with `hoisted` once for each pixel.
 
 #include "bench.glsl"
 
-layout(constant_id = 8) const int mean_impulses = 30;
-layout(constant_id = 9) const bool advice = false;
+layout(constant_id = option_id) const int mean_impulses = 30;
+layout(constant_id = option_id + 1) const bool advice = false;
+layout(constant_id = option_id + 2) const bool hoisted = false;
 
 const float pi = 3.14159265;
 
 uint generator;
+vec2 wave; // radians per kernel radius, where hoisted
 
 void seed_generator(ivec2 cell, uint instance)
 {
@@ -44,8 +47,8 @@ int poisson(float mean)
 float kernel(vec2 d)
 {
     float envelope = exp(-pi * dot(d, d));
-    float along = d.x * cos(orientation) + d.y * sin(orientation);
-    float phase = 2.0 * pi * frequency * along;
+    float phase = hoisted ? dot(wave, d)
+                          : 2.0 * pi * frequency * (d.x * cos(orientation) + d.y * sin(orientation));
     return envelope * (advice ? sin(phase) : cos(phase));
 }
 
@@ -68,9 +71,11 @@ float cell_value(ivec2 cell, vec2 offset, uint instance)
 
 float value(vec2 p, uint instance)
 {
-    vec2 whole = floor(p);
-    ivec2 cell = ivec2(whole);
-    vec2 f = p - whole;
+    vec2 corner = floor(p);
+    ivec2 cell = ivec2(corner);
+    vec2 f = p - corner;
+    if (hoisted)
+        wave = 2.0 * pi * frequency * vec2(cos(orientation), sin(orientation));
     float sum = 0.0;
     [[unroll]] for (int j = -1; j <= 1; ++j)
         [[unroll]] for (int i = -1; i <= 1; ++i)

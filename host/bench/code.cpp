@@ -1,5 +1,4 @@
-#include "bench/isa.hpp"
-
+#include "bench/bench.hpp"
 #include "bench/subjects.hpp"
 #include "render/bake.hpp"
 
@@ -11,14 +10,14 @@ namespace {
 
 using Statistics = std::map<std::string, std::uint64_t>;
 
-double of(const Statistics& statistics, const char* name) {
+double value(const Statistics& statistics, const char* name) {
     const auto found = statistics.find(name);
     return found == statistics.end() ? 0 : static_cast<double>(found->second);
 }
 
-Code whole(std::string name, const Statistics& statistics) {
-    return {std::move(name), of(statistics, "Instructions"), of(statistics, "Inverse Throughput"),
-            static_cast<int>(of(statistics, "VGPRs"))};
+Code unrolled(std::string name, const Statistics& statistics) {
+    return {std::move(name), value(statistics, "Instructions"), value(statistics, "Inverse Throughput"),
+            static_cast<int>(value(statistics, "VGPRs"))};
 }
 
 // A block's code is what comes before its rows, and the rows: the difference of two rows and one is one row.
@@ -29,11 +28,11 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const Statistics one = render::make_bake_pass(device, picture, block.columns, 1).statistics(device);
     const Statistics two = render::make_bake_pass(device, picture, block.columns, 2).statistics(device);
     const auto per_pixel = [&](const char* name) {
-        const double first = of(one, name);
-        return (first + (block.rows - 1) * (of(two, name) - first)) / (block.rows * block.columns);
+        const double first = value(one, name);
+        return (first + (block.rows - 1) * (value(two, name) - first)) / (block.rows * block.columns);
     };
     return {fmt::format("bake, {}", recipe.name), per_pixel("Instructions"), per_pixel("Inverse Throughput"),
-            static_cast<int>(of(two, "VGPRs"))};
+            static_cast<int>(value(two, "VGPRs"))};
 }
 
 } // namespace
@@ -41,13 +40,13 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
 std::vector<Code> measure_code(const vulkan::Device& device) {
     std::vector<Code> codes;
     for (const Subject& subject : subjects()) {
-        const bool random_loops = subject.mean_impulses > 0 && !subject.advice;
-        if (random_loops)
+        if (subject.random_loops)
             continue;
-        codes.push_back(whole(subject.name, make_pass(device, subject, Use::statistics).statistics(device)));
-        if (subject.recipe && subject.entry == 0)
-            codes.push_back(whole(subject.name + ", native sine",
-                                  make_pass(device, subject, Use::statistics, true).statistics(device)));
+        codes.push_back(
+            unrolled(subject.name, make_pass(device, subject, Use::statistics).statistics(device)));
+        if (subject.recipe && subject.measure_cvm)
+            codes.push_back(unrolled(subject.name + ", native sine",
+                                     make_pass(device, subject, Use::statistics, true).statistics(device)));
     }
     for (const noise::Recipe& recipe : noise::recipes())
         codes.push_back(baked(device, recipe));

@@ -1,0 +1,27 @@
+// For passes/bench/bench.glsl and host/bench.
+
+#ifndef GABOR_BENCH_INTERFACE_H
+#define GABOR_BENCH_INTERFACE_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+const uint bench_group = 8; // invocations along x and y
+
+// Specialization constants: those before are the recipe's, those after are each pass's own.
+const uint sampling_id = 7;
+const uint option_id = 8;
+
+GABOR_PUSH_CONSTANTS(BenchPush) {
+    float frequency;   // cycles per kernel radius
+    float orientation; // radians
+    float pixel;       // kernel radii per pixel
+    uint seed;
+    uint width;
+    uint height;
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_BENCH_INTERFACE_H

@@ -1,0 +1,26 @@
+// For passes/places.glsl and host/study.
+
+#ifndef GABOR_PLACES_INTERFACE_H
+#define GABOR_PLACES_INTERFACE_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+const uint places_group = 64; // invocations
+
+GABOR_PUSH_CONSTANTS(PlacesPush) {
+    vec2 wave;       // cycles per kernel radius
+    float amplitude; // K
+    float spacing;   // of the grid, in cells
+    float origin;    // 1: starts at a random place of a cell, 0: at the corner
+    uint grid_bits;
+    uint first; // instance
+    uint count; // values
+    uint place_seed;
+    uint noise_seed;
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_PLACES_INTERFACE_H

@@ -1,0 +1,20 @@
+// For passes/points.comp and host/study.
+
+#ifndef GABOR_POINTS_INTERFACE_H
+#define GABOR_POINTS_INTERFACE_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+const uint points_group = 8; // invocations along x and y
+
+GABOR_PUSH_CONSTANTS(PointsPush) {
+    uint side;     // of the square, in cells
+    uint capacity; // impulses that a cell has room for
+    uint seed;
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_POINTS_INTERFACE_H

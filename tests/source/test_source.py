@@ -1,0 +1,48 @@
+"""What holds for the source as text: its format, and the version in every place that names it."""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+ROOT = pathlib.Path(__file__).parents[2]
+
+
+def text(path):
+    return (ROOT / path).read_text()
+
+
+class Format(unittest.TestCase):
+    def test_cpp_is_formatted(self):
+        if not shutil.which("clang-format"):
+            self.skipTest("needs clang-format")
+        files = sorted(path for folder in ("host", "shaders", "tests") for pattern in ("*.cpp", "*.hpp", "*.h")
+                       for path in (ROOT / folder).rglob(pattern))
+        self.assertGreater(len(files), 100)
+        result = subprocess.run(["clang-format", "--dry-run", "--Werror", *files], capture_output=True, text=True)
+        off = sorted(set(re.findall(r"^(.*?):\d+:\d+: error", result.stderr, re.MULTILINE)))
+        self.assertEqual((off, result.returncode), ([], 0), result.stderr)
+
+
+class Version(unittest.TestCase):
+    def test_every_place_names_the_same(self):
+        version = re.search(r"project\(gabor-noise VERSION (\d+\.\d+\.\d+)", text("CMakeLists.txt"))[1]
+        major, minor, patch = map(int, version.split("."))
+        number = str(10000 * major + 100 * minor + patch)
+        found = {"package.json": json.loads(text("package.json"))["version"],
+                 "CHANGELOG.md": re.search(r"^## (\S+)$", text("CHANGELOG.md"), re.MULTILINE)[1]}
+        self.assertEqual(found, dict.fromkeys(found, version))
+
+        naming = [path for folder in ("shaders", "shaders/translations") for path in (ROOT / folder).glob("gabor_*")
+                  if "_VERSION" in path.read_text()]
+        self.assertGreaterEqual({path.name for path in naming},
+                                {f"gabor_noise.{ending}" for ending in ("glsl", "hlsl", "metal", "wgsl", "gdshaderinc")})
+        for path in naming:
+            self.assertEqual(re.findall(r"(?:#define|const) GABOR_\w*VERSION(?:: u32 =)? (\d+)", path.read_text()),
+                             [number], path.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
