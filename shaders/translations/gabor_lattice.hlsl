@@ -59,22 +59,27 @@ uint gabor_impl_mix(uint word, uint salt)
     return word ^ (word >> 15u);
 }
 
-// The salt of an axis: x is 0, y is 1, z is 2. With one salt for all, nodes on the diagonal would have the same word.
-uint gabor_impl_salt(uint seed, uint axis)
+// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
+// would have squares for words.
+#define GABOR_IMPL_ROWS 0x5bd1e995u
+uint gabor_impl_salt(uint seed)
 {
-    return gabor_impl_mix(seed * 0x9e3779b1u + axis, 0x2545f491u);
+    return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column (axis 0) or a row (axis 1) of nodes.
+// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
+// 32 bits; GPUs multiply 24 bits at a quarter of the cost.
 uint gabor_impl_line_word(int index, uint salt)
 {
-    return gabor_impl_mix(uint(index) * 0x9e3779b1u + salt, salt);
+    uint word = uint(index) * 0x9e3779b1u + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return (word >> 8u) | 0x800001u;
 }
 
-// The word of a node, from the xor of those of its column and its row. The 16 high bits are well mixed.
-uint gabor_impl_node_word(uint lines)
+// The word of a node. Its high bits are the best.
+uint gabor_impl_node_word(uint column, uint row)
 {
-    return lines * 0x85ebca6bu;
+    return column * row;
 }
 
 // Another word of the same node.
@@ -83,49 +88,30 @@ uint gabor_impl_next_word(uint word)
     return (word ^ (word >> 15u)) * 0xd35a2d97u;
 }
 
-// The amplitude of a word: its parts, from the word's two high bytes, are independent and nearly normal, with mean 0
-// and the deviation below. With u uniform in [-1, 1] each is proportional to u (1 - 1.2373 u^2 + 1.7741 u^4).
-#define GABOR_IMPL_DEVIATION 1.1657255e10
+// The amplitude of a word: its parts, from the high byte and the 24 bits below, are independent and nearly normal. With
+// u uniform in [-1, 1] each is u - 0.798 clamp(u, -0.806, 0.806), whose quantiles are close enough to the normal law's:
+// at a node itself, where its amplitude has 63 % of the power, the sum's distribution function is within 0.0012 of
+// normal, and within 0.0003 on average. In units of 2^-31; the deviation of each part is
+#define GABOR_IMPL_DEVIATION 3.0970283e8
 float2 gabor_impl_amplitude(uint word)
 {
-    float2 u = float2(float(int(word) >> 24), float(int(word << 8u) >> 24)) + 0.5;
-    float2 t = u * u - 5713.2978;
-    return u * (t * t + 118666190.0);
+    float2 u = float2(float(int((word & 0xff000000u) | 0x00800000u)), float(int(word << 8u)));
+    return u - 0.79794583 * clamp(u, -1.7317979e9, 1.7317979e9);
 }
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
 
-// (cos, sin) of 2 pi t for any t, within 2e-7: reduced to half a turn, then minimax polynomials that share the zeros.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
+// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 float2 gabor_impl_wave(float t)
 {
     t -= floor(t + 0.5);
-    float s = t * t;
-    float cosine = 6.5400201 * s - 25.567098;
-    cosine = cosine * s + 58.571857;
-    cosine = cosine * s - 81.78964;
-    cosine = cosine * s + 59.827274;
-    cosine = cosine * s - 16.0;
-    float sine = 38.123197 - 12.233302 * s;
-    sine = sine * s - 67.043898;
-    sine = sine * s + 64.834681;
-    sine = sine * s - 25.13273;
-    return float2((s - 0.0625) * cosine, t * (s - 0.25) * sine);
-}
-
-// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials. Its error stays
-// near 1e-7, for a large frequency multiplies it.
-float2 gabor_impl_direction(float angle)
-{
-    float quarter = floor(angle * 0.63661977 + 0.5);
-    float r = angle - quarter * 1.5703125;
-    r -= quarter * 4.837512969970703e-4;
-    r -= quarter * 7.549789948768648e-8;
-    r = abs(r) < 1.0 ? r : 0.0; // far outside the range, where no digit is left of it, any direction will do
-    float s = r * r;
-    float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
-    float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
-    float2 axis = frac(0.5 * quarter) < 0.25 ? float2(cosine, sine) : float2(-sine, cosine);
-    return frac(0.25 * quarter) < 0.375 ? axis : -axis;
+    float y = abs(t) - 0.25;
+    float s = y * y;
+    float r = s * s;
+    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
+    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
+    return float2(y * cosine, t < 0.0 ? -sine : sine);
 }
 
 // Product of complex numbers.
@@ -136,7 +122,7 @@ float2 gabor_impl_product(float2 a, float2 b)
 
 // ---- Windows -------------------------------------------------------------------------------------------------------
 
-// The windows of one axis' GABOR_TAPS nodes, and their derivatives per kernel radius where nodes are 1/R apart.
+// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
 struct GaborWindows {
     float4 value;
     float4 slope;
@@ -151,54 +137,52 @@ GaborWindows GaborWindows_of(float4 value, float4 slope)
 }
 
 #if GABOR_TAPS == 2
-// Two shifts of Hann's window do not sum to a constant. Vorbis' window sin(pi/2 cos^2(pi x / 2)) does, for its two
-// shifts are the sine and the cosine of one angle [Princen and Bradley 1986]; the derivatives' variances do vary.
+// The squares of two shifts of Hann's window do not sum to a constant. Those of 1 - s and s over the root of the sum of
+// their squares, with s = x^2 (3 - 2 x), do; but the variances of their derivatives vary.
 //   x   offset from the first node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.0
 GaborWindows gabor_impl_windows(float x)
 {
-    float2 half_turn = gabor_impl_wave(0.5 * x);
-    float2 window = gabor_impl_wave(0.125 + 0.125 * half_turn.x); // of the angle pi/2 cos^2(pi x / 2)
-    float slope = 2.4674011 * half_turn.y; // pi^2 / 4 sin(pi x)
-    return GaborWindows_of(float4(window.yx, 0.0, 0.0), float4(-slope * window.x, slope * window.y, 0.0, 0.0));
+    float s = x * x * (3.0 - 2.0 * x);
+    float2 pair = float2(1.0 - s, s);
+    float scale = rsqrt(dot(pair, pair));
+    float2 slope = (6.0 * x * (1.0 - x) * scale * scale * scale) * pair.yx;
+    return GaborWindows_of(float4(scale * pair, 0.0, 0.0), float4(-slope.x, slope.y, 0.0, 0.0));
 }
 #elif GABOR_TAPS == 3
-//   x   offset from the first node, in [1/2, 3/2) node spacings
+//   x   offset from the second node, in [-1/2, 1/2) node spacings
+#define GABOR_IMPL_ENERGY 1.125
 GaborWindows gabor_impl_windows(float x)
 {
-    x -= 1.0;
     float s = x * x;
-    float cosine = 1.0 + s * (-2.1932453 + s * (0.80171627 + s * (-0.11716848 + s * 0.00891324)));
-    float sine = x * (2.0943948 + s * (-1.5311589 + s * (0.33560338 - s * 0.03389007)));
-    float3 c = float3(-0.5 * cosine - 0.8660254 * sine, cosine, -0.5 * cosine + 0.8660254 * sine);
-    float3 d = float3(-0.5 * sine + 0.8660254 * cosine, sine, -0.5 * sine - 0.8660254 * cosine);
-    return GaborWindows_of(float4(0.5 + 0.5 * c, 0.0), float4(-1.5707963 * d, 0.0));
+    float c = 0.5 + s * (-1.0966099 + s * (0.40054826 - s * 0.05644487));              // cos(2 pi x / 3) / 2
+    float b = x * (0.90689956 + s * (-0.66301124 + s * (0.14532053 - s * 0.01467483))); // sqrt(3)/4 sin(2 pi x / 3)
+    float a = 0.5 - 0.5 * c;
+    float slope = 1.8137994 * b; // pi/4 sin(2 pi x / 3)
+    return GaborWindows_of(float4(a - b, 0.5 + c, a + b, 0.0),
+                        float4(slope - 2.7206991 * c, -2.0 * slope, slope + 2.7206991 * c, 0.0));
 }
 #else
-//   x   offset from the first node, in [1, 2) node spacings
+//   x   offset from the second node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.5
 GaborWindows gabor_impl_windows(float x)
 {
-    x -= 1.5;
+    x -= 0.5;
     float s = x * x;
-    float cosine = 1.0 + s * (-1.2337005 + s * (0.25366924 + s * (-0.020860289 + s * 0.00090402167)));
-    float sine = x * (1.5707963 + s * (-0.64596294 + s * (0.0796759 - s * 0.00459229)));
-    float2 c = 0.35355339 * float2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
+    float cosine = 0.35355338 + s * (-0.43617776 + s * (0.089660662 - s * 0.0072154454));
+    float sine = x * (0.55536036 + s * (-0.22838239 + s * (0.028169686 - s * 0.0016236194)));
+    float2 c = float2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
     return GaborWindows_of(0.5 + float4(-c.y, c.x, c.y, -c.x), 3.1415927 * float4(-c.x, -c.y, c.x, c.y));
 }
 #endif
-
-// The mean square of the sum over one axis.
-#if GABOR_TAPS == 2
-#define GABOR_IMPL_ENERGY 1.0
-#else
-#define GABOR_IMPL_ENERGY (0.375 * float(GABOR_TAPS))
-#endif
+// GABOR_IMPL_ENERGY is the sum of the squares of the windows along an axis.
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
 // A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
 struct GaborKernel {
     float2 wave;   // F, cycles per kernel radius
-    float2 step_x; // e^(2 pi i F.x / R), what a wave turns from one node to the next along x
+    float2 step_x; // e^(2 pi i F.x / R): what a wave turns from one node to the next along x
     float2 step_y; // along y
 };
 
@@ -252,16 +236,6 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y, float4 fo
     return made;
 }
 
-// The nodes of one axis that reach a point: their words, and the factors that their amplitudes meet along it, h e and
-// h' e with e = exp(2 pi i F (x - x_i)) but for what is common to all.
-struct GaborAxis {
-    uint4 word;
-    float4 real;
-    float4 imaginary;
-    float4 slope_real;
-    float4 slope_imaginary;
-};
-
 // An index within a period.
 int gabor_impl_wrap(int index, int period)
 {
@@ -271,146 +245,136 @@ int gabor_impl_wrap(int index, int period)
     return within < 0 ? within + period : within;
 }
 
-//   first   index of the first node
-//   x       offset from it, in node spacings
-//   period  in nodes, 0 for none
-//   step    e^(2 pi i F / R): what the wave turns from one node to the next
-// The wave is taken relative to the second node, of the first for two taps.
-GaborAxis gabor_impl_axis(int first, float x, int period, uint salt, float2 step)
+uint4 gabor_impl_line_words(int first, int period, uint salt)
 {
-    GaborAxis axis;
-    axis.word = uint4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
-                      gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
-                      gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
-                      gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
+    return uint4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
+}
+
+// The waves of an axis' nodes as (cosines, sines), relative to that of the second (for two taps, of the first).
+//   step  e^(2 pi i F / R)
+void gabor_impl_node_waves(float2 step, out float4 cosines, out float4 sines)
+{
 #if GABOR_TAPS == 2
-    float4 cosine = float4(1.0, step.x, 0.0, 0.0);
-    float4 sine = float4(0.0, -step.y, 0.0, 0.0);
+    cosines = float4(1.0, step.x, 0.0, 0.0);
+    sines = float4(0.0, -step.y, 0.0, 0.0);
 #else
     float2 two = gabor_impl_product(step, step);
-    float4 cosine = float4(step.x, 1.0, step.x, two.x);
-    float4 sine = float4(step.y, 0.0, -step.y, -two.y);
+    cosines = float4(step.x, 1.0, step.x, two.x);
+    sines = float4(step.y, 0.0, -step.y, -two.y);
 #endif
-    GaborWindows window = gabor_impl_windows(x);
-    axis.real = window.value * cosine;
-    axis.imaginary = window.value * sine;
-    axis.slope_real = window.slope * cosine;
-    axis.slope_imaginary = window.slope * sine;
-    return axis;
 }
 
-// The amplitude of a node at a time, whose cosine and sine are given: (A0 + A1 cos + A2 sin) / sqrt(2), normal at every
-// time; the correlation of two times is cos^2(pi lag).
-float2 gabor_impl_amplitude_at(uint word, float2 time)
-{
-    uint second = gabor_impl_next_word(word);
-    float2 moving = time.x * gabor_impl_amplitude(second)
-                + time.y * gabor_impl_amplitude(gabor_impl_next_word(second));
-    return 0.70710678 * (gabor_impl_amplitude(word) + moving);
-}
-
-// Sums over the nodes of one row: what it gives to the field and, with the windows' derivatives, to its slope along x.
-struct GaborRow {
+// A sum of amplitudes times windows and waves; the same with the windows' derivatives; and that of four fields.
+struct GaborSum {
     float2 value;
-    float2 slope;
-    float4 four_real;
-    float4 four_imaginary;
+    float2 slope_x;
+    float2 slope_y;
+    float4 real;
+    float4 imaginary;
 };
 
-GaborRow GaborRow_of(float2 value, float2 slope, float4 four_real, float4 four_imaginary)
+GaborSum GaborSum_of(float2 value, float2 slope_x, float2 slope_y, float4 real, float4 imaginary)
 {
-    GaborRow made;
+    GaborSum made;
     made.value = value;
-    made.slope = slope;
-    made.four_real = four_real;
-    made.four_imaginary = four_imaginary;
+    made.slope_x = slope_x;
+    made.slope_y = slope_y;
+    made.real = real;
+    made.imaginary = imaginary;
     return made;
 }
 
-void gabor_impl_add_node(inout GaborRow row, uint word, float2 factor, float2 slope, bool animated, float2 time)
+// Adds a node to the sum over its row.
+//   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
+void gabor_impl_add_node(inout GaborSum row, uint word, float window, float2 factor, float2 slope, bool animated, float2 time)
 {
-    float2 amplitude = gabor_impl_amplitude(word);
-    if (animated)
-        amplitude = gabor_impl_amplitude_at(word, time);
-    row.value += gabor_impl_product(amplitude, factor);
-    row.slope += gabor_impl_product(amplitude, slope);
-
-    uint second = gabor_impl_next_word(word);
-    uint third = gabor_impl_next_word(second);
-    float2 b = gabor_impl_amplitude(second);
-    float2 c = gabor_impl_amplitude(third);
-    float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
-    float4 real = float4(amplitude.x, b.x, c.x, d.x);
-    float4 imaginary = float4(amplitude.y, b.y, c.y, d.y);
-    row.four_real += factor.x * real - factor.y * imaginary;
-    row.four_imaginary += factor.x * imaginary + factor.y * real;
+    // Always so; but at a branch compilers for CPUs keep the nodes, and with them the registers, in order.
+    if (window > -1.0) {
+        float2 a = gabor_impl_amplitude(word);
+        uint second = gabor_impl_next_word(word);
+        uint third = gabor_impl_next_word(second);
+        float2 b = gabor_impl_amplitude(second);
+        float2 c = gabor_impl_amplitude(third);
+        float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
+        if (animated)
+            a = 0.70710678 * (a + time.x * b + time.y * c);
+        row.value += gabor_impl_product(a, factor);
+        row.slope_x += gabor_impl_product(a, slope);
+        float4 real = float4(a.x, b.x, c.x, d.x);
+        float4 imaginary = float4(a.y, b.y, c.y, d.y);
+        row.real += factor.x * real - factor.y * imaginary;
+        row.imaginary += factor.x * imaginary + factor.y * real;
+    }
 }
 
-GaborRow gabor_impl_row(GaborAxis axis, uint word, bool animated, float2 time)
+// Adds a row to the whole.
+void gabor_impl_add_row(inout GaborSum sum, GaborSum row, float2 factor, float2 slope)
 {
-    GaborRow row = GaborRow_of((float2)(0.0), (float2)(0.0), (float4)(0.0), (float4)(0.0));
-    gabor_impl_add_node(row, gabor_impl_node_word(axis.word.x ^ word), float2(axis.real.x, axis.imaginary.x),
-                        float2(axis.slope_real.x, axis.slope_imaginary.x), animated, time);
-    gabor_impl_add_node(row, gabor_impl_node_word(axis.word.y ^ word), float2(axis.real.y, axis.imaginary.y),
-                        float2(axis.slope_real.y, axis.slope_imaginary.y), animated, time);
-#if GABOR_TAPS > 2
-    gabor_impl_add_node(row, gabor_impl_node_word(axis.word.z ^ word), float2(axis.real.z, axis.imaginary.z),
-                        float2(axis.slope_real.z, axis.slope_imaginary.z), animated, time);
-#endif
-#if GABOR_TAPS > 3
-    gabor_impl_add_node(row, gabor_impl_node_word(axis.word.w ^ word), float2(axis.real.w, axis.imaginary.w),
-                        float2(axis.slope_real.w, axis.slope_imaginary.w), animated, time);
-#endif
-    return row;
-}
-
-void gabor_impl_add_row(inout GaborField sum, GaborRow row, float2 factor, float2 slope, float2 base)
-{
-    factor = gabor_impl_product(factor, base);
     sum.value += gabor_impl_product(row.value, factor);
-    sum.slope_x += gabor_impl_product(row.slope, factor);
-    sum.slope_y += gabor_impl_product(row.value, gabor_impl_product(slope, base));
-    sum.four += factor.x * row.four_imaginary + factor.y * row.four_real;
+    sum.slope_x += gabor_impl_product(row.slope_x, factor);
+    sum.slope_y += gabor_impl_product(row.value, slope);
+    sum.real += factor.x * row.real - factor.y * row.imaginary;
+    sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
 }
 
-// The noise at a place: what the functions below call.
+#define GABOR_IMPL_NODE(k) gabor_impl_add_node(row, gabor_impl_node_word(columns.k, row_word), x.value.k, \
+    float2(real.k, imaginary.k), float2(slope_real.k, slope_imaginary.k), place.animated, time)
+#define GABOR_IMPL_ROW(k) { uint row_word = rows.k; GaborSum row = none; GABOR_IMPL_NODES; \
+    gabor_impl_add_row(sum, row, y.value.k * float2(cosines.k, sines.k), y.slope.k * float2(cosines.k, sines.k)); }
+#if GABOR_TAPS == 2
+#define GABOR_IMPL_NODES GABOR_IMPL_NODE(x); GABOR_IMPL_NODE(y)
+#elif GABOR_TAPS == 3
+#define GABOR_IMPL_NODES GABOR_IMPL_NODE(x); GABOR_IMPL_NODE(y); GABOR_IMPL_NODE(z)
+#else
+#define GABOR_IMPL_NODES GABOR_IMPL_NODE(x); GABOR_IMPL_NODE(y); GABOR_IMPL_NODE(z); GABOR_IMPL_NODE(w)
+#endif
+
+// The noise at a place: what the functions below call. Cost: GABOR_TAPS^2 amplitudes.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 {
     float2 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    float2 x = place.local - first;
+    float2 offset = place.local - first - (GABOR_TAPS == 2 ? 0.0 : 1.0);
     int2 node = place.cell + (int2)(first);
-    GaborAxis columns = gabor_impl_axis(node.x, x.x, place.period.x, gabor_impl_salt(seed, 0u), kernel_.step_x);
-    GaborAxis rows = gabor_impl_axis(node.y, x.y, place.period.y, gabor_impl_salt(seed, 1u), kernel_.step_y);
-    float2 cycles = kernel_.wave / place.radius;
-#if GABOR_TAPS > 2
-    x -= 1.0;
-#endif
-    float2 base = gabor_impl_wave(dot(cycles, x));
+    uint salt = gabor_impl_salt(seed);
+    uint4 columns = gabor_impl_line_words(node.x, place.period.x, salt);
+    uint4 rows = gabor_impl_line_words(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS);
+    float2 base = gabor_impl_wave(dot(kernel_.wave, offset * (1.0 / place.radius)));
     float2 time = gabor_impl_wave(place.time);
 
-    GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float4)(0.0));
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.x, place.animated, time),
-                       float2(rows.real.x, rows.imaginary.x), float2(rows.slope_real.x, rows.slope_imaginary.x), base);
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.y, place.animated, time),
-                       float2(rows.real.y, rows.imaginary.y), float2(rows.slope_real.y, rows.slope_imaginary.y), base);
+    GaborWindows x = gabor_impl_windows(offset.x);
+    GaborWindows y = gabor_impl_windows(offset.y);
+    float4 cosines;
+    float4 sines;
+    gabor_impl_node_waves(kernel_.step_x, cosines, sines);
+    float4 real = x.value * cosines;
+    float4 imaginary = x.value * sines;
+    float4 slope_real = x.slope * cosines;
+    float4 slope_imaginary = x.slope * sines;
+    gabor_impl_node_waves(kernel_.step_y, cosines, sines);
+
+    GaborSum none = GaborSum_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float4)(0.0), (float4)(0.0));
+    GaborSum sum = none;
+    GABOR_IMPL_ROW(x)
+    GABOR_IMPL_ROW(y)
 #if GABOR_TAPS > 2
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.z, place.animated, time),
-                       float2(rows.real.z, rows.imaginary.z), float2(rows.slope_real.z, rows.slope_imaginary.z), base);
+    GABOR_IMPL_ROW(z)
 #endif
 #if GABOR_TAPS > 3
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.w, place.animated, time),
-                       float2(rows.real.w, rows.imaginary.w), float2(rows.slope_real.w, rows.slope_imaginary.w), base);
+    GABOR_IMPL_ROW(w)
 #endif
-    // E[n^2] = E[|A|^2] / 2 sum_i h^2 sum_j h^2.
-    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 stretch = scale / GABOR_RADIUS * place.radius;
-    float2 turn = 6.2831853 * scale * kernel_.wave;
-    GaborField field;
-    field.value = scale * sum.value;
-    field.slope_x = stretch.x * sum.slope_x + turn.x * float2(-sum.value.y, sum.value.x);
-    field.slope_y = stretch.y * sum.slope_y + turn.y * float2(-sum.value.y, sum.value.x);
-    field.four = scale * sum.four;
-    return field;
+
+    // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
+    base *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    float2 value = gabor_impl_product(sum.value, base);
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    float2 stretch = place.radius / GABOR_RADIUS;
+    return GaborField_of(value,
+                      stretch.x * gabor_impl_product(sum.slope_x, base) + kernel_.wave.x * turned,
+                      stretch.y * gabor_impl_product(sum.slope_y, base) + kernel_.wave.y * turned,
+                      base.x * sum.imaginary + base.y * sum.real);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -425,9 +389,9 @@ GaborPlace gabor_place(int2 cell, float2 local)
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 GaborKernel gabor_kernel(float frequency, float orientation)
 {
-    float magnitude = min(abs(frequency), 1.0e6);
-    float2 wave = magnitude * gabor_impl_direction(orientation);
-    return GaborKernel_of(wave, gabor_impl_wave(wave.x / GABOR_RADIUS), gabor_impl_wave(wave.y / GABOR_RADIUS));
+    float2 wave = min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation);
+    float2 step = wave * (1.0 / GABOR_RADIUS);
+    return GaborKernel_of(wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y));
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
@@ -487,11 +451,10 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
     period = max(period, (float2)(0.0009765625));
     float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), (float2)(float(GABOR_TAPS)));
     float2 radius = nodes / period;
-    float2 within = p - floor(p / period) * period;
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
     kernel_.step_x = gabor_impl_wave(kernel_.wave.x / radius.x);
     kernel_.step_y = gabor_impl_wave(kernel_.wave.y / radius.y);
-    GaborPlace place = GaborPlace_of((int2)(0), within * radius, radius, (int2)(nodes), false, 0.0);
+    GaborPlace place = GaborPlace_of((int2)(0), p * radius, radius, (int2)(nodes), false, 0.0);
     return gabor_field(place, kernel_, seed).value.y;
 }
 

@@ -51,21 +51,27 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The salt of an axis: x is 0, y is 1, z is 2. With one salt for all, nodes on the diagonal would have the same word.
-fn gabor_impl_salt(seed: u32, axis: u32) -> u32 {
-    let _e6 = gabor_impl_mix(((seed * 2654435761u) + axis), 625341585u);
-    return _e6;
+fn gabor_impl_salt(seed: u32) -> u32 {
+    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
+    return _e4;
 }
 
-// The word of a column (axis 0) or a row (axis 1) of nodes.
+// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
+// 32 bits; GPUs multiply 24 bits at a quarter of the cost.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
-    let _e6 = gabor_impl_mix(((u32(index) * 2654435761u) + salt), salt);
-    return _e6;
+    var word_2: u32;
+
+    word_2 = ((u32(index) * 2654435761u) + salt);
+    let _e7 = word_2;
+    let _e8 = word_2;
+    word_2 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e14 = word_2;
+    return ((_e14 >> 8u) | 8388609u);
 }
 
-// The word of a node, from the xor of those of its column and its row. The 16 high bits are well mixed.
-fn gabor_impl_node_word(lines: u32) -> u32 {
-    return (lines * 2246822507u);
+// The word of a node. Its high bits are the best.
+fn gabor_impl_node_word(column: u32, row: u32) -> u32 {
+    return (column * row);
 }
 
 // Another word of the same node.
@@ -75,133 +81,58 @@ fn gabor_impl_next_word(word: u32) -> u32 {
 
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
-    var t: vec2<f32>;
 
-    u = (vec2<f32>(f32((i32(word) >> 24u)), f32((i32((word << 8u)) >> 24u))) + vec2(0.5f));
-    let _e18 = u;
-    let _e19 = u;
-    t = ((_e18 * _e19) - vec2(5713.298f));
-    let _e25 = u;
-    let _e26 = t;
-    let _e27 = t;
-    return (_e25 * ((_e26 * _e27) + vec2(118666190f)));
+    u = vec2<f32>(f32(i32(((word & 4278190080u) | 8388608u))), f32(i32((word << 8u))));
+    let _e13 = u;
+    let _e15 = u;
+    return (_e13 - (0.79794586f * clamp(_e15, vec2(-1731797900f), vec2(1731797900f))));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7: reduced to half a turn, then minimax polynomials that share the zeros.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
+// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
-    var t_2: f32;
+    var t_1: f32;
+    var y: f32;
     var s: f32;
+    var r: f32;
     var cosine: f32;
     var sine: f32;
-
-    t_2 = t;
-    let _e2 = t_2;
-    let _e3 = t_2;
-    t_2 = (_e2 - floor((_e3 + 0.5f)));
-    let _e8 = t_2;
-    let _e9 = t_2;
-    s = (_e8 * _e9);
-    let _e13 = s;
-    cosine = ((6.54002f * _e13) - 25.567099f);
-    let _e18 = cosine;
-    let _e19 = s;
-    cosine = ((_e18 * _e19) + 58.571857f);
-    let _e23 = cosine;
-    let _e24 = s;
-    cosine = ((_e23 * _e24) - 81.78964f);
-    let _e28 = cosine;
-    let _e29 = s;
-    cosine = ((_e28 * _e29) + 59.827274f);
-    let _e33 = cosine;
-    let _e34 = s;
-    cosine = ((_e33 * _e34) - 16f);
-    let _e40 = s;
-    sine = (38.123196f - (12.233302f * _e40));
-    let _e44 = sine;
-    let _e45 = s;
-    sine = ((_e44 * _e45) - 67.0439f);
-    let _e49 = sine;
-    let _e50 = s;
-    sine = ((_e49 * _e50) + 64.83468f);
-    let _e54 = sine;
-    let _e55 = s;
-    sine = ((_e54 * _e55) - 25.13273f);
-    let _e59 = s;
-    let _e62 = cosine;
-    let _e64 = t_2;
-    let _e65 = s;
-    let _e69 = sine;
-    return vec2<f32>(((_e59 - 0.0625f) * _e62), ((_e64 * (_e65 - 0.25f)) * _e69));
-}
-
-// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials. Its error stays
-// near 1e-7, for a large frequency multiplies it.
-fn gabor_impl_direction(angle: f32) -> vec2<f32> {
-    var quarter: f32;
-    var r: f32;
     var local: f32;
-    var s_1: f32;
-    var sine_1: f32;
-    var cosine_1: f32;
-    var local_1: vec2<f32>;
-    var axis_1: vec2<f32>;
-    var local_2: vec2<f32>;
 
-    quarter = floor(((angle * 0.63661975f) + 0.5f));
-    let _e7 = quarter;
-    r = (angle - (_e7 * 1.5703125f));
-    let _e12 = r;
-    let _e13 = quarter;
-    r = (_e12 - (_e13 * 0.0004837513f));
-    let _e17 = r;
-    let _e18 = quarter;
-    r = (_e17 - (_e18 * 0.0000000754979f));
-    let _e22 = r;
-    if (abs(_e22) < 1f) {
-        let _e26 = r;
-        local = _e26;
+    t_1 = t;
+    let _e2 = t_1;
+    let _e3 = t_1;
+    t_1 = (_e2 - floor((_e3 + 0.5f)));
+    let _e8 = t_1;
+    y = (abs(_e8) - 0.25f);
+    let _e13 = y;
+    let _e14 = y;
+    s = (_e13 * _e14);
+    let _e17 = s;
+    let _e18 = s;
+    r = (_e17 * _e18);
+    let _e22 = s;
+    let _e26 = r;
+    let _e28 = s;
+    let _e33 = r;
+    cosine = (((41.341656f * _e22) - 6.283185f) + (_e26 * (((76.54978f * _e28) - 81.601006f) - (39.53671f * _e33))));
+    let _e41 = s;
+    let _e44 = r;
+    let _e47 = s;
+    let _e51 = r;
+    sine = ((1f - (19.73917f * _e41)) + (_e44 * ((64.93459f - (85.24033f * _e47)) + (56.24243f * _e51))));
+    let _e57 = y;
+    let _e58 = cosine;
+    let _e60 = t_1;
+    if (_e60 < 0f) {
+        let _e63 = sine;
+        local = -(_e63);
     } else {
-        local = 0f;
+        let _e65 = sine;
+        local = _e65;
     }
-    let _e29 = local;
-    r = _e29;
-    let _e30 = r;
-    let _e31 = r;
-    s_1 = (_e30 * _e31);
-    let _e34 = r;
-    let _e35 = r;
-    let _e36 = s_1;
-    let _e40 = s_1;
-    let _e42 = s_1;
-    sine_1 = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
-    let _e53 = s_1;
-    let _e56 = s_1;
-    let _e57 = s_1;
-    let _e60 = s_1;
-    let _e63 = s_1;
-    cosine_1 = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
-    let _e73 = quarter;
-    if (fract((0.5f * _e73)) < 0.25f) {
-        let _e78 = cosine_1;
-        let _e79 = sine_1;
-        local_1 = vec2<f32>(_e78, _e79);
-    } else {
-        let _e81 = sine_1;
-        let _e83 = cosine_1;
-        local_1 = vec2<f32>(-(_e81), _e83);
-    }
-    let _e86 = local_1;
-    axis_1 = _e86;
-    let _e89 = quarter;
-    if (fract((0.25f * _e89)) < 0.375f) {
-        let _e94 = axis_1;
-        local_2 = _e94;
-    } else {
-        let _e95 = axis_1;
-        local_2 = -(_e95);
-    }
-    let _e98 = local_2;
-    return _e98;
+    let _e67 = local;
+    return vec2<f32>((_e57 * _e58), _e67);
 }
 
 // Product of complex numbers.
@@ -209,113 +140,104 @@ fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(((a.x * b.x) - (a.y * b.y)), ((a.x * b.y) + (a.y * b.x)));
 }
 
-// The windows of one axis' GABOR_TAPS nodes, and their derivatives per kernel radius where nodes are 1/R apart.
+// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
 struct GaborWindows {
     value: vec4<f32>,
     slope: vec4<f32>,
 }
 
-// Two shifts of Hann's window do not sum to a constant. Vorbis' window sin(pi/2 cos^2(pi x / 2)) does, for its two
-// shifts are the sine and the cosine of one angle [Princen and Bradley 1986]; the derivatives' variances do vary.
-//   x   offset from the first node, in [0, 1) node spacings
 fn gabor_impl_windows(x: f32) -> GaborWindows {
     if GABOR_TAPS == 2 {
-        var half_turn: vec2<f32>;
-        var window: vec2<f32>;
-        var slope: f32;
+        var s_1: f32;
+        var pair: vec2<f32>;
+        var scale: f32;
+        var slope: vec2<f32>;
 
-        let _e3 = gabor_impl_wave((0.5f * x));
-        half_turn = _e3;
-        let _e7 = half_turn;
-        let _e11 = gabor_impl_wave((0.125f + (0.125f * _e7.x)));
-        window = _e11;
-        let _e14 = half_turn;
-        slope = (2.467401f * _e14.y);
-        let _e18 = window;
-        let _e19 = _e18.yx;
-        let _e25 = slope;
-        let _e27 = window;
-        let _e30 = slope;
-        let _e31 = window;
-        return GaborWindows(vec4<f32>(_e19.x, _e19.y, 0f, 0f), vec4<f32>((-(_e25) * _e27.x), (_e30 * _e31.y), 0f, 0f));
+        s_1 = ((x * x) * (3f - (2f * x)));
+        let _e9 = s_1;
+        let _e11 = s_1;
+        pair = vec2<f32>((1f - _e9), _e11);
+        let _e14 = pair;
+        let _e15 = pair;
+        scale = inverseSqrt(dot(_e14, _e15));
+        let _e24 = scale;
+        let _e26 = scale;
+        let _e28 = scale;
+        let _e30 = pair;
+        slope = ((((((6f * x) * (1f - x)) * _e24) * _e26) * _e28) * _e30.yx);
+        let _e34 = scale;
+        let _e35 = pair;
+        let _e36 = (_e34 * _e35);
+        let _e42 = slope;
+        let _e45 = slope;
+        return GaborWindows(vec4<f32>(_e36.x, _e36.y, 0f, 0f), vec4<f32>(-(_e42.x), _e45.y, 0f, 0f));
     } else if GABOR_TAPS == 4 {
         var x_1: f32;
-        var s_2: f32;
-        var cosine_2: f32;
-        var sine_2: f32;
+        var s_1: f32;
+        var cosine_1: f32;
+        var sine_1: f32;
         var c: vec2<f32>;
 
         x_1 = x;
         let _e2 = x_1;
-        x_1 = (_e2 - 1.5f);
+        x_1 = (_e2 - 0.5f);
         let _e5 = x_1;
         let _e6 = x_1;
-        s_2 = (_e5 * _e6);
-        let _e10 = s_2;
-        let _e13 = s_2;
-        let _e15 = s_2;
-        let _e18 = s_2;
-        cosine_2 = (1f + (_e10 * (-1.2337005f + (_e13 * (0.25366923f + (_e15 * (-0.020860288f + (_e18 * 0.00090402167f))))))));
-        let _e29 = x_1;
-        let _e31 = s_2;
-        let _e34 = s_2;
-        let _e36 = s_2;
-        sine_2 = (_e29 * (1.5707963f + (_e31 * (-0.64596295f + (_e34 * (0.0796759f - (_e36 * 0.00459229f)))))));
-        let _e47 = cosine_2;
-        let _e48 = sine_2;
-        let _e50 = cosine_2;
-        let _e51 = sine_2;
-        c = (0.35355338f * vec2<f32>((_e47 - _e48), (_e50 + _e51)));
+        s_1 = (_e5 * _e6);
+        let _e10 = s_1;
+        let _e13 = s_1;
+        let _e15 = s_1;
+        cosine_1 = (0.35355338f + (_e10 * (-0.43617776f + (_e13 * (0.08966066f - (_e15 * 0.0072154454f))))));
+        let _e24 = x_1;
+        let _e26 = s_1;
+        let _e29 = s_1;
+        let _e31 = s_1;
+        sine_1 = (_e24 * (0.5553604f + (_e26 * (-0.2283824f + (_e29 * (0.028169686f - (_e31 * 0.0016236193f)))))));
+        let _e41 = cosine_1;
+        let _e42 = sine_1;
+        let _e44 = cosine_1;
+        let _e45 = sine_1;
+        c = vec2<f32>((_e41 - _e42), (_e44 + _e45));
+        let _e50 = c;
+        let _e53 = c;
+        let _e55 = c;
         let _e57 = c;
-        let _e60 = c;
-        let _e62 = c;
         let _e64 = c;
-        let _e71 = c;
-        let _e74 = c;
-        let _e77 = c;
-        let _e79 = c;
-        return GaborWindows((vec4(0.5f) + vec4<f32>(-(_e57.y), _e60.x, _e62.y, -(_e64.x))), (3.1415927f * vec4<f32>(-(_e71.x), -(_e74.y), _e77.x, _e79.y)));
+        let _e67 = c;
+        let _e70 = c;
+        let _e72 = c;
+        return GaborWindows((vec4(0.5f) + vec4<f32>(-(_e50.y), _e53.x, _e55.y, -(_e57.x))), (3.1415927f * vec4<f32>(-(_e64.x), -(_e67.y), _e70.x, _e72.y)));
     } else {
-        var x_1: f32;
-        var s_2: f32;
-        var cosine_2: f32;
-        var sine_2: f32;
-        var c: vec3<f32>;
-        var d: vec3<f32>;
+        var s_1: f32;
+        var c: f32;
+        var b_1: f32;
+        var a_1: f32;
+        var slope: f32;
 
-        x_1 = x;
-        let _e2 = x_1;
-        x_1 = (_e2 - 1f);
-        let _e5 = x_1;
-        let _e6 = x_1;
-        s_2 = (_e5 * _e6);
-        let _e10 = s_2;
-        let _e13 = s_2;
-        let _e15 = s_2;
-        let _e18 = s_2;
-        cosine_2 = (1f + (_e10 * (-2.1932454f + (_e13 * (0.80171627f + (_e15 * (-0.11716848f + (_e18 * 0.00891324f))))))));
-        let _e29 = x_1;
-        let _e31 = s_2;
-        let _e34 = s_2;
-        let _e36 = s_2;
-        sine_2 = (_e29 * (2.0943947f + (_e31 * (-1.5311589f + (_e34 * (0.3356034f - (_e36 * 0.03389007f)))))));
-        let _e48 = cosine_2;
-        let _e51 = sine_2;
-        let _e54 = cosine_2;
-        let _e57 = cosine_2;
-        let _e60 = sine_2;
-        c = vec3<f32>(((-0.5f * _e48) - (0.8660254f * _e51)), _e54, ((-0.5f * _e57) + (0.8660254f * _e60)));
-        let _e67 = sine_2;
-        let _e70 = cosine_2;
-        let _e73 = sine_2;
-        let _e76 = sine_2;
-        let _e79 = cosine_2;
-        d = vec3<f32>(((-0.5f * _e67) + (0.8660254f * _e70)), _e73, ((-0.5f * _e76) - (0.8660254f * _e79)));
-        let _e86 = c;
-        let _e89 = (vec3(0.5f) + (0.5f * _e86));
-        let _e97 = d;
-        let _e98 = (-1.5707963f * _e97);
-        return GaborWindows(vec4<f32>(_e89.x, _e89.y, _e89.z, 0f), vec4<f32>(_e98.x, _e98.y, _e98.z, 0f));
+        s_1 = (x * x);
+        let _e4 = s_1;
+        let _e7 = s_1;
+        let _e9 = s_1;
+        c = (0.5f + (_e4 * (-1.09661f + (_e7 * (0.40054825f - (_e9 * 0.05644487f))))));
+        let _e19 = s_1;
+        let _e22 = s_1;
+        let _e24 = s_1;
+        b_1 = (x * (0.9068996f + (_e19 * (-0.66301125f + (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
+        let _e36 = c;
+        a_1 = (0.5f - (0.5f * _e36));
+        let _e41 = b_1;
+        slope = (1.8137994f * _e41);
+        let _e44 = a_1;
+        let _e45 = b_1;
+        let _e48 = c;
+        let _e50 = a_1;
+        let _e51 = b_1;
+        let _e55 = slope;
+        let _e57 = c;
+        let _e62 = slope;
+        let _e64 = slope;
+        let _e66 = c;
+        return GaborWindows(vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f), vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f));
     }
 }
 
@@ -345,20 +267,10 @@ struct GaborField {
     four: vec4<f32>,
 }
 
-// The nodes of one axis that reach a point: their words, and the factors that their amplitudes meet along it, h e and
-// h' e with e = exp(2 pi i F (x - x_i)) but for what is common to all.
-struct GaborAxis {
-    word: vec4<u32>,
-    real: vec4<f32>,
-    imaginary: vec4<f32>,
-    slope_real: vec4<f32>,
-    slope_imaginary: vec4<f32>,
-}
-
 // An index within a period.
 fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     var within: i32;
-    var local_3: i32;
+    var local_1: i32;
 
     if (period == 0i) {
         return index;
@@ -367,164 +279,72 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local_3 = (_e11 + period);
+        local_1 = (_e11 + period);
     } else {
         let _e13 = within;
-        local_3 = _e13;
+        local_1 = _e13;
     }
-    let _e15 = local_3;
+    let _e15 = local_1;
     return _e15;
 }
 
-//   first   index of the first node
-//   x       offset from it, in node spacings
-//   period  in nodes, 0 for none
-//   step    e^(2 pi i F / R): what the wave turns from one node to the next
-// The wave is taken relative to the second node, of the first for two taps.
-fn gabor_impl_axis(first: i32, x: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborAxis {
+fn gabor_impl_line_words(first: i32, period: i32, salt: u32) -> vec4<u32> {
+    let _e3 = gabor_impl_wrap(first, period);
+    let _e4 = gabor_impl_line_word(_e3, salt);
+    let _e7 = gabor_impl_wrap((first + 1i), period);
+    let _e8 = gabor_impl_line_word(_e7, salt);
+    let _e11 = gabor_impl_wrap((first + 2i), period);
+    let _e12 = gabor_impl_line_word(_e11, salt);
+    let _e15 = gabor_impl_wrap((first + 3i), period);
+    let _e16 = gabor_impl_line_word(_e15, salt);
+    return vec4<u32>(_e4, _e8, _e12, _e16);
+}
+
+// The waves of an axis' nodes as (cosines, sines), relative to that of the second (for two taps, of the first).
+//   step  e^(2 pi i F / R)
+fn gabor_impl_node_waves(step: vec2<f32>, cosines: ptr<function, vec4<f32>>, sines: ptr<function, vec4<f32>>) {
     if GABOR_TAPS == 2 {
-        var axis_2: GaborAxis;
-        var cosine_2: vec4<f32>;
-        var sine_2: vec4<f32>;
-        var window_1: GaborWindows;
-
-        let _e7 = gabor_impl_wrap(first, period);
-        let _e8 = gabor_impl_line_word(_e7, salt);
-        let _e11 = gabor_impl_wrap((first + 1i), period);
-        let _e12 = gabor_impl_line_word(_e11, salt);
-        let _e15 = gabor_impl_wrap((first + 2i), period);
-        let _e16 = gabor_impl_line_word(_e15, salt);
-        let _e19 = gabor_impl_wrap((first + 3i), period);
-        let _e20 = gabor_impl_line_word(_e19, salt);
-        axis_2.word = vec4<u32>(_e8, _e12, _e16, _e20);
-        cosine_2 = vec4<f32>(1f, step.x, 0f, 0f);
-        sine_2 = vec4<f32>(0f, -(step.y), 0f, 0f);
-        let _e35 = gabor_impl_windows(x);
-        window_1 = _e35;
-        let _e38 = window_1;
-        let _e40 = cosine_2;
-        axis_2.real = (_e38.value * _e40);
-        let _e43 = window_1;
-        let _e45 = sine_2;
-        axis_2.imaginary = (_e43.value * _e45);
-        let _e48 = window_1;
-        let _e50 = cosine_2;
-        axis_2.slope_real = (_e48.slope * _e50);
-        let _e53 = window_1;
-        let _e55 = sine_2;
-        axis_2.slope_imaginary = (_e53.slope * _e55);
-        let _e57 = axis_2;
-        return _e57;
+        (*cosines) = vec4<f32>(1f, step.x, 0f, 0f);
+        (*sines) = vec4<f32>(0f, -(step.y), 0f, 0f);
+        return;
     } else if GABOR_TAPS == 4 {
-        var axis_2: GaborAxis;
         var two: vec2<f32>;
-        var cosine_3: vec4<f32>;
-        var sine_3: vec4<f32>;
-        var window: GaborWindows;
 
-        let _e7 = gabor_impl_wrap(first, period);
-        let _e8 = gabor_impl_line_word(_e7, salt);
-        let _e11 = gabor_impl_wrap((first + 1i), period);
-        let _e12 = gabor_impl_line_word(_e11, salt);
-        let _e15 = gabor_impl_wrap((first + 2i), period);
-        let _e16 = gabor_impl_line_word(_e15, salt);
-        let _e19 = gabor_impl_wrap((first + 3i), period);
-        let _e20 = gabor_impl_line_word(_e19, salt);
-        axis_2.word = vec4<u32>(_e8, _e12, _e16, _e20);
-        let _e22 = gabor_impl_product(step, step);
-        two = _e22;
-        let _e27 = two;
-        cosine_3 = vec4<f32>(step.x, 1f, step.x, _e27.x);
-        let _e35 = two;
-        sine_3 = vec4<f32>(step.y, 0f, -(step.y), -(_e35.y));
-        let _e40 = gabor_impl_windows(x);
-        window = _e40;
-        let _e43 = window;
-        let _e45 = cosine_3;
-        axis_2.real = (_e43.value * _e45);
-        let _e48 = window;
-        let _e50 = sine_3;
-        axis_2.imaginary = (_e48.value * _e50);
-        let _e53 = window;
-        let _e55 = cosine_3;
-        axis_2.slope_real = (_e53.slope * _e55);
-        let _e58 = window;
-        let _e60 = sine_3;
-        axis_2.slope_imaginary = (_e58.slope * _e60);
-        let _e62 = axis_2;
-        return _e62;
+        let _e3 = gabor_impl_product(step, step);
+        two = _e3;
+        let _e8 = two;
+        (*cosines) = vec4<f32>(step.x, 1f, step.x, _e8.x);
+        let _e15 = two;
+        (*sines) = vec4<f32>(step.y, 0f, -(step.y), -(_e15.y));
+        return;
     } else {
-        var axis_2: GaborAxis;
         var two: vec2<f32>;
-        var cosine_3: vec4<f32>;
-        var sine_3: vec4<f32>;
-        var window: GaborWindows;
 
-        let _e7 = gabor_impl_wrap(first, period);
-        let _e8 = gabor_impl_line_word(_e7, salt);
-        let _e11 = gabor_impl_wrap((first + 1i), period);
-        let _e12 = gabor_impl_line_word(_e11, salt);
-        let _e15 = gabor_impl_wrap((first + 2i), period);
-        let _e16 = gabor_impl_line_word(_e15, salt);
-        let _e19 = gabor_impl_wrap((first + 3i), period);
-        let _e20 = gabor_impl_line_word(_e19, salt);
-        axis_2.word = vec4<u32>(_e8, _e12, _e16, _e20);
-        let _e22 = gabor_impl_product(step, step);
-        two = _e22;
-        let _e27 = two;
-        cosine_3 = vec4<f32>(step.x, 1f, step.x, _e27.x);
-        let _e35 = two;
-        sine_3 = vec4<f32>(step.y, 0f, -(step.y), -(_e35.y));
-        let _e40 = gabor_impl_windows(x);
-        window = _e40;
-        let _e43 = window;
-        let _e45 = cosine_3;
-        axis_2.real = (_e43.value * _e45);
-        let _e48 = window;
-        let _e50 = sine_3;
-        axis_2.imaginary = (_e48.value * _e50);
-        let _e53 = window;
-        let _e55 = cosine_3;
-        axis_2.slope_real = (_e53.slope * _e55);
-        let _e58 = window;
-        let _e60 = sine_3;
-        axis_2.slope_imaginary = (_e58.slope * _e60);
-        let _e62 = axis_2;
-        return _e62;
+        let _e3 = gabor_impl_product(step, step);
+        two = _e3;
+        let _e8 = two;
+        (*cosines) = vec4<f32>(step.x, 1f, step.x, _e8.x);
+        let _e15 = two;
+        (*sines) = vec4<f32>(step.y, 0f, -(step.y), -(_e15.y));
+        return;
     }
 }
 
-// The amplitude of a node at a time, whose cosine and sine are given: (A0 + A1 cos + A2 sin) / sqrt(2), normal at every
-// time; the correlation of two times is cos^2(pi lag).
-fn gabor_impl_amplitude_at(word: u32, time: vec2<f32>) -> vec2<f32> {
-    var second: u32;
-    var moving: vec2<f32>;
-
-    let _e2 = gabor_impl_next_word(word);
-    second = _e2;
-    let _e5 = second;
-    let _e6 = gabor_impl_amplitude(_e5);
-    let _e9 = second;
-    let _e10 = gabor_impl_next_word(_e9);
-    let _e11 = gabor_impl_amplitude(_e10);
-    moving = ((time.x * _e6) + (time.y * _e11));
-    let _e16 = gabor_impl_amplitude(word);
-    let _e17 = moving;
-    return (0.70710677f * (_e16 + _e17));
-}
-
-// Sums over the nodes of one row: what it gives to the field and, with the windows' derivatives, to its slope along x.
-struct GaborRow {
+// A sum of amplitudes times windows and waves; the same with the windows' derivatives; and that of four fields.
+struct GaborSum {
     value: vec2<f32>,
-    slope: vec2<f32>,
-    four_real: vec4<f32>,
-    four_imaginary: vec4<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+    real: vec4<f32>,
+    imaginary: vec4<f32>,
 }
 
-fn gabor_impl_add_node(row: ptr<function, GaborRow>, word: u32, factor: vec2<f32>, slope: vec2<f32>, animated: bool, time: vec2<f32>) {
+// Adds a node to the sum over its row.
+//   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
+fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, window: f32, factor: vec2<f32>, slope: vec2<f32>, animated: bool, time: vec2<f32>) {
     if GABOR_TAPS == 2 {
-        var amplitude: vec2<f32>;
-        var second_1: u32;
+        var a_1: vec2<f32>;
+        var second: u32;
         var third: u32;
         var b_1: vec2<f32>;
         var c: vec2<f32>;
@@ -532,57 +352,65 @@ fn gabor_impl_add_node(row: ptr<function, GaborRow>, word: u32, factor: vec2<f32
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        let _e6 = gabor_impl_amplitude(word);
-        amplitude = _e6;
-        if animated {
-            let _e8 = gabor_impl_amplitude_at(word, time);
-            amplitude = _e8;
+        if (window > -1f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_1 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_1 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_1;
+                    let _e30 = b_1;
+                    let _e34 = c;
+                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_1;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_1;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_1;
+                let _e52 = b_1;
+                let _e54 = c;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_1;
+                let _e62 = b_1;
+                let _e64 = c;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
         }
-        let _e10 = (*row);
-        let _e12 = amplitude;
-        let _e13 = gabor_impl_product(_e12, factor);
-        (*row).value = (_e10.value + _e13);
-        let _e16 = (*row);
-        let _e18 = amplitude;
-        let _e19 = gabor_impl_product(_e18, slope);
-        (*row).slope = (_e16.slope + _e19);
-        let _e21 = gabor_impl_next_word(word);
-        second_1 = _e21;
-        let _e23 = second_1;
-        let _e24 = gabor_impl_next_word(_e23);
-        third = _e24;
-        let _e26 = second_1;
-        let _e27 = gabor_impl_amplitude(_e26);
-        b_1 = _e27;
-        let _e29 = third;
-        let _e30 = gabor_impl_amplitude(_e29);
-        c = _e30;
-        let _e32 = third;
-        let _e33 = gabor_impl_next_word(_e32);
-        let _e34 = gabor_impl_amplitude(_e33);
-        d = _e34;
-        let _e36 = amplitude;
-        let _e38 = b_1;
-        let _e40 = c;
-        let _e42 = d;
-        real = vec4<f32>(_e36.x, _e38.x, _e40.x, _e42.x);
-        let _e46 = amplitude;
-        let _e48 = b_1;
-        let _e50 = c;
-        let _e52 = d;
-        imaginary = vec4<f32>(_e46.y, _e48.y, _e50.y, _e52.y);
-        let _e57 = (*row);
-        let _e60 = real;
-        let _e63 = imaginary;
-        (*row).four_real = (_e57.four_real + ((factor.x * _e60) - (factor.y * _e63)));
-        let _e68 = (*row);
-        let _e71 = imaginary;
-        let _e74 = real;
-        (*row).four_imaginary = (_e68.four_imaginary + ((factor.x * _e71) + (factor.y * _e74)));
-        return;
     } else if GABOR_TAPS == 4 {
-        var amplitude: vec2<f32>;
-        var second_1: u32;
+        var a_1: vec2<f32>;
+        var second: u32;
         var third: u32;
         var b_1: vec2<f32>;
         var c_1: vec2<f32>;
@@ -590,475 +418,900 @@ fn gabor_impl_add_node(row: ptr<function, GaborRow>, word: u32, factor: vec2<f32
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        let _e6 = gabor_impl_amplitude(word);
-        amplitude = _e6;
-        if animated {
-            let _e8 = gabor_impl_amplitude_at(word, time);
-            amplitude = _e8;
+        if (window > -1f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_1 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_1 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_1 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_1;
+                    let _e30 = b_1;
+                    let _e34 = c_1;
+                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_1;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_1;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_1;
+                let _e52 = b_1;
+                let _e54 = c_1;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_1;
+                let _e62 = b_1;
+                let _e64 = c_1;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
         }
-        let _e10 = (*row);
-        let _e12 = amplitude;
-        let _e13 = gabor_impl_product(_e12, factor);
-        (*row).value = (_e10.value + _e13);
-        let _e16 = (*row);
-        let _e18 = amplitude;
-        let _e19 = gabor_impl_product(_e18, slope);
-        (*row).slope = (_e16.slope + _e19);
-        let _e21 = gabor_impl_next_word(word);
-        second_1 = _e21;
-        let _e23 = second_1;
-        let _e24 = gabor_impl_next_word(_e23);
-        third = _e24;
-        let _e26 = second_1;
-        let _e27 = gabor_impl_amplitude(_e26);
-        b_1 = _e27;
-        let _e29 = third;
-        let _e30 = gabor_impl_amplitude(_e29);
-        c_1 = _e30;
-        let _e32 = third;
-        let _e33 = gabor_impl_next_word(_e32);
-        let _e34 = gabor_impl_amplitude(_e33);
-        d = _e34;
-        let _e36 = amplitude;
-        let _e38 = b_1;
-        let _e40 = c_1;
-        let _e42 = d;
-        real = vec4<f32>(_e36.x, _e38.x, _e40.x, _e42.x);
-        let _e46 = amplitude;
-        let _e48 = b_1;
-        let _e50 = c_1;
-        let _e52 = d;
-        imaginary = vec4<f32>(_e46.y, _e48.y, _e50.y, _e52.y);
-        let _e57 = (*row);
-        let _e60 = real;
-        let _e63 = imaginary;
-        (*row).four_real = (_e57.four_real + ((factor.x * _e60) - (factor.y * _e63)));
-        let _e68 = (*row);
-        let _e71 = imaginary;
-        let _e74 = real;
-        (*row).four_imaginary = (_e68.four_imaginary + ((factor.x * _e71) + (factor.y * _e74)));
-        return;
     } else {
-        var amplitude: vec2<f32>;
-        var second_1: u32;
+        var a_2: vec2<f32>;
+        var second: u32;
         var third: u32;
-        var b_1: vec2<f32>;
+        var b_2: vec2<f32>;
         var c_1: vec2<f32>;
-        var d_1: vec2<f32>;
+        var d: vec2<f32>;
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        let _e6 = gabor_impl_amplitude(word);
-        amplitude = _e6;
-        if animated {
-            let _e8 = gabor_impl_amplitude_at(word, time);
-            amplitude = _e8;
+        if (window > -1f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_2 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_2 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_1 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_2;
+                    let _e30 = b_2;
+                    let _e34 = c_1;
+                    a_2 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_2;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_2;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_2;
+                let _e52 = b_2;
+                let _e54 = c_1;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_2;
+                let _e62 = b_2;
+                let _e64 = c_1;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
         }
-        let _e10 = (*row);
-        let _e12 = amplitude;
-        let _e13 = gabor_impl_product(_e12, factor);
-        (*row).value = (_e10.value + _e13);
-        let _e16 = (*row);
-        let _e18 = amplitude;
-        let _e19 = gabor_impl_product(_e18, slope);
-        (*row).slope = (_e16.slope + _e19);
-        let _e21 = gabor_impl_next_word(word);
-        second_1 = _e21;
-        let _e23 = second_1;
-        let _e24 = gabor_impl_next_word(_e23);
-        third = _e24;
-        let _e26 = second_1;
-        let _e27 = gabor_impl_amplitude(_e26);
-        b_1 = _e27;
-        let _e29 = third;
-        let _e30 = gabor_impl_amplitude(_e29);
-        c_1 = _e30;
-        let _e32 = third;
-        let _e33 = gabor_impl_next_word(_e32);
-        let _e34 = gabor_impl_amplitude(_e33);
-        d_1 = _e34;
-        let _e36 = amplitude;
-        let _e38 = b_1;
-        let _e40 = c_1;
-        let _e42 = d_1;
-        real = vec4<f32>(_e36.x, _e38.x, _e40.x, _e42.x);
-        let _e46 = amplitude;
-        let _e48 = b_1;
-        let _e50 = c_1;
-        let _e52 = d_1;
-        imaginary = vec4<f32>(_e46.y, _e48.y, _e50.y, _e52.y);
-        let _e57 = (*row);
-        let _e60 = real;
-        let _e63 = imaginary;
-        (*row).four_real = (_e57.four_real + ((factor.x * _e60) - (factor.y * _e63)));
-        let _e68 = (*row);
-        let _e71 = imaginary;
-        let _e74 = real;
-        (*row).four_imaginary = (_e68.four_imaginary + ((factor.x * _e71) + (factor.y * _e74)));
-        return;
     }
 }
 
-fn gabor_impl_row(axis: GaborAxis, word: u32, animated: bool, time: vec2<f32>) -> GaborRow {
-    if GABOR_TAPS == 2 {
-        var row_1: GaborRow = GaborRow(vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e18 = gabor_impl_node_word((axis.word.x ^ word));
-        gabor_impl_add_node((&row_1), _e18, vec2<f32>(axis.real.x, axis.imaginary.x), vec2<f32>(axis.slope_real.x, axis.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word((axis.word.y ^ word));
-        gabor_impl_add_node((&row_1), _e34, vec2<f32>(axis.real.y, axis.imaginary.y), vec2<f32>(axis.slope_real.y, axis.slope_imaginary.y), animated, time);
-        let _e46 = row_1;
-        return _e46;
-    } else if GABOR_TAPS == 4 {
-        var row_1: GaborRow = GaborRow(vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e18 = gabor_impl_node_word((axis.word.x ^ word));
-        gabor_impl_add_node((&row_1), _e18, vec2<f32>(axis.real.x, axis.imaginary.x), vec2<f32>(axis.slope_real.x, axis.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word((axis.word.y ^ word));
-        gabor_impl_add_node((&row_1), _e34, vec2<f32>(axis.real.y, axis.imaginary.y), vec2<f32>(axis.slope_real.y, axis.slope_imaginary.y), animated, time);
-        let _e50 = gabor_impl_node_word((axis.word.z ^ word));
-        gabor_impl_add_node((&row_1), _e50, vec2<f32>(axis.real.z, axis.imaginary.z), vec2<f32>(axis.slope_real.z, axis.slope_imaginary.z), animated, time);
-        let _e66 = gabor_impl_node_word((axis.word.w ^ word));
-        gabor_impl_add_node((&row_1), _e66, vec2<f32>(axis.real.w, axis.imaginary.w), vec2<f32>(axis.slope_real.w, axis.slope_imaginary.w), animated, time);
-        let _e78 = row_1;
-        return _e78;
-    } else {
-        var row_1: GaborRow = GaborRow(vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e18 = gabor_impl_node_word((axis.word.x ^ word));
-        gabor_impl_add_node((&row_1), _e18, vec2<f32>(axis.real.x, axis.imaginary.x), vec2<f32>(axis.slope_real.x, axis.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word((axis.word.y ^ word));
-        gabor_impl_add_node((&row_1), _e34, vec2<f32>(axis.real.y, axis.imaginary.y), vec2<f32>(axis.slope_real.y, axis.slope_imaginary.y), animated, time);
-        let _e50 = gabor_impl_node_word((axis.word.z ^ word));
-        gabor_impl_add_node((&row_1), _e50, vec2<f32>(axis.real.z, axis.imaginary.z), vec2<f32>(axis.slope_real.z, axis.slope_imaginary.z), animated, time);
-        let _e62 = row_1;
-        return _e62;
-    }
-}
-
-fn gabor_impl_add_row(sum: ptr<function, GaborField>, row: GaborRow, factor: vec2<f32>, slope: vec2<f32>, base: vec2<f32>) {
-    var factor_2: vec2<f32>;
-
-    factor_2 = factor;
-    let _e6 = factor_2;
-    let _e7 = gabor_impl_product(_e6, base);
-    factor_2 = _e7;
-    let _e9 = (*sum);
-    let _e12 = factor_2;
-    let _e13 = gabor_impl_product(row.value, _e12);
-    (*sum).value = (_e9.value + _e13);
-    let _e16 = (*sum);
-    let _e19 = factor_2;
-    let _e20 = gabor_impl_product(row.slope, _e19);
-    (*sum).slope_x = (_e16.slope_x + _e20);
+// Adds a row to the whole.
+fn gabor_impl_add_row(sum: ptr<function, GaborSum>, row: GaborSum, factor: vec2<f32>, slope: vec2<f32>) {
+    let _e5 = (*sum);
+    let _e8 = gabor_impl_product(row.value, factor);
+    (*sum).value = (_e5.value + _e8);
+    let _e11 = (*sum);
+    let _e14 = gabor_impl_product(row.slope_x, factor);
+    (*sum).slope_x = (_e11.slope_x + _e14);
+    let _e17 = (*sum);
+    let _e20 = gabor_impl_product(row.value, slope);
+    (*sum).slope_y = (_e17.slope_y + _e20);
     let _e23 = (*sum);
-    let _e26 = gabor_impl_product(slope, base);
-    let _e27 = gabor_impl_product(row.value, _e26);
-    (*sum).slope_y = (_e23.slope_y + _e27);
-    let _e30 = (*sum);
-    let _e32 = factor_2;
-    let _e36 = factor_2;
-    (*sum).four = (_e30.four + ((_e32.x * row.four_imaginary) + (_e36.y * row.four_real)));
+    (*sum).real = (_e23.real + ((factor.x * row.real) - (factor.y * row.imaginary)));
+    let _e34 = (*sum);
+    (*sum).imaginary = (_e34.imaginary + ((factor.x * row.imaginary) + (factor.y * row.real)));
     return;
 }
 
-// The noise at a place: what the functions below call.
+// The noise at a place: what the functions below call. Cost: GABOR_TAPS^2 amplitudes.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
-        var x_2: vec2<f32>;
+        var local_2: f32;
+        var offset: vec2<f32>;
         var node: vec2<i32>;
-        var columns: GaborAxis;
-        var rows: GaborAxis;
-        var cycles: vec2<f32>;
-        var base_1: vec2<f32>;
-        var time_3: vec2<f32>;
-        var sum_1: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var scale: f32 = 0.00000000008578349f;
+        var salt_3: u32;
+        var columns: vec4<u32>;
+        var rows: vec4<u32>;
+        var base: vec2<f32>;
+        var time_1: vec2<f32>;
+        var x_1: GaborWindows;
+        var y_1: GaborWindows;
+        var cosines_1: vec4<f32>;
+        var sines_1: vec4<f32>;
+        var real_1: vec4<f32>;
+        var imaginary_1: vec4<f32>;
+        var slope_real: vec4<f32>;
+        var slope_imaginary: vec4<f32>;
+        var none: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum;
+        var row_word: u32;
+        var row_3: GaborSum;
+        var row_word_1: u32;
+        var row_4: GaborSum;
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
         var stretch: vec2<f32>;
-        var turn: vec2<f32>;
-        var field: GaborField;
 
         kernel_1 = kernel;
         first_1 = (floor((place.local - vec2(1f))) + vec2(1f));
         let _e17 = first_1;
-        x_2 = (place.local - _e17);
-        let _e21 = first_1;
-        node = (place.cell + vec2<i32>(_e21));
-        let _e25 = node;
-        let _e27 = x_2;
-        let _e32 = gabor_impl_salt(seed, 0u);
-        let _e33 = kernel_1;
-        let _e35 = gabor_impl_axis(_e25.x, _e27.x, place.period.x, _e32, _e33.step_x);
-        columns = _e35;
-        let _e37 = node;
-        let _e39 = x_2;
-        let _e44 = gabor_impl_salt(seed, 1u);
-        let _e45 = kernel_1;
-        let _e47 = gabor_impl_axis(_e37.y, _e39.y, place.period.y, _e44, _e45.step_y);
-        rows = _e47;
-        let _e49 = kernel_1;
-        cycles = (_e49.wave / place.radius);
-        let _e54 = cycles;
-        let _e55 = x_2;
-        let _e57 = gabor_impl_wave(dot(_e54, _e55));
-        base_1 = _e57;
-        let _e60 = gabor_impl_wave(place.time);
-        time_3 = _e60;
-        let _e73 = columns;
-        let _e74 = rows;
-        let _e78 = time_3;
-        let _e79 = gabor_impl_row(_e73, _e74.word.x, place.animated, _e78);
-        let _e80 = rows;
-        let _e83 = rows;
-        let _e87 = rows;
-        let _e90 = rows;
-        let _e94 = base_1;
-        gabor_impl_add_row((&sum_1), _e79, vec2<f32>(_e80.real.x, _e83.imaginary.x), vec2<f32>(_e87.slope_real.x, _e90.slope_imaginary.x), _e94);
-        let _e97 = columns;
-        let _e98 = rows;
-        let _e102 = time_3;
-        let _e103 = gabor_impl_row(_e97, _e98.word.y, place.animated, _e102);
-        let _e104 = rows;
-        let _e107 = rows;
-        let _e111 = rows;
-        let _e114 = rows;
-        let _e118 = base_1;
-        gabor_impl_add_row((&sum_1), _e103, vec2<f32>(_e104.real.y, _e107.imaginary.y), vec2<f32>(_e111.slope_real.y, _e114.slope_imaginary.y), _e118);
-        let _e126 = scale;
-        stretch = ((_e126 / 1f) * place.radius);
-        let _e136 = scale;
-        let _e138 = kernel_1;
-        turn = ((6.2831855f * _e136) * _e138.wave);
-        let _e144 = scale;
-        let _e145 = sum_1;
-        field.value = (_e144 * _e145.value);
-        let _e149 = stretch;
-        let _e151 = sum_1;
-        let _e154 = turn;
-        let _e156 = sum_1;
-        let _e160 = sum_1;
-        field.slope_x = ((_e149.x * _e151.slope_x) + (_e154.x * vec2<f32>(-(_e156.value.y), _e160.value.x)));
-        let _e167 = stretch;
-        let _e169 = sum_1;
-        let _e172 = turn;
-        let _e174 = sum_1;
-        let _e178 = sum_1;
-        field.slope_y = ((_e167.y * _e169.slope_y) + (_e172.y * vec2<f32>(-(_e174.value.y), _e178.value.x)));
-        let _e185 = scale;
-        let _e186 = sum_1;
-        field.four = (_e185 * _e186.four);
-        let _e189 = field;
-        return _e189;
+        if true {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e40 = salt_3;
+        let _e41 = gabor_impl_line_words(_e36.x, place.period.x, _e40);
+        columns = _e41;
+        let _e43 = node;
+        let _e47 = salt_3;
+        let _e50 = gabor_impl_line_words(_e43.y, place.period.y, (_e47 ^ 1540483477u));
+        rows = _e50;
+        let _e52 = kernel_1;
+        let _e54 = offset;
+        let _e61 = gabor_impl_wave(dot(_e52.wave, (_e54 * (vec2(1f) / place.radius))));
+        base = _e61;
+        let _e64 = gabor_impl_wave(place.time);
+        time_1 = _e64;
+        let _e66 = offset;
+        let _e68 = gabor_impl_windows(_e66.x);
+        x_1 = _e68;
+        let _e70 = offset;
+        let _e72 = gabor_impl_windows(_e70.y);
+        y_1 = _e72;
+        let _e76 = kernel_1;
+        gabor_impl_node_waves(_e76.step_x, (&cosines_1), (&sines_1));
+        let _e82 = x_1;
+        let _e84 = cosines_1;
+        real_1 = (_e82.value * _e84);
+        let _e87 = x_1;
+        let _e89 = sines_1;
+        imaginary_1 = (_e87.value * _e89);
+        let _e92 = x_1;
+        let _e94 = cosines_1;
+        slope_real = (_e92.slope * _e94);
+        let _e97 = x_1;
+        let _e99 = sines_1;
+        slope_imaginary = (_e97.slope * _e99);
+        let _e102 = kernel_1;
+        gabor_impl_node_waves(_e102.step_y, (&cosines_1), (&sines_1));
+        let _e120 = none;
+        sum_1 = _e120;
+        {
+            let _e122 = rows;
+            row_word = _e122.x;
+            let _e125 = none;
+            row_3 = _e125;
+            let _e128 = columns;
+            let _e130 = row_word;
+            let _e131 = gabor_impl_node_word(_e128.x, _e130);
+            let _e132 = x_1;
+            let _e135 = real_1;
+            let _e137 = imaginary_1;
+            let _e140 = slope_real;
+            let _e142 = slope_imaginary;
+            let _e146 = time_1;
+            gabor_impl_add_node((&row_3), _e131, _e132.value.x, vec2<f32>(_e135.x, _e137.x), vec2<f32>(_e140.x, _e142.x), place.animated, _e146);
+            let _e149 = columns;
+            let _e151 = row_word;
+            let _e152 = gabor_impl_node_word(_e149.y, _e151);
+            let _e153 = x_1;
+            let _e156 = real_1;
+            let _e158 = imaginary_1;
+            let _e161 = slope_real;
+            let _e163 = slope_imaginary;
+            let _e167 = time_1;
+            gabor_impl_add_node((&row_3), _e152, _e153.value.y, vec2<f32>(_e156.y, _e158.y), vec2<f32>(_e161.y, _e163.y), place.animated, _e167);
+            let _e170 = row_3;
+            let _e171 = y_1;
+            let _e174 = cosines_1;
+            let _e176 = sines_1;
+            let _e180 = y_1;
+            let _e183 = cosines_1;
+            let _e185 = sines_1;
+            gabor_impl_add_row((&sum_1), _e170, (_e171.value.x * vec2<f32>(_e174.x, _e176.x)), (_e180.slope.x * vec2<f32>(_e183.x, _e185.x)));
+        }
+        {
+            let _e190 = rows;
+            row_word_1 = _e190.y;
+            let _e193 = none;
+            row_4 = _e193;
+            let _e196 = columns;
+            let _e198 = row_word_1;
+            let _e199 = gabor_impl_node_word(_e196.x, _e198);
+            let _e200 = x_1;
+            let _e203 = real_1;
+            let _e205 = imaginary_1;
+            let _e208 = slope_real;
+            let _e210 = slope_imaginary;
+            let _e214 = time_1;
+            gabor_impl_add_node((&row_4), _e199, _e200.value.x, vec2<f32>(_e203.x, _e205.x), vec2<f32>(_e208.x, _e210.x), place.animated, _e214);
+            let _e217 = columns;
+            let _e219 = row_word_1;
+            let _e220 = gabor_impl_node_word(_e217.y, _e219);
+            let _e221 = x_1;
+            let _e224 = real_1;
+            let _e226 = imaginary_1;
+            let _e229 = slope_real;
+            let _e231 = slope_imaginary;
+            let _e235 = time_1;
+            gabor_impl_add_node((&row_4), _e220, _e221.value.y, vec2<f32>(_e224.y, _e226.y), vec2<f32>(_e229.y, _e231.y), place.animated, _e235);
+            let _e238 = row_4;
+            let _e239 = y_1;
+            let _e242 = cosines_1;
+            let _e244 = sines_1;
+            let _e248 = y_1;
+            let _e251 = cosines_1;
+            let _e253 = sines_1;
+            gabor_impl_add_row((&sum_1), _e238, (_e239.value.y * vec2<f32>(_e242.y, _e244.y)), (_e248.slope.y * vec2<f32>(_e251.y, _e253.y)));
+        }
+        let _e258 = base;
+        base = (_e258 * 0.0000000032289018f);
+        let _e265 = sum_1;
+        let _e267 = base;
+        let _e268 = gabor_impl_product(_e265.value, _e267);
+        value = _e268;
+        let _e271 = value;
+        let _e274 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e271.y), _e274.x));
+        stretch = (place.radius / vec2(1f));
+        let _e287 = value;
+        let _e288 = stretch;
+        let _e290 = sum_1;
+        let _e292 = base;
+        let _e293 = gabor_impl_product(_e290.slope_x, _e292);
+        let _e295 = kernel_1;
+        let _e298 = turned;
+        let _e301 = stretch;
+        let _e303 = sum_1;
+        let _e305 = base;
+        let _e306 = gabor_impl_product(_e303.slope_y, _e305);
+        let _e308 = kernel_1;
+        let _e311 = turned;
+        let _e314 = base;
+        let _e316 = sum_1;
+        let _e319 = base;
+        let _e321 = sum_1;
+        return GaborField(_e287, ((_e288.x * _e293) + (_e295.wave.x * _e298)), ((_e301.y * _e306) + (_e308.wave.y * _e311)), ((_e314.x * _e316.imaginary) + (_e319.y * _e321.real)));
     } else if GABOR_TAPS == 4 {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
-        var x_3: vec2<f32>;
+        var local_2: f32;
+        var offset: vec2<f32>;
         var node: vec2<i32>;
-        var columns: GaborAxis;
-        var rows: GaborAxis;
-        var cycles: vec2<f32>;
-        var base_1: vec2<f32>;
-        var time_3: vec2<f32>;
-        var sum_1: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var scale: f32 = 0.000000000057188997f;
+        var salt_3: u32;
+        var columns: vec4<u32>;
+        var rows: vec4<u32>;
+        var base: vec2<f32>;
+        var time_1: vec2<f32>;
+        var x_2: GaborWindows;
+        var y_1: GaborWindows;
+        var cosines_1: vec4<f32>;
+        var sines_1: vec4<f32>;
+        var real_1: vec4<f32>;
+        var imaginary_1: vec4<f32>;
+        var slope_real: vec4<f32>;
+        var slope_imaginary: vec4<f32>;
+        var none: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum;
+        var row_word: u32;
+        var row_3: GaborSum;
+        var row_word_1: u32;
+        var row_4: GaborSum;
+        var row_word_2: u32;
+        var row_5: GaborSum;
+        var row_word_3: u32;
+        var row_6: GaborSum;
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
         var stretch: vec2<f32>;
-        var turn: vec2<f32>;
-        var field: GaborField;
 
         kernel_1 = kernel;
         first_1 = (floor((place.local - vec2(2f))) + vec2(1f));
         let _e17 = first_1;
-        x_3 = (place.local - _e17);
-        let _e21 = first_1;
-        node = (place.cell + vec2<i32>(_e21));
-        let _e25 = node;
-        let _e27 = x_3;
-        let _e32 = gabor_impl_salt(seed, 0u);
-        let _e33 = kernel_1;
-        let _e35 = gabor_impl_axis(_e25.x, _e27.x, place.period.x, _e32, _e33.step_x);
-        columns = _e35;
-        let _e37 = node;
-        let _e39 = x_3;
-        let _e44 = gabor_impl_salt(seed, 1u);
-        let _e45 = kernel_1;
-        let _e47 = gabor_impl_axis(_e37.y, _e39.y, place.period.y, _e44, _e45.step_y);
-        rows = _e47;
-        let _e49 = kernel_1;
-        cycles = (_e49.wave / place.radius);
-        let _e54 = x_3;
-        x_3 = (_e54 - vec2(1f));
-        let _e58 = cycles;
-        let _e59 = x_3;
-        let _e61 = gabor_impl_wave(dot(_e58, _e59));
-        base_1 = _e61;
+        if false {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e40 = salt_3;
+        let _e41 = gabor_impl_line_words(_e36.x, place.period.x, _e40);
+        columns = _e41;
+        let _e43 = node;
+        let _e47 = salt_3;
+        let _e50 = gabor_impl_line_words(_e43.y, place.period.y, (_e47 ^ 1540483477u));
+        rows = _e50;
+        let _e52 = kernel_1;
+        let _e54 = offset;
+        let _e61 = gabor_impl_wave(dot(_e52.wave, (_e54 * (vec2(1f) / place.radius))));
+        base = _e61;
         let _e64 = gabor_impl_wave(place.time);
-        time_3 = _e64;
-        let _e77 = columns;
-        let _e78 = rows;
-        let _e82 = time_3;
-        let _e83 = gabor_impl_row(_e77, _e78.word.x, place.animated, _e82);
-        let _e84 = rows;
-        let _e87 = rows;
-        let _e91 = rows;
-        let _e94 = rows;
-        let _e98 = base_1;
-        gabor_impl_add_row((&sum_1), _e83, vec2<f32>(_e84.real.x, _e87.imaginary.x), vec2<f32>(_e91.slope_real.x, _e94.slope_imaginary.x), _e98);
-        let _e101 = columns;
-        let _e102 = rows;
-        let _e106 = time_3;
-        let _e107 = gabor_impl_row(_e101, _e102.word.y, place.animated, _e106);
-        let _e108 = rows;
-        let _e111 = rows;
-        let _e115 = rows;
-        let _e118 = rows;
-        let _e122 = base_1;
-        gabor_impl_add_row((&sum_1), _e107, vec2<f32>(_e108.real.y, _e111.imaginary.y), vec2<f32>(_e115.slope_real.y, _e118.slope_imaginary.y), _e122);
-        let _e125 = columns;
-        let _e126 = rows;
-        let _e130 = time_3;
-        let _e131 = gabor_impl_row(_e125, _e126.word.z, place.animated, _e130);
-        let _e132 = rows;
-        let _e135 = rows;
-        let _e139 = rows;
-        let _e142 = rows;
-        let _e146 = base_1;
-        gabor_impl_add_row((&sum_1), _e131, vec2<f32>(_e132.real.z, _e135.imaginary.z), vec2<f32>(_e139.slope_real.z, _e142.slope_imaginary.z), _e146);
-        let _e149 = columns;
-        let _e150 = rows;
-        let _e154 = time_3;
-        let _e155 = gabor_impl_row(_e149, _e150.word.w, place.animated, _e154);
-        let _e156 = rows;
-        let _e159 = rows;
-        let _e163 = rows;
-        let _e166 = rows;
-        let _e170 = base_1;
-        gabor_impl_add_row((&sum_1), _e155, vec2<f32>(_e156.real.w, _e159.imaginary.w), vec2<f32>(_e163.slope_real.w, _e166.slope_imaginary.w), _e170);
-        let _e181 = scale;
-        stretch = ((_e181 / 2f) * place.radius);
-        let _e191 = scale;
-        let _e193 = kernel_1;
-        turn = ((6.2831855f * _e191) * _e193.wave);
-        let _e199 = scale;
-        let _e200 = sum_1;
-        field.value = (_e199 * _e200.value);
-        let _e204 = stretch;
-        let _e206 = sum_1;
-        let _e209 = turn;
-        let _e211 = sum_1;
-        let _e215 = sum_1;
-        field.slope_x = ((_e204.x * _e206.slope_x) + (_e209.x * vec2<f32>(-(_e211.value.y), _e215.value.x)));
-        let _e222 = stretch;
-        let _e224 = sum_1;
-        let _e227 = turn;
-        let _e229 = sum_1;
-        let _e233 = sum_1;
-        field.slope_y = ((_e222.y * _e224.slope_y) + (_e227.y * vec2<f32>(-(_e229.value.y), _e233.value.x)));
-        let _e240 = scale;
-        let _e241 = sum_1;
-        field.four = (_e240 * _e241.four);
-        let _e244 = field;
-        return _e244;
+        time_1 = _e64;
+        let _e66 = offset;
+        let _e68 = gabor_impl_windows(_e66.x);
+        x_2 = _e68;
+        let _e70 = offset;
+        let _e72 = gabor_impl_windows(_e70.y);
+        y_1 = _e72;
+        let _e76 = kernel_1;
+        gabor_impl_node_waves(_e76.step_x, (&cosines_1), (&sines_1));
+        let _e82 = x_2;
+        let _e84 = cosines_1;
+        real_1 = (_e82.value * _e84);
+        let _e87 = x_2;
+        let _e89 = sines_1;
+        imaginary_1 = (_e87.value * _e89);
+        let _e92 = x_2;
+        let _e94 = cosines_1;
+        slope_real = (_e92.slope * _e94);
+        let _e97 = x_2;
+        let _e99 = sines_1;
+        slope_imaginary = (_e97.slope * _e99);
+        let _e102 = kernel_1;
+        gabor_impl_node_waves(_e102.step_y, (&cosines_1), (&sines_1));
+        let _e120 = none;
+        sum_1 = _e120;
+        {
+            let _e122 = rows;
+            row_word = _e122.x;
+            let _e125 = none;
+            row_3 = _e125;
+            let _e128 = columns;
+            let _e130 = row_word;
+            let _e131 = gabor_impl_node_word(_e128.x, _e130);
+            let _e132 = x_2;
+            let _e135 = real_1;
+            let _e137 = imaginary_1;
+            let _e140 = slope_real;
+            let _e142 = slope_imaginary;
+            let _e146 = time_1;
+            gabor_impl_add_node((&row_3), _e131, _e132.value.x, vec2<f32>(_e135.x, _e137.x), vec2<f32>(_e140.x, _e142.x), place.animated, _e146);
+            let _e149 = columns;
+            let _e151 = row_word;
+            let _e152 = gabor_impl_node_word(_e149.y, _e151);
+            let _e153 = x_2;
+            let _e156 = real_1;
+            let _e158 = imaginary_1;
+            let _e161 = slope_real;
+            let _e163 = slope_imaginary;
+            let _e167 = time_1;
+            gabor_impl_add_node((&row_3), _e152, _e153.value.y, vec2<f32>(_e156.y, _e158.y), vec2<f32>(_e161.y, _e163.y), place.animated, _e167);
+            let _e170 = columns;
+            let _e172 = row_word;
+            let _e173 = gabor_impl_node_word(_e170.z, _e172);
+            let _e174 = x_2;
+            let _e177 = real_1;
+            let _e179 = imaginary_1;
+            let _e182 = slope_real;
+            let _e184 = slope_imaginary;
+            let _e188 = time_1;
+            gabor_impl_add_node((&row_3), _e173, _e174.value.z, vec2<f32>(_e177.z, _e179.z), vec2<f32>(_e182.z, _e184.z), place.animated, _e188);
+            let _e191 = columns;
+            let _e193 = row_word;
+            let _e194 = gabor_impl_node_word(_e191.w, _e193);
+            let _e195 = x_2;
+            let _e198 = real_1;
+            let _e200 = imaginary_1;
+            let _e203 = slope_real;
+            let _e205 = slope_imaginary;
+            let _e209 = time_1;
+            gabor_impl_add_node((&row_3), _e194, _e195.value.w, vec2<f32>(_e198.w, _e200.w), vec2<f32>(_e203.w, _e205.w), place.animated, _e209);
+            let _e212 = row_3;
+            let _e213 = y_1;
+            let _e216 = cosines_1;
+            let _e218 = sines_1;
+            let _e222 = y_1;
+            let _e225 = cosines_1;
+            let _e227 = sines_1;
+            gabor_impl_add_row((&sum_1), _e212, (_e213.value.x * vec2<f32>(_e216.x, _e218.x)), (_e222.slope.x * vec2<f32>(_e225.x, _e227.x)));
+        }
+        {
+            let _e232 = rows;
+            row_word_1 = _e232.y;
+            let _e235 = none;
+            row_4 = _e235;
+            let _e238 = columns;
+            let _e240 = row_word_1;
+            let _e241 = gabor_impl_node_word(_e238.x, _e240);
+            let _e242 = x_2;
+            let _e245 = real_1;
+            let _e247 = imaginary_1;
+            let _e250 = slope_real;
+            let _e252 = slope_imaginary;
+            let _e256 = time_1;
+            gabor_impl_add_node((&row_4), _e241, _e242.value.x, vec2<f32>(_e245.x, _e247.x), vec2<f32>(_e250.x, _e252.x), place.animated, _e256);
+            let _e259 = columns;
+            let _e261 = row_word_1;
+            let _e262 = gabor_impl_node_word(_e259.y, _e261);
+            let _e263 = x_2;
+            let _e266 = real_1;
+            let _e268 = imaginary_1;
+            let _e271 = slope_real;
+            let _e273 = slope_imaginary;
+            let _e277 = time_1;
+            gabor_impl_add_node((&row_4), _e262, _e263.value.y, vec2<f32>(_e266.y, _e268.y), vec2<f32>(_e271.y, _e273.y), place.animated, _e277);
+            let _e280 = columns;
+            let _e282 = row_word_1;
+            let _e283 = gabor_impl_node_word(_e280.z, _e282);
+            let _e284 = x_2;
+            let _e287 = real_1;
+            let _e289 = imaginary_1;
+            let _e292 = slope_real;
+            let _e294 = slope_imaginary;
+            let _e298 = time_1;
+            gabor_impl_add_node((&row_4), _e283, _e284.value.z, vec2<f32>(_e287.z, _e289.z), vec2<f32>(_e292.z, _e294.z), place.animated, _e298);
+            let _e301 = columns;
+            let _e303 = row_word_1;
+            let _e304 = gabor_impl_node_word(_e301.w, _e303);
+            let _e305 = x_2;
+            let _e308 = real_1;
+            let _e310 = imaginary_1;
+            let _e313 = slope_real;
+            let _e315 = slope_imaginary;
+            let _e319 = time_1;
+            gabor_impl_add_node((&row_4), _e304, _e305.value.w, vec2<f32>(_e308.w, _e310.w), vec2<f32>(_e313.w, _e315.w), place.animated, _e319);
+            let _e322 = row_4;
+            let _e323 = y_1;
+            let _e326 = cosines_1;
+            let _e328 = sines_1;
+            let _e332 = y_1;
+            let _e335 = cosines_1;
+            let _e337 = sines_1;
+            gabor_impl_add_row((&sum_1), _e322, (_e323.value.y * vec2<f32>(_e326.y, _e328.y)), (_e332.slope.y * vec2<f32>(_e335.y, _e337.y)));
+        }
+        {
+            let _e342 = rows;
+            row_word_2 = _e342.z;
+            let _e345 = none;
+            row_5 = _e345;
+            let _e348 = columns;
+            let _e350 = row_word_2;
+            let _e351 = gabor_impl_node_word(_e348.x, _e350);
+            let _e352 = x_2;
+            let _e355 = real_1;
+            let _e357 = imaginary_1;
+            let _e360 = slope_real;
+            let _e362 = slope_imaginary;
+            let _e366 = time_1;
+            gabor_impl_add_node((&row_5), _e351, _e352.value.x, vec2<f32>(_e355.x, _e357.x), vec2<f32>(_e360.x, _e362.x), place.animated, _e366);
+            let _e369 = columns;
+            let _e371 = row_word_2;
+            let _e372 = gabor_impl_node_word(_e369.y, _e371);
+            let _e373 = x_2;
+            let _e376 = real_1;
+            let _e378 = imaginary_1;
+            let _e381 = slope_real;
+            let _e383 = slope_imaginary;
+            let _e387 = time_1;
+            gabor_impl_add_node((&row_5), _e372, _e373.value.y, vec2<f32>(_e376.y, _e378.y), vec2<f32>(_e381.y, _e383.y), place.animated, _e387);
+            let _e390 = columns;
+            let _e392 = row_word_2;
+            let _e393 = gabor_impl_node_word(_e390.z, _e392);
+            let _e394 = x_2;
+            let _e397 = real_1;
+            let _e399 = imaginary_1;
+            let _e402 = slope_real;
+            let _e404 = slope_imaginary;
+            let _e408 = time_1;
+            gabor_impl_add_node((&row_5), _e393, _e394.value.z, vec2<f32>(_e397.z, _e399.z), vec2<f32>(_e402.z, _e404.z), place.animated, _e408);
+            let _e411 = columns;
+            let _e413 = row_word_2;
+            let _e414 = gabor_impl_node_word(_e411.w, _e413);
+            let _e415 = x_2;
+            let _e418 = real_1;
+            let _e420 = imaginary_1;
+            let _e423 = slope_real;
+            let _e425 = slope_imaginary;
+            let _e429 = time_1;
+            gabor_impl_add_node((&row_5), _e414, _e415.value.w, vec2<f32>(_e418.w, _e420.w), vec2<f32>(_e423.w, _e425.w), place.animated, _e429);
+            let _e432 = row_5;
+            let _e433 = y_1;
+            let _e436 = cosines_1;
+            let _e438 = sines_1;
+            let _e442 = y_1;
+            let _e445 = cosines_1;
+            let _e447 = sines_1;
+            gabor_impl_add_row((&sum_1), _e432, (_e433.value.z * vec2<f32>(_e436.z, _e438.z)), (_e442.slope.z * vec2<f32>(_e445.z, _e447.z)));
+        }
+        {
+            let _e452 = rows;
+            row_word_3 = _e452.w;
+            let _e455 = none;
+            row_6 = _e455;
+            let _e458 = columns;
+            let _e460 = row_word_3;
+            let _e461 = gabor_impl_node_word(_e458.x, _e460);
+            let _e462 = x_2;
+            let _e465 = real_1;
+            let _e467 = imaginary_1;
+            let _e470 = slope_real;
+            let _e472 = slope_imaginary;
+            let _e476 = time_1;
+            gabor_impl_add_node((&row_6), _e461, _e462.value.x, vec2<f32>(_e465.x, _e467.x), vec2<f32>(_e470.x, _e472.x), place.animated, _e476);
+            let _e479 = columns;
+            let _e481 = row_word_3;
+            let _e482 = gabor_impl_node_word(_e479.y, _e481);
+            let _e483 = x_2;
+            let _e486 = real_1;
+            let _e488 = imaginary_1;
+            let _e491 = slope_real;
+            let _e493 = slope_imaginary;
+            let _e497 = time_1;
+            gabor_impl_add_node((&row_6), _e482, _e483.value.y, vec2<f32>(_e486.y, _e488.y), vec2<f32>(_e491.y, _e493.y), place.animated, _e497);
+            let _e500 = columns;
+            let _e502 = row_word_3;
+            let _e503 = gabor_impl_node_word(_e500.z, _e502);
+            let _e504 = x_2;
+            let _e507 = real_1;
+            let _e509 = imaginary_1;
+            let _e512 = slope_real;
+            let _e514 = slope_imaginary;
+            let _e518 = time_1;
+            gabor_impl_add_node((&row_6), _e503, _e504.value.z, vec2<f32>(_e507.z, _e509.z), vec2<f32>(_e512.z, _e514.z), place.animated, _e518);
+            let _e521 = columns;
+            let _e523 = row_word_3;
+            let _e524 = gabor_impl_node_word(_e521.w, _e523);
+            let _e525 = x_2;
+            let _e528 = real_1;
+            let _e530 = imaginary_1;
+            let _e533 = slope_real;
+            let _e535 = slope_imaginary;
+            let _e539 = time_1;
+            gabor_impl_add_node((&row_6), _e524, _e525.value.w, vec2<f32>(_e528.w, _e530.w), vec2<f32>(_e533.w, _e535.w), place.animated, _e539);
+            let _e542 = row_6;
+            let _e543 = y_1;
+            let _e546 = cosines_1;
+            let _e548 = sines_1;
+            let _e552 = y_1;
+            let _e555 = cosines_1;
+            let _e557 = sines_1;
+            gabor_impl_add_row((&sum_1), _e542, (_e543.value.w * vec2<f32>(_e546.w, _e548.w)), (_e552.slope.w * vec2<f32>(_e555.w, _e557.w)));
+        }
+        let _e562 = base;
+        base = (_e562 * 0.0000000021526012f);
+        let _e569 = sum_1;
+        let _e571 = base;
+        let _e572 = gabor_impl_product(_e569.value, _e571);
+        value = _e572;
+        let _e575 = value;
+        let _e578 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e575.y), _e578.x));
+        stretch = (place.radius / vec2(2f));
+        let _e591 = value;
+        let _e592 = stretch;
+        let _e594 = sum_1;
+        let _e596 = base;
+        let _e597 = gabor_impl_product(_e594.slope_x, _e596);
+        let _e599 = kernel_1;
+        let _e602 = turned;
+        let _e605 = stretch;
+        let _e607 = sum_1;
+        let _e609 = base;
+        let _e610 = gabor_impl_product(_e607.slope_y, _e609);
+        let _e612 = kernel_1;
+        let _e615 = turned;
+        let _e618 = base;
+        let _e620 = sum_1;
+        let _e623 = base;
+        let _e625 = sum_1;
+        return GaborField(_e591, ((_e592.x * _e597) + (_e599.wave.x * _e602)), ((_e605.y * _e610) + (_e612.wave.y * _e615)), ((_e618.x * _e620.imaginary) + (_e623.y * _e625.real)));
     } else {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
-        var x_3: vec2<f32>;
+        var local_2: f32;
+        var offset: vec2<f32>;
         var node: vec2<i32>;
-        var columns: GaborAxis;
-        var rows: GaborAxis;
-        var cycles: vec2<f32>;
-        var base_1: vec2<f32>;
-        var time_3: vec2<f32>;
-        var sum_1: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var scale: f32 = 0.00000000007625199f;
+        var salt_3: u32;
+        var columns: vec4<u32>;
+        var rows: vec4<u32>;
+        var base: vec2<f32>;
+        var time_1: vec2<f32>;
+        var x_1: GaborWindows;
+        var y_1: GaborWindows;
+        var cosines_1: vec4<f32>;
+        var sines_1: vec4<f32>;
+        var real_1: vec4<f32>;
+        var imaginary_1: vec4<f32>;
+        var slope_real: vec4<f32>;
+        var slope_imaginary: vec4<f32>;
+        var none: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum;
+        var row_word: u32;
+        var row_3: GaborSum;
+        var row_word_1: u32;
+        var row_4: GaborSum;
+        var row_word_2: u32;
+        var row_5: GaborSum;
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
         var stretch: vec2<f32>;
-        var turn: vec2<f32>;
-        var field: GaborField;
 
         kernel_1 = kernel;
         first_1 = (floor((place.local - vec2(1.5f))) + vec2(1f));
         let _e17 = first_1;
-        x_3 = (place.local - _e17);
-        let _e21 = first_1;
-        node = (place.cell + vec2<i32>(_e21));
-        let _e25 = node;
-        let _e27 = x_3;
-        let _e32 = gabor_impl_salt(seed, 0u);
-        let _e33 = kernel_1;
-        let _e35 = gabor_impl_axis(_e25.x, _e27.x, place.period.x, _e32, _e33.step_x);
-        columns = _e35;
-        let _e37 = node;
-        let _e39 = x_3;
-        let _e44 = gabor_impl_salt(seed, 1u);
-        let _e45 = kernel_1;
-        let _e47 = gabor_impl_axis(_e37.y, _e39.y, place.period.y, _e44, _e45.step_y);
-        rows = _e47;
-        let _e49 = kernel_1;
-        cycles = (_e49.wave / place.radius);
-        let _e54 = x_3;
-        x_3 = (_e54 - vec2(1f));
-        let _e58 = cycles;
-        let _e59 = x_3;
-        let _e61 = gabor_impl_wave(dot(_e58, _e59));
-        base_1 = _e61;
+        if false {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e40 = salt_3;
+        let _e41 = gabor_impl_line_words(_e36.x, place.period.x, _e40);
+        columns = _e41;
+        let _e43 = node;
+        let _e47 = salt_3;
+        let _e50 = gabor_impl_line_words(_e43.y, place.period.y, (_e47 ^ 1540483477u));
+        rows = _e50;
+        let _e52 = kernel_1;
+        let _e54 = offset;
+        let _e61 = gabor_impl_wave(dot(_e52.wave, (_e54 * (vec2(1f) / place.radius))));
+        base = _e61;
         let _e64 = gabor_impl_wave(place.time);
-        time_3 = _e64;
-        let _e77 = columns;
-        let _e78 = rows;
-        let _e82 = time_3;
-        let _e83 = gabor_impl_row(_e77, _e78.word.x, place.animated, _e82);
-        let _e84 = rows;
-        let _e87 = rows;
-        let _e91 = rows;
-        let _e94 = rows;
-        let _e98 = base_1;
-        gabor_impl_add_row((&sum_1), _e83, vec2<f32>(_e84.real.x, _e87.imaginary.x), vec2<f32>(_e91.slope_real.x, _e94.slope_imaginary.x), _e98);
-        let _e101 = columns;
-        let _e102 = rows;
-        let _e106 = time_3;
-        let _e107 = gabor_impl_row(_e101, _e102.word.y, place.animated, _e106);
-        let _e108 = rows;
-        let _e111 = rows;
-        let _e115 = rows;
-        let _e118 = rows;
-        let _e122 = base_1;
-        gabor_impl_add_row((&sum_1), _e107, vec2<f32>(_e108.real.y, _e111.imaginary.y), vec2<f32>(_e115.slope_real.y, _e118.slope_imaginary.y), _e122);
-        let _e125 = columns;
-        let _e126 = rows;
-        let _e130 = time_3;
-        let _e131 = gabor_impl_row(_e125, _e126.word.z, place.animated, _e130);
-        let _e132 = rows;
-        let _e135 = rows;
-        let _e139 = rows;
-        let _e142 = rows;
-        let _e146 = base_1;
-        gabor_impl_add_row((&sum_1), _e131, vec2<f32>(_e132.real.z, _e135.imaginary.z), vec2<f32>(_e139.slope_real.z, _e142.slope_imaginary.z), _e146);
-        let _e157 = scale;
-        stretch = ((_e157 / 1.5f) * place.radius);
-        let _e167 = scale;
-        let _e169 = kernel_1;
-        turn = ((6.2831855f * _e167) * _e169.wave);
-        let _e175 = scale;
-        let _e176 = sum_1;
-        field.value = (_e175 * _e176.value);
-        let _e180 = stretch;
-        let _e182 = sum_1;
-        let _e185 = turn;
-        let _e187 = sum_1;
-        let _e191 = sum_1;
-        field.slope_x = ((_e180.x * _e182.slope_x) + (_e185.x * vec2<f32>(-(_e187.value.y), _e191.value.x)));
-        let _e198 = stretch;
-        let _e200 = sum_1;
-        let _e203 = turn;
-        let _e205 = sum_1;
-        let _e209 = sum_1;
-        field.slope_y = ((_e198.y * _e200.slope_y) + (_e203.y * vec2<f32>(-(_e205.value.y), _e209.value.x)));
-        let _e216 = scale;
-        let _e217 = sum_1;
-        field.four = (_e216 * _e217.four);
-        let _e220 = field;
-        return _e220;
+        time_1 = _e64;
+        let _e66 = offset;
+        let _e68 = gabor_impl_windows(_e66.x);
+        x_1 = _e68;
+        let _e70 = offset;
+        let _e72 = gabor_impl_windows(_e70.y);
+        y_1 = _e72;
+        let _e76 = kernel_1;
+        gabor_impl_node_waves(_e76.step_x, (&cosines_1), (&sines_1));
+        let _e82 = x_1;
+        let _e84 = cosines_1;
+        real_1 = (_e82.value * _e84);
+        let _e87 = x_1;
+        let _e89 = sines_1;
+        imaginary_1 = (_e87.value * _e89);
+        let _e92 = x_1;
+        let _e94 = cosines_1;
+        slope_real = (_e92.slope * _e94);
+        let _e97 = x_1;
+        let _e99 = sines_1;
+        slope_imaginary = (_e97.slope * _e99);
+        let _e102 = kernel_1;
+        gabor_impl_node_waves(_e102.step_y, (&cosines_1), (&sines_1));
+        let _e120 = none;
+        sum_1 = _e120;
+        {
+            let _e122 = rows;
+            row_word = _e122.x;
+            let _e125 = none;
+            row_3 = _e125;
+            let _e128 = columns;
+            let _e130 = row_word;
+            let _e131 = gabor_impl_node_word(_e128.x, _e130);
+            let _e132 = x_1;
+            let _e135 = real_1;
+            let _e137 = imaginary_1;
+            let _e140 = slope_real;
+            let _e142 = slope_imaginary;
+            let _e146 = time_1;
+            gabor_impl_add_node((&row_3), _e131, _e132.value.x, vec2<f32>(_e135.x, _e137.x), vec2<f32>(_e140.x, _e142.x), place.animated, _e146);
+            let _e149 = columns;
+            let _e151 = row_word;
+            let _e152 = gabor_impl_node_word(_e149.y, _e151);
+            let _e153 = x_1;
+            let _e156 = real_1;
+            let _e158 = imaginary_1;
+            let _e161 = slope_real;
+            let _e163 = slope_imaginary;
+            let _e167 = time_1;
+            gabor_impl_add_node((&row_3), _e152, _e153.value.y, vec2<f32>(_e156.y, _e158.y), vec2<f32>(_e161.y, _e163.y), place.animated, _e167);
+            let _e170 = columns;
+            let _e172 = row_word;
+            let _e173 = gabor_impl_node_word(_e170.z, _e172);
+            let _e174 = x_1;
+            let _e177 = real_1;
+            let _e179 = imaginary_1;
+            let _e182 = slope_real;
+            let _e184 = slope_imaginary;
+            let _e188 = time_1;
+            gabor_impl_add_node((&row_3), _e173, _e174.value.z, vec2<f32>(_e177.z, _e179.z), vec2<f32>(_e182.z, _e184.z), place.animated, _e188);
+            let _e191 = row_3;
+            let _e192 = y_1;
+            let _e195 = cosines_1;
+            let _e197 = sines_1;
+            let _e201 = y_1;
+            let _e204 = cosines_1;
+            let _e206 = sines_1;
+            gabor_impl_add_row((&sum_1), _e191, (_e192.value.x * vec2<f32>(_e195.x, _e197.x)), (_e201.slope.x * vec2<f32>(_e204.x, _e206.x)));
+        }
+        {
+            let _e211 = rows;
+            row_word_1 = _e211.y;
+            let _e214 = none;
+            row_4 = _e214;
+            let _e217 = columns;
+            let _e219 = row_word_1;
+            let _e220 = gabor_impl_node_word(_e217.x, _e219);
+            let _e221 = x_1;
+            let _e224 = real_1;
+            let _e226 = imaginary_1;
+            let _e229 = slope_real;
+            let _e231 = slope_imaginary;
+            let _e235 = time_1;
+            gabor_impl_add_node((&row_4), _e220, _e221.value.x, vec2<f32>(_e224.x, _e226.x), vec2<f32>(_e229.x, _e231.x), place.animated, _e235);
+            let _e238 = columns;
+            let _e240 = row_word_1;
+            let _e241 = gabor_impl_node_word(_e238.y, _e240);
+            let _e242 = x_1;
+            let _e245 = real_1;
+            let _e247 = imaginary_1;
+            let _e250 = slope_real;
+            let _e252 = slope_imaginary;
+            let _e256 = time_1;
+            gabor_impl_add_node((&row_4), _e241, _e242.value.y, vec2<f32>(_e245.y, _e247.y), vec2<f32>(_e250.y, _e252.y), place.animated, _e256);
+            let _e259 = columns;
+            let _e261 = row_word_1;
+            let _e262 = gabor_impl_node_word(_e259.z, _e261);
+            let _e263 = x_1;
+            let _e266 = real_1;
+            let _e268 = imaginary_1;
+            let _e271 = slope_real;
+            let _e273 = slope_imaginary;
+            let _e277 = time_1;
+            gabor_impl_add_node((&row_4), _e262, _e263.value.z, vec2<f32>(_e266.z, _e268.z), vec2<f32>(_e271.z, _e273.z), place.animated, _e277);
+            let _e280 = row_4;
+            let _e281 = y_1;
+            let _e284 = cosines_1;
+            let _e286 = sines_1;
+            let _e290 = y_1;
+            let _e293 = cosines_1;
+            let _e295 = sines_1;
+            gabor_impl_add_row((&sum_1), _e280, (_e281.value.y * vec2<f32>(_e284.y, _e286.y)), (_e290.slope.y * vec2<f32>(_e293.y, _e295.y)));
+        }
+        {
+            let _e300 = rows;
+            row_word_2 = _e300.z;
+            let _e303 = none;
+            row_5 = _e303;
+            let _e306 = columns;
+            let _e308 = row_word_2;
+            let _e309 = gabor_impl_node_word(_e306.x, _e308);
+            let _e310 = x_1;
+            let _e313 = real_1;
+            let _e315 = imaginary_1;
+            let _e318 = slope_real;
+            let _e320 = slope_imaginary;
+            let _e324 = time_1;
+            gabor_impl_add_node((&row_5), _e309, _e310.value.x, vec2<f32>(_e313.x, _e315.x), vec2<f32>(_e318.x, _e320.x), place.animated, _e324);
+            let _e327 = columns;
+            let _e329 = row_word_2;
+            let _e330 = gabor_impl_node_word(_e327.y, _e329);
+            let _e331 = x_1;
+            let _e334 = real_1;
+            let _e336 = imaginary_1;
+            let _e339 = slope_real;
+            let _e341 = slope_imaginary;
+            let _e345 = time_1;
+            gabor_impl_add_node((&row_5), _e330, _e331.value.y, vec2<f32>(_e334.y, _e336.y), vec2<f32>(_e339.y, _e341.y), place.animated, _e345);
+            let _e348 = columns;
+            let _e350 = row_word_2;
+            let _e351 = gabor_impl_node_word(_e348.z, _e350);
+            let _e352 = x_1;
+            let _e355 = real_1;
+            let _e357 = imaginary_1;
+            let _e360 = slope_real;
+            let _e362 = slope_imaginary;
+            let _e366 = time_1;
+            gabor_impl_add_node((&row_5), _e351, _e352.value.z, vec2<f32>(_e355.z, _e357.z), vec2<f32>(_e360.z, _e362.z), place.animated, _e366);
+            let _e369 = row_5;
+            let _e370 = y_1;
+            let _e373 = cosines_1;
+            let _e375 = sines_1;
+            let _e379 = y_1;
+            let _e382 = cosines_1;
+            let _e384 = sines_1;
+            gabor_impl_add_row((&sum_1), _e369, (_e370.value.z * vec2<f32>(_e373.z, _e375.z)), (_e379.slope.z * vec2<f32>(_e382.z, _e384.z)));
+        }
+        let _e389 = base;
+        base = (_e389 * 0.0000000028701348f);
+        let _e396 = sum_1;
+        let _e398 = base;
+        let _e399 = gabor_impl_product(_e396.value, _e398);
+        value = _e399;
+        let _e402 = value;
+        let _e405 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e402.y), _e405.x));
+        stretch = (place.radius / vec2(1.5f));
+        let _e418 = value;
+        let _e419 = stretch;
+        let _e421 = sum_1;
+        let _e423 = base;
+        let _e424 = gabor_impl_product(_e421.slope_x, _e423);
+        let _e426 = kernel_1;
+        let _e429 = turned;
+        let _e432 = stretch;
+        let _e434 = sum_1;
+        let _e436 = base;
+        let _e437 = gabor_impl_product(_e434.slope_y, _e436);
+        let _e439 = kernel_1;
+        let _e442 = turned;
+        let _e445 = base;
+        let _e447 = sum_1;
+        let _e450 = base;
+        let _e452 = sum_1;
+        return GaborField(_e418, ((_e419.x * _e424) + (_e426.wave.x * _e429)), ((_e432.y * _e437) + (_e439.wave.y * _e442)), ((_e445.x * _e447.imaginary) + (_e450.y * _e452.real)));
     }
 }
 
@@ -1077,47 +1330,47 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     if GABOR_TAPS == 2 {
-        var magnitude: f32;
         var wave: vec2<f32>;
+        var step_1: vec2<f32>;
 
-        magnitude = min(abs(frequency), 1000000f);
-        let _e6 = magnitude;
-        let _e7 = gabor_impl_direction(orientation);
-        wave = (_e6 * _e7);
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        let _e11 = wave;
-        let _e18 = gabor_impl_wave((_e11.x / 1f));
+        step_1 = (_e10 * 1f);
         let _e19 = wave;
-        let _e26 = gabor_impl_wave((_e19.y / 1f));
-        return GaborKernel(_e10, _e18, _e26);
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
     } else if GABOR_TAPS == 4 {
-        var magnitude: f32;
         var wave: vec2<f32>;
+        var step_1: vec2<f32>;
 
-        magnitude = min(abs(frequency), 1000000f);
-        let _e6 = magnitude;
-        let _e7 = gabor_impl_direction(orientation);
-        wave = (_e6 * _e7);
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        let _e11 = wave;
-        let _e18 = gabor_impl_wave((_e11.x / 2f));
+        step_1 = (_e10 * 0.5f);
         let _e19 = wave;
-        let _e26 = gabor_impl_wave((_e19.y / 2f));
-        return GaborKernel(_e10, _e18, _e26);
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
     } else {
-        var magnitude: f32;
         var wave: vec2<f32>;
+        var step_1: vec2<f32>;
 
-        magnitude = min(abs(frequency), 1000000f);
-        let _e6 = magnitude;
-        let _e7 = gabor_impl_direction(orientation);
-        wave = (_e6 * _e7);
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        let _e11 = wave;
-        let _e18 = gabor_impl_wave((_e11.x / 1.5f));
+        step_1 = (_e10 * 0.6666667f);
         let _e19 = wave;
-        let _e26 = gabor_impl_wave((_e19.y / 1.5f));
-        return GaborKernel(_e10, _e18, _e26);
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
     }
 }
 
@@ -1159,37 +1412,37 @@ fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
-        var field_1: GaborField;
+        var field: GaborField;
 
         let _e11 = gabor_place(vec2(0i), (p * 1f));
         let _e12 = gabor_kernel(frequency, orientation);
         let _e13 = gabor_field(_e11, _e12, seed);
-        field_1 = _e13;
-        let _e15 = field_1;
-        let _e18 = field_1;
-        let _e21 = field_1;
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     } else if GABOR_TAPS == 4 {
-        var field_1: GaborField;
+        var field: GaborField;
 
         let _e11 = gabor_place(vec2(0i), (p * 2f));
         let _e12 = gabor_kernel(frequency, orientation);
         let _e13 = gabor_field(_e11, _e12, seed);
-        field_1 = _e13;
-        let _e15 = field_1;
-        let _e18 = field_1;
-        let _e21 = field_1;
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     } else {
-        var field_1: GaborField;
+        var field: GaborField;
 
         let _e11 = gabor_place(vec2(0i), (p * 1.5f));
         let _e12 = gabor_kernel(frequency, orientation);
         let _e13 = gabor_field(_e11, _e12, seed);
-        field_1 = _e13;
-        let _e15 = field_1;
-        let _e18 = field_1;
-        let _e21 = field_1;
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     }
 }
@@ -1240,28 +1493,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_6: f32;
+    var local_5: f32;
     var phase: f32;
-    var local_7: f32;
+    var local_6: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_6 = (atan2(value.y, value.x) * 0.15915494f);
+        local_5 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_6 = 0f;
+        local_5 = 0f;
     }
-    let _e13 = local_6;
+    let _e13 = local_5;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_7 = min((_e18 + 1f), 0.99999994f);
+        local_6 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_7 = _e23;
+        local_6 = _e23;
     }
-    let _e25 = local_7;
+    let _e25 = local_6;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -1274,7 +1527,6 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
         var radius: vec2<f32>;
-        var within_1: vec2<f32>;
         var kernel_4: GaborKernel;
         var place_1: GaborPlace;
 
@@ -1286,33 +1538,28 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         let _e25 = nodes;
         let _e26 = period_3;
         radius = (_e25 / _e26);
-        let _e29 = period_3;
-        let _e32 = period_3;
-        within_1 = (p - (floor((p / _e29)) * _e32));
-        let _e36 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e36;
-        let _e39 = kernel_4;
-        let _e42 = radius;
-        let _e45 = gabor_impl_wave((_e39.wave.x / _e42.x));
-        kernel_4.step_x = _e45;
-        let _e47 = kernel_4;
-        let _e50 = radius;
-        let _e53 = gabor_impl_wave((_e47.wave.y / _e50.y));
-        kernel_4.step_y = _e53;
-        let _e56 = within_1;
-        let _e57 = radius;
-        let _e59 = radius;
-        let _e60 = nodes;
-        place_1 = GaborPlace(vec2(0i), (_e56 * _e57), _e59, vec2<i32>(_e60), false, 0f);
-        let _e66 = place_1;
-        let _e67 = kernel_4;
-        let _e68 = gabor_field(_e66, _e67, seed);
-        return _e68.value.y;
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
     } else if GABOR_TAPS == 4 {
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
         var radius: vec2<f32>;
-        var within_1: vec2<f32>;
         var kernel_4: GaborKernel;
         var place_1: GaborPlace;
 
@@ -1324,33 +1571,28 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         let _e25 = nodes;
         let _e26 = period_3;
         radius = (_e25 / _e26);
-        let _e29 = period_3;
-        let _e32 = period_3;
-        within_1 = (p - (floor((p / _e29)) * _e32));
-        let _e36 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e36;
-        let _e39 = kernel_4;
-        let _e42 = radius;
-        let _e45 = gabor_impl_wave((_e39.wave.x / _e42.x));
-        kernel_4.step_x = _e45;
-        let _e47 = kernel_4;
-        let _e50 = radius;
-        let _e53 = gabor_impl_wave((_e47.wave.y / _e50.y));
-        kernel_4.step_y = _e53;
-        let _e56 = within_1;
-        let _e57 = radius;
-        let _e59 = radius;
-        let _e60 = nodes;
-        place_1 = GaborPlace(vec2(0i), (_e56 * _e57), _e59, vec2<i32>(_e60), false, 0f);
-        let _e66 = place_1;
-        let _e67 = kernel_4;
-        let _e68 = gabor_field(_e66, _e67, seed);
-        return _e68.value.y;
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
     } else {
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
         var radius: vec2<f32>;
-        var within_1: vec2<f32>;
         var kernel_4: GaborKernel;
         var place_1: GaborPlace;
 
@@ -1362,28 +1604,24 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         let _e25 = nodes;
         let _e26 = period_3;
         radius = (_e25 / _e26);
-        let _e29 = period_3;
-        let _e32 = period_3;
-        within_1 = (p - (floor((p / _e29)) * _e32));
-        let _e36 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e36;
-        let _e39 = kernel_4;
-        let _e42 = radius;
-        let _e45 = gabor_impl_wave((_e39.wave.x / _e42.x));
-        kernel_4.step_x = _e45;
-        let _e47 = kernel_4;
-        let _e50 = radius;
-        let _e53 = gabor_impl_wave((_e47.wave.y / _e50.y));
-        kernel_4.step_y = _e53;
-        let _e56 = within_1;
-        let _e57 = radius;
-        let _e59 = radius;
-        let _e60 = nodes;
-        place_1 = GaborPlace(vec2(0i), (_e56 * _e57), _e59, vec2<i32>(_e60), false, 0f);
-        let _e66 = place_1;
-        let _e67 = kernel_4;
-        let _e68 = gabor_field(_e66, _e67, seed);
-        return _e68.value.y;
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
     }
 }
 

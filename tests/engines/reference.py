@@ -18,7 +18,6 @@ FAR = 1000000000, -1000000000
 SPREAD = 0x9e3779b1
 WINDOW = np.polynomial.Polynomial([0, 0, 3.0, -4.5, 2.5])(np.polynomial.Polynomial([1, 0, -1]))  # q, in powers of x
 FLOOR = 0.675
-LAW = np.polynomial.Polynomial([0, 1, 0, -1.2373, 0, 1.7741])  # of an amplitude's parts, from a byte in [-1, 1]
 
 
 def words(numbers):
@@ -56,21 +55,30 @@ def one(cell, x, y):
 
 def line_word(index, axis):
     """The word of a column (axis 0) or a row (axis 1) of the lattice."""
-    salt = mix(words([SEED * SPREAD + axis & 0xffffffff]), np.uint32(0x2545f491))
-    return mix(words(index) * np.uint32(SPREAD) + salt, salt)
+    salt = mix(words([SEED * SPREAD & 0xffffffff]), np.uint32(0x2545f491)) ^ np.uint32((0, 0x5bd1e995)[axis])
+    word = words(index) * np.uint32(SPREAD) + salt
+    return ((word ^ (word >> 15)) * np.uint32(0xd35a2d97) >> 8) | np.uint32(0x800001)
 
 
-def amplitude(byte):
-    """One part of a node's amplitude, with variance 1 over the 256 bytes."""
-    u = (np.asarray(byte, np.int64).astype(np.int8) + 0.5) / 128
-    every = (np.arange(256) - 127.5) / 128
-    return LAW(u) / np.sqrt(np.mean(LAW(every)**2))
+def law(u):
+    """What makes u, uniform in [-1, 1], nearly normal."""
+    return u - 0.79794583 * np.clip(u, -0.80643124, 0.80643124)
+
+
+def amplitude(word):
+    """A node's amplitude, its parts from the high byte and the 24 bits below, with variance 1 on average."""
+    high, low = (word >> 24).astype(np.int8) + 0.5, (word << 8).view(np.int32) / 2.0**24
+    variance = [np.mean(law((np.arange(n) + 0.5) / n) ** 2) for n in (128, 2**20)]
+    return (law(high / 128) + 1j * law(low / 128)) / np.sqrt(np.mean(variance))
 
 
 def window(d, taps):
-    """Hann's, or for two taps that of Vorbis, which ends where d is 1 or -1."""
-    hann = np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
-    return np.sin(np.pi / 2 * hann) if taps == 2 else hann
+    """It ends where d is 1 or -1. Hann's, but for two taps one whose square and its shift's sum to 1."""
+    if taps > 2:
+        return np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
+    x = np.minimum(abs(d), 1)
+    s = x**2 * (3 - 2 * x)
+    return (1 - s) / np.hypot(1 - s, s)
 
 
 def lattice(cell, x, y, taps=3):
@@ -81,8 +89,7 @@ def lattice(cell, x, y, taps=3):
     total = np.zeros(np.broadcast(x, y).shape, complex)
     for j in range(-1, 3):  # the nodes within two spacings
         for i in range(-1, 3):
-            word = (line_word(cell[0] + column + i, 0) ^ line_word(cell[1] + row + j, 1)) * np.uint32(0x85ebca6b)
-            node = amplitude(word >> 24) + 1j * amplitude(word >> 16 & 0xff)
+            node = amplitude(line_word(cell[0] + column + i, 0) * line_word(cell[1] + row + j, 1))
             dx, dy = (x - (column + i)) / radius, (y - (row + j)) / radius
             total += node * window(dx, taps) * window(dy, taps) * np.exp(2j * np.pi * (WAVE[0] * dx + WAVE[1] * dy))
     return total.imag / energy
