@@ -31,7 +31,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// 3 or 2 or 4: change it here, or give it to the pipeline as a constant.
+// 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
