@@ -12,8 +12,9 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr std::uint32_t spread = 0x9e3779b1u;
-constexpr double knee = 0.80643128;
-constexpr double flattening = 0.79794583;
+constexpr double knee = 0.93687595;
+constexpr double flattening = 0.89289313;
+constexpr double cubic = 0.62342056;
 
 std::uint32_t seed_salt(std::uint32_t seed) {
     std::uint32_t word = seed * spread;
@@ -64,19 +65,19 @@ std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t 
 }
 
 double lattice_amplitude_part(double u) {
-    return u - flattening * std::clamp(u, -knee, knee);
+    return (u - flattening * std::clamp(u, -knee, knee)) * (1 + cubic * u * u);
 }
 
-// The root of the mean of the two parts' variances: one takes 256 values, the other is as good as uniform in
-// [-1, 1].
+// The root of the mean of the two parts' variances: one takes 256 values, the other 2^24, as good as 2^16.
 double lattice_amplitude_deviation() {
-    double sum = 0;
-    for (int byte = -128; byte < 128; ++byte)
-        sum += std::pow(lattice_amplitude_part((byte + 0.5) / 128), 2);
-    // ((1 - f) u)^2 up to the knee k, (u - f k)^2 beyond.
-    const double inner = (1 - flattening) * (1 - flattening) * std::pow(knee, 3) / 3;
-    const double outer = (std::pow(1 - flattening * knee, 3) - std::pow(knee - flattening * knee, 3)) / 3;
-    return std::sqrt(0.5 * (sum / 256 + inner + outer));
+    const auto variance = [](int values) {
+        double sum = 0;
+        for (int k = 0; k < values; ++k)
+            sum += std::pow(lattice_amplitude_part((2.0 * k + 1) / values - 1), 2);
+        return sum / values;
+    };
+    static const double deviation = std::sqrt(0.5 * (variance(1 << 8) + variance(1 << 16)));
+    return deviation;
 }
 
 Complex lattice_amplitude(std::uint32_t word) {

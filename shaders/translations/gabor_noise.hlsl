@@ -27,6 +27,9 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifdef GABOR_LATTICE_HLSL
+#error Include gabor_noise.hlsl or gabor_lattice.hlsl, not both: they define the same functions
+#endif
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
 

@@ -27,6 +27,9 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifdef GABOR_LATTICE_METAL
+#error Include gabor_noise.metal or gabor_lattice.metal, not both: they define the same functions
+#endif
 #ifndef GABOR_NOISE_METAL
 #define GABOR_NOISE_METAL
 

@@ -150,9 +150,9 @@ TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
                        "the worst; pooled {:.4f}\n",
                        taps, frequency, all.mean, all.worst, pooled);
             // With two taps a node's own place has its amplitude alone.
-            CHECK(all.mean < (taps == 2 ? 2.5 : 0.05));
-            CHECK(all.worst < (taps == 2 ? 37 : 0.5));
-            CHECK(pooled < (taps == 2 ? 0.6 : 0.02));
+            CHECK(all.mean < (taps == 2 ? 0.4 : 0.002));
+            CHECK(all.worst < (taps == 2 ? 7 : 0.05));
+            CHECK(pooled < (taps == 2 ? 0.08 : 0.001));
         }
     }
 }
