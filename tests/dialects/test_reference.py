@@ -20,7 +20,7 @@ class Reference(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             picture = pathlib.Path(folder) / "noise.exr"
             subprocess.run([os.environ["GABOR_PROGRAM"], "render", "-o", picture, f"--size={side}x{side}", "--scale=32",
-                            f"--frequency={reference.FREQUENCY}", f"--seed={reference.SEED}", "--compression=none",
+                            f"--frequency={reference.FREQUENCY}", f"--seed={reference.SEED}", "--compression=none", "--recipe=one",
                             f"--orientation={math.degrees(reference.ORIENTATION)}"], check=True, timeout=50)
             # Uncompressed, a row is its number, its size and its pixels; the rows are the end of the file.
             rows = picture.read_bytes()[-side * (8 + 4 * side):]
