@@ -170,20 +170,21 @@ int gabor_impl_wrapped_cell(int cell)
     return GABOR_PERIOD == 0 ? cell : cell - int(period * floor((float(cell) + 0.5) / period));
 }
 
-// The sum at p, in kernel radii, for the wave vector F omega in cycles per kernel radius, without K.
-float gabor_ingredients(vec2 p, vec2 wave, uint seed)
+// The sum at cell + local, in kernel radii, for the wave vector F omega in cycles per kernel radius, without K. Cells
+// wrap around at 2^31.
+float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed)
 {
     float reach = GABOR_POINTS == 3 ? 1.0 + GABOR_HEX_OVERHANG : 1.0;
     int visited = GABOR_POINTS == 3 && GABOR_HEX_OVERHANG > 0.0 ? 4 : 3;
-    vec2 base = floor(p);
-    vec2 local = p - base;
+    cell += ivec2(floor(local));
+    local -= floor(local);
     vec2 first = floor(local - reach);
     uint seed_word = gabor_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(gabor_impl_wrapped_cell(int(base.y + first.y) + j), seed_word);
+        uint row_word = gabor_row_word(gabor_impl_wrapped_cell(cell.y + int(first.y) + j), seed_word);
         for (int i = 0; i < visited; ++i) {
-            int column = gabor_impl_wrapped_cell(int(base.x + first.x) + i);
+            int column = gabor_impl_wrapped_cell(cell.x + int(first.x) + i);
             uint cell_word = gabor_impulse_word(column, row_word, -1);
             vec2 corner = first + vec2(float(i), float(j));
             int count = gabor_count(cell_word);
@@ -196,6 +197,11 @@ float gabor_ingredients(vec2 p, vec2 wave, uint seed)
         }
     }
     return sum;
+}
+
+float gabor_ingredients(vec2 p, vec2 wave, uint seed)
+{
+    return gabor_ingredients(ivec2(0), p, wave, seed);
 }
 
 #endif // GABOR_INGREDIENTS_GLSL

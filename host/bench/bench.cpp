@@ -20,7 +20,7 @@ namespace {
 constexpr double base_scale = 32;
 constexpr double base_frequency = 4;
 constexpr double degrees = 40;
-constexpr float radians = 0.69813170f;
+constexpr auto radians = static_cast<float>(noise::radians(degrees));
 constexpr int sample_side = 1024;
 
 struct Setting {
@@ -95,8 +95,12 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
                        0,
                        {}};
     measurement.baked = &recipe;
-    const render::Picture wanted{
-        setting.side, setting.side, setting.scale, setting.frequency, degrees, 7, std::string(recipe.name)};
+    const render::Request wanted{.width = setting.side,
+                                 .height = setting.side,
+                                 .scale = setting.scale,
+                                 .recipe = recipe,
+                                 .lobes = {{.frequency = setting.frequency, .orientation = degrees}},
+                                 .seed = 7};
     struct State {
         render::Bake bake;
         vulkan::Job job;

@@ -17,6 +17,7 @@ struct Quartiles {
     double upper = 0;
 };
 
+/// One thing that was timed.
 struct Row {
     std::string name;
     double visited = 0; ///< impulses visited for each pixel; 0 where there are none

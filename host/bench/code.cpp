@@ -23,10 +23,10 @@ Code unrolled(std::string name, const Statistics& statistics) {
 // A block's code is what comes before its rows, and the rows: the difference of two rows and one is one row.
 Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const render::Block block = render::gpu_block(recipe);
-    render::Picture picture;
-    picture.recipe = recipe.name;
-    const Statistics one = render::make_bake_pass(device, picture, block.columns, 1).statistics(device);
-    const Statistics two = render::make_bake_pass(device, picture, block.columns, 2).statistics(device);
+    render::Request request;
+    request.recipe = recipe;
+    const Statistics one = render::make_bake_pass(device, request, block.columns, 1).statistics(device);
+    const Statistics two = render::make_bake_pass(device, request, block.columns, 2).statistics(device);
     const auto per_pixel = [&](const char* name) {
         const double first = value(one, name);
         return (first + (block.rows - 1) * (value(two, name) - first)) / (block.rows * block.columns);

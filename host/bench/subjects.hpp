@@ -27,12 +27,14 @@ struct Subject {
 inline constexpr const char* seminal_yardstick = "seminal, N = 30, hoisted";
 inline constexpr const char* advice_yardstick = "the paper's advice, N = 2, hoisted";
 
+/// All of them, in the order of the report.
 std::vector<Subject> subjects();
 
 /// What a pass is made for: to fill a picture, to evaluate random places of independent instances, or to ask
 /// what it compiles to.
 enum class Use { picture, samples, statistics };
 
+/// The pass of a subject, compiled with `native_sine` for the device's own sine.
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use,
                        bool native_sine = false);
 

@@ -11,7 +11,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <numeric>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace gabor::cli {
 
@@ -26,8 +30,48 @@ int fail(int status, std::string message) {
     return status;
 }
 
+// Help without what CLI11 adds to the names of flags that can be taken back: --no-filter{false}.
+class Formatter : public CLI::Formatter {
+    std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+        const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+        return name.substr(0, name.find('{'));
+    }
+};
+
+// How many letters must be changed, added or left out to come from one word to the other.
+std::size_t edits(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t kept = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({kept, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+// What a word that is not known may have been meant to be, among the options or the subcommands.
+std::string suggestion(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> known;
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    for (const CLI::Option* option : (chosen.empty() ? app : *chosen.front()).get_options())
+        for (const std::string& name : option->get_lnames())
+            known.push_back("--" + name);
+    for (const CLI::App* command : app.get_subcommands({}))
+        known.push_back(command->get_name());
+    const auto distance = [name = word.substr(0, word.find('='))](const std::string& other) {
+        return edits(name, other);
+    };
+    const auto closest = std::ranges::min_element(known, {}, distance);
+    return distance(*closest) <= 2 ? fmt::format(": did you mean {}?", *closest) : "";
+}
+
 int parse_and_work(int argc, const char* const* argv) {
     CLI::App app("Renders Gabor noise, and measures it.", "gabor");
+    app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", "gabor " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
     app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
@@ -36,10 +80,15 @@ int parse_and_work(int argc, const char* const* argv) {
     add_bench_command(app);
     add_study_command(app);
     add_devices_command(app);
+    add_recipes_command(app);
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            throw RequestError("a subcommand is required (gabor --help lists what is accepted)");
+            fmt::print("{}", app.help());
+    } catch (const CLI::ExtrasError&) {
+        const std::vector<std::string> words = app.remaining(true);
+        return fail(2, fmt::format("unknown '{}'{} (gabor --help lists what is accepted)", words.front(),
+                                   suggestion(app, words.front())));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
             return fail(2, fmt::format("{} (gabor --help lists what is accepted)", error.what()));

@@ -182,7 +182,7 @@ ExrReader::ExrReader(const std::filesystem::path& path, std::optional<std::strin
     state_->channel = channel ? *channel : default_channel(channels);
     const Imf::Channel* found = channels.findChannel(state_->channel);
     if (!found && channel)
-        refuse(path, fmt::format("no channel '{}'; accepted are {}", *channel, list(channels)));
+        refuse(path, fmt::format("there is no channel '{}': it has {}", *channel, list(channels)));
     if (!found)
         refuse(path, fmt::format("no half or float channel among {}", list(channels)));
     if (found->type == Imf::UINT)

@@ -1,14 +1,34 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 namespace gabor::noise {
 
-/// Waves around one frequency and orientation, as GaborLobe in shaders/gabor_noise.glsl.
+/// Angles are degrees wherever a user writes or reads them, and radians in GLSL.
+constexpr double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+
+/// The same, back.
+constexpr double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+/// Waves around one frequency and one orientation, as GaborLobe in shaders/gabor_noise.glsl, in degrees.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
-    double orientation = 0;        ///< radians, of the wave vector
+    double orientation = 0;        ///< degrees, of the wave vector, from right towards down
     double frequency_spread = 0;   ///< waves are evenly spread within frequency (1 +- this), in [0, 1]
-    double orientation_spread = 0; ///< and within orientation +- this, radians; pi/2 is every direction
-    double power = 1;              ///< in proportion to other lobes'
+    double orientation_spread = 0; ///< and within orientation +- this, degrees in [0, 90]; 90 is isotropic
+    double power = 1;              ///< in proportion to that of the other lobes
+
+    /// Whether all its waves have one frequency and one orientation.
+    bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }
+    /// Radians in [-pi, pi].
+    double angle() const { return radians(std::remainder(orientation, 360.0)); }
+
+    bool operator==(const Lobe&) const = default;
 };
 
 } // namespace gabor::noise

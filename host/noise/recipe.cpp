@@ -16,6 +16,7 @@ namespace gabor::noise {
 
 namespace {
 
+// What shaders/gabor_noise.glsl does by itself is the first.
 constexpr std::array known{
     Recipe{"one", 1, 1.0f, 0.675f, 256, {3, -4.5f, 2.5f}, "one impulse per cell, the fastest"},
     Recipe{"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, "the lowest sidelobes"},
@@ -44,21 +45,46 @@ Recipe find_recipe(std::string_view text) {
     const int read =
         std::sscanf(copy.c_str(), "N=%d,R=%f,A=%f,phases=%d,window=%f:%f:%f%n", &own.impulses, &own.radius,
                     &own.weight_floor, &own.phases, &own.window[0], &own.window[1], &own.window[2], &length);
-    if (read == 7 && static_cast<std::size_t>(length) == copy.size() && acceptable(own))
-        return own;
+    if (read == 7 && static_cast<std::size_t>(length) == copy.size() && acceptable(own)) {
+        const auto same = std::ranges::find(known, fields(own), fields);
+        return same == known.end() ? own : *same;
+    }
+    throw RequestError(fmt::format("'{}': it takes {}", text, accepted_recipes()));
+}
+
+std::string accepted_recipes() {
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
-    throw RequestError(
-        fmt::format("unknown recipe '{}': the recipes are {}, and any like {} with N from 1 to {}, R from 1 "
-                    "to {}, A from 0 to 1, and 2, 4, 8 ... or 256 phases",
-                    text, fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius));
+    return fmt::format(
+        "{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
+        "or 256 phases",
+        fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius);
 }
 
 std::string spelled_out(const Recipe& recipe) {
-    for (const Recipe& each : known)
-        if (fields(each) == fields(recipe))
-            return std::string(each.name);
-    return fields(recipe);
+    const auto same = std::ranges::find(known, fields(recipe), fields);
+    return same == known.end() ? fields(recipe) : std::string(same->name);
+}
+
+std::vector<Macro> macros(const Recipe& recipe) {
+    const Recipe& standard = known.front();
+    const auto literal = [](float value) { // a point makes it a float in GLSL
+        const std::string text = fmt::format("{}", value);
+        return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+    };
+    std::vector<Macro> macros;
+    if (recipe.impulses != standard.impulses)
+        macros.push_back({"GABOR_IMPULSES", fmt::format("{}", recipe.impulses)});
+    if (recipe.radius != standard.radius)
+        macros.push_back({"GABOR_RADIUS", literal(recipe.radius)});
+    if (recipe.weight_floor != standard.weight_floor)
+        macros.push_back({"GABOR_WEIGHT_FLOOR", literal(recipe.weight_floor)});
+    if (recipe.phases != standard.phases)
+        macros.push_back({"GABOR_PHASES", fmt::format("{}", recipe.phases)});
+    if (recipe.window != standard.window)
+        macros.push_back({"GABOR_WINDOW", fmt::format("vec3({}, {}, {})", literal(recipe.window[0]),
+                                                      literal(recipe.window[1]), literal(recipe.window[2]))});
+    return macros;
 }
 
 bool acceptable(const Recipe& recipe) {

@@ -66,7 +66,7 @@ std::uint32_t lobe_seed(std::uint32_t seed, int index) {
 }
 
 Reference::Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed)
-    : recipe_(recipe), lobes_{{.frequency = frequency, .orientation = orientation}},
+    : recipe_(recipe), lobes_{{.frequency = frequency, .orientation = degrees(orientation)}},
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
 
 Reference::Reference(const Recipe& recipe, std::vector<Lobe> lobes, std::uint32_t seed)
@@ -89,7 +89,7 @@ Reference::Wave Reference::wave(std::uint32_t word) const {
         before += lobes_[chosen++].power;
     const Lobe& lobe = lobes_[chosen];
     const double frequency = lobe.frequency * (1 + lobe.frequency_spread * within(choice * spread >> 16));
-    const double orientation = lobe.orientation + lobe.orientation_spread * within(choice & 0xffff);
+    const double orientation = lobe.angle() + radians(lobe.orientation_spread) * within(choice & 0xffff);
     return {frequency * std::cos(orientation), frequency * std::sin(orientation)};
 }
 
@@ -138,7 +138,7 @@ Reference::Field Reference::field(const Place& place) const {
     const bool still = place.time == 0 || recipe_.phases != 2;
     const double deviation = still ? deviation_
                                    : std::sqrt(variance(recipe_, lobes_.front().frequency,
-                                                        lobes_.front().orientation, double{place.time}));
+                                                        lobes_.front().angle(), double{place.time}));
     // The variance is in proportion to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
     for (double& channel : sum.four)

@@ -53,6 +53,7 @@ struct Impulse3d {
     Vector3 direction;
 };
 
+/// The word of impulse `index` in a cell.
 std::uint32_t impulse_word_3d(const std::array<std::int32_t, 3>& cell, int index, std::uint32_t seed);
 
 /// The noise in space in double precision, from the equations and not from the shader: the oracle.

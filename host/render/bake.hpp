@@ -1,7 +1,8 @@
 #pragma once
 
-#include "render/filler.hpp"
-#include "render/runs.hpp"
+#include "render/renderer.hpp"
+
+#include "passes/bake_interface.h"
 
 #include <array>
 #include <vector>
@@ -11,23 +12,11 @@ namespace gabor::render {
 /// The specialization constants of passes/recipe.glsl.
 std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 
-/// As in passes/bake.comp.
-struct BakePush {
-    float wave_x, wave_y;
-    float column_turn_x, column_turn_y;
-    float row_turn_x, row_turn_y;
-    float radius_x, radius_y;
-    std::int32_t period_x, period_y;
-    float time;
-    float amplitude;
-    float pixel;
-    std::uint32_t seed;
-    std::int32_t width;
-    std::int32_t height;
-    std::int32_t first_row;
-    std::uint32_t column_runs;
-    std::uint32_t first_row_run;
-};
+/// The runs of at most `longest` pixels that cover the pixels first, ..., first + count - 1. Pixel i is
+/// centred at (i + 0.5) * cells_per_pixel cells and visits the cells within `radius` of there. Where runs
+/// begin depends on the grid alone, so that every part of a picture is cut in the same way; the first and the
+/// last run may reach beyond what was asked for.
+std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest);
 
 /// The pixels that one invocation of passes/bake.comp fills.
 struct Block {
@@ -40,19 +29,19 @@ struct Block {
 constexpr Block cpu_block{8, 32};
 Block gpu_block(const noise::Recipe& recipe);
 
-/// The pipeline of passes/bake.comp for a picture's recipe and channels. `fixed_rows`: see there, with
+/// The pipeline of passes/bake.comp for a request's recipe and channels. `fixed_rows`: see there, with
 /// statistics asked for; 0 to fill pictures.
-vulkan::Pass make_bake_pass(const vulkan::Device& device, const Picture& picture, int block_columns,
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
                             int fixed_rows = 0);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
-class Bake : public Filler {
+class Bake : public RegionRenderer {
   public:
     /// Whether it can: flat pictures of one lobe without spread, seen sharply.
-    static bool can_fill(const Picture& picture);
+    static bool can_fill(const Request& request);
 
-    /// `picture` must have passed `check`, and `region` lie within it.
-    Bake(const vulkan::Device& device, const Picture& picture, const image::Window& region);
+    /// `request` must have passed `check`, and `region` lie within it.
+    Bake(const vulkan::Device& device, const Request& request, const image::Window& region);
 
     /// Bands of the rows of one block at least.
     std::vector<Band> bands(int most_rows) const override;
@@ -63,12 +52,12 @@ class Bake : public Filler {
   private:
     Block block_;
     int height_;
-    std::vector<Run> column_runs_;
-    std::vector<Run> row_runs_;
+    std::vector<passes::Run> column_runs_;
+    std::vector<passes::Run> row_runs_;
     vulkan::Pass pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
-    BakePush push_;
+    passes::BakePush push_;
 };
 
 } // namespace gabor::render

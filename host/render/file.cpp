@@ -2,6 +2,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "render/parameters.hpp"
 
 #include <chrono>
 #include <vector>
@@ -16,41 +17,46 @@ FileTimes& FileTimes::operator+=(const FileTimes& other) {
     return *this;
 }
 
-FileTimes render_file(const vulkan::Device& device, const Picture& picture, const image::Window& region,
+FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Window& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance) {
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point start) {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    const std::vector<std::string> names = channels(picture);
-    image::ExrWriter exr(files.exr, {.picture = {0, 0, picture.width, picture.height},
-                                     .window = region,
-                                     .channels = names,
-                                     .compression = files.compression,
-                                     .parameters = to_json(picture)});
-    const int colours = picture.values >= 3 ? 3 : 1; // colour, where there are as many noises
+    const std::vector<std::string> names = channels(request);
+    std::optional<image::ExrWriter> exr;
+    if (files.exr)
+        exr.emplace(*files.exr,
+                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
+                                                  .window = region,
+                                                  .channels = names,
+                                                  .compression = files.compression,
+                                                  .parameters = to_json(request)});
+    const int colours = request.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, colours);
 
     FileTimes times;
-    std::vector<float> unorm;
-    times.rendering = render_bands(device, picture, region, [&](std::span<const float> values) {
+    std::vector<float> shown;
+    times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
         advance(values.size() / names.size());
         const Clock::time_point before = Clock::now();
-        exr.write_rows(values);
+        if (exr)
+            exr->write_rows(values);
         if (png) {
-            unorm.clear();
+            shown.clear();
             for (std::size_t i = 0; i < values.size(); i += names.size())
                 for (int k = 0; k < colours; ++k)
-                    unorm.push_back(shown(values[i + static_cast<std::size_t>(k)]));
-            png->write_rows(unorm);
+                    shown.push_back(unorm(values[i + static_cast<std::size_t>(k)]));
+            png->write_rows(shown);
         }
         times.writing += seconds_since(before);
     });
     advance(0);
     const Clock::time_point before = Clock::now();
-    exr.commit();
+    if (exr)
+        exr->commit();
     if (png)
         png->commit();
     times.closing = seconds_since(before);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/bands.hpp"
+#include "render/renderer.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace gabor::render {
 
-/// The values of a picture as shown in a PNG: the mean at 0.5, two standard deviations at the ends.
-constexpr float shown(float value) {
-    return 0.5f + 0.25f * value;
+/// A noise as it is shown, as gabor_unorm in GLSL: the mean at 0.5, two standard deviations at 0 and 1.
+constexpr float unorm(float noise) {
+    return 0.5f + 0.25f * noise;
 }
 
 /// Where the time of rendering a file went, in seconds.
@@ -24,14 +24,14 @@ struct FileTimes {
 };
 
 struct Files {
-    std::filesystem::path exr;
+    std::optional<std::filesystem::path> exr;
     std::optional<std::filesystem::path> png; ///< of the noise, or in colour of three, to look at
     std::string_view compression = "none";
 };
 
-/// Renders `region` of a checked picture into an EXR, and into a PNG beside it. `advance` is called with the
-/// number of pixels of each band before they are written; what it throws ends everything, and leaves no file.
-FileTimes render_file(const vulkan::Device& device, const Picture& picture, const image::Window& region,
+/// Renders `region` of a checked request into an EXR, a PNG or both. `advance` is called with the number of
+/// pixels of each band before they are written; what it throws ends everything, and leaves no file.
+FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Window& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);
 
 } // namespace gabor::render

@@ -1,58 +1,30 @@
 #pragma once
 
-#include "render/filler.hpp"
-#include "render/paint.hpp"
+#include "render/load.hpp"
+#include "render/renderer.hpp"
+
+#include "passes/pixels_interface.h"
 
 namespace gabor::render {
 
-/// As in passes/pixels.comp.
-struct PixelsPush {
-    float radius_x, radius_y;
-    std::int32_t period_x, period_y;
-    float time;
-    float frequency;
-    float orientation;
-    float pixel;
-    float focal_length;
-    std::uint32_t seed;
-    std::int32_t width;
-    std::int32_t height;
-    std::int32_t first_row;
-    std::int32_t paint_width;
-    std::int32_t paint_height;
-    float paint_scale_x;
-    float paint_scale_y;
-    float paint_x;
-    float paint_y;
-    float camera_x;
-    float camera_y;
-    std::int32_t before;
-};
-
-struct PassLobe {
-    float frequency;
-    float orientation;
-    float frequency_spread;
-    float orientation_spread;
-    float power;
-
-    bool operator==(const PassLobe&) const = default;
-};
-
 /// The specialization constants of passes/pixels.comp, and the lobes that it reads.
-std::vector<std::uint32_t> pixels_constants(const Picture& picture);
-std::vector<PassLobe> pass_lobes(const Picture& picture);
+std::vector<std::uint32_t> pixels_constants(const Request& request);
+std::vector<passes::Lobe> pixels_lobes(const Request& request);
 
-/// Rows above the horizon of a picture or a view of so many rows.
+/// What the request alone decides of the push constants: of region, band, paint and camera they know nothing.
+/// `height`: of the picture, which perspective fills.
+passes::PixelsPush pixels_push(const Request& request, int width, int height);
+
+/// Rows above the horizon of a picture of so many rows.
 constexpr double sky_rows(double height) {
     return height / 4;
 }
 
-/// The pass that fills any picture pixel by pixel, passes/pixels.comp.
-class Pixels : public Filler {
+/// Fills any picture of noise in the plane pixel by pixel, with passes/pixels.comp.
+class Pixels : public RegionRenderer {
   public:
-    /// `picture` must have passed `check`, and `region` lie within it. Reads the picture's paint.
-    Pixels(const vulkan::Device& device, const Picture& picture, const image::Window& region);
+    /// `request` must have passed `check`, and `region` lie within it. Reads the request's paint.
+    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region);
 
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
@@ -60,7 +32,7 @@ class Pixels : public Filler {
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
-    Pixels(const vulkan::Device& device, const Picture& picture, const image::Window& region,
+    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
            const Paint& paint);
 
     vulkan::Pass pass_;
@@ -68,7 +40,7 @@ class Pixels : public Filler {
     vulkan::Buffer rows_;
     vulkan::Buffer lobes_;
     vulkan::Buffer paint_;
-    PixelsPush push_;
+    passes::PixelsPush push_;
     int height_;
 };
 

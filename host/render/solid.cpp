@@ -1,104 +1,79 @@
 #include "render/solid.hpp"
 
-#include "error.hpp"
-
 #include "passes/solid.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gabor::render {
 
 namespace {
 
-constexpr std::uint32_t group = 8; // local_size_x and local_size_y of passes/solid.comp
-
-// Side of a pixel: of a slice in kernel radii; else in the plane at distance 1 from the eye, such that a
-// sphere of radius 1 at distance 4 leaves a margin of 1/20.
-double pixel_side(const SolidPicture& picture) {
-    if (picture.view == SolidView::slice)
-        return 1 / picture.scale;
-    return 2 * 1.05 * std::tan(std::asin(0.25)) / std::min(picture.width, picture.height);
+// Side of a pixel in the plane at distance 1 from the eye, such that a sphere of radius 1 at distance 4
+// leaves a margin of 1/20 in a picture whose shorter side has so many.
+double pixel_side(int shorter_side) {
+    return 2 * 1.05 * std::tan(std::asin(0.25)) / shorter_side;
 }
 
-std::array<std::uint32_t, 3> constants_of(const SolidPicture& picture) {
-    using vulkan::constant;
-    return {constant(static_cast<std::int32_t>(picture.view)),
-            constant(static_cast<std::int32_t>(picture.waves)),
-            constant(static_cast<std::int32_t>(picture.filtered))};
-}
-
-SolidPush make_push(const SolidPicture& picture, const image::Window& region) {
-    SolidPush push{};
-    push.center_x = static_cast<float>(picture.width / 2.0);
-    push.center_y = static_cast<float>(picture.height / 2.0);
-    push.pixel = static_cast<float>(pixel_side(picture));
-    push.unit = static_cast<float>(sphere_radius(picture));
-    push.depth = static_cast<float>(picture.depth);
-    push.frequency = static_cast<float>(picture.frequency);
-    push.direction_x = static_cast<float>(picture.direction[0]);
-    push.direction_y = static_cast<float>(picture.direction[1]);
-    push.direction_z = static_cast<float>(picture.direction[2]);
-    push.seed = picture.seed;
-    push.first_column = region.x;
-    push.first_row = region.y;
-    push.columns = region.width;
-    return push;
+passes::vec2 direction(double degrees) {
+    const double angle = noise::radians(std::remainder(degrees, 360.0));
+    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
 } // namespace
 
-void check(const SolidPicture& picture) {
-    check_range("width", picture.width, 1, largest_side);
-    check_range("height", picture.height, 1, largest_side);
-    check_range("scale", picture.scale, smallest_scale, largest_scale);
-    check_range("frequency", picture.frequency, smallest_frequency, largest_frequency);
-    check_range("depth", picture.depth, -1e6, 1e6);
-    for (const double coordinate : picture.direction)
-        check_range("direction", coordinate, -1e6, 1e6);
-    if (std::ranges::all_of(picture.direction, [](double coordinate) { return std::abs(coordinate) < 1e-6; }))
-        throw RequestError("direction is 0: at least one of its coordinates must be 1e-6 or larger");
+double sphere_radius(const Request& request) {
+    // At distance 3 a unit takes 1 / (3 side) pixels.
+    return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
 
-SolidPicture in_space(const Picture& picture) {
-    const double radians = picture.orientation * std::numbers::pi / 180;
-    const bool isotropic = picture.orientation_spread > 0;
-    SolidPicture space;
-    space.width = picture.width;
-    space.height = picture.height;
-    space.view = picture.view == "slice"    ? SolidView::slice
-                 : picture.view == "sphere" ? SolidView::sphere
-                                            : SolidView::torus;
-    if (picture.solid || picture.view == "slice")
-        space.waves = isotropic ? SolidWaves::isotropic : SolidWaves::oriented;
-    else
-        space.waves = isotropic ? SolidWaves::surface_isotropic : SolidWaves::surface;
-    space.scale = picture.scale;
-    space.frequency = picture.frequency;
-    space.direction = {std::cos(radians), std::sin(radians), 0};
-    space.depth = picture.depth;
-    space.seed = picture.seed;
-    space.filtered = picture.filter;
-    return space;
+std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
+    const Body* body = std::get_if<Body>(&request.view);
+    const bool along_surface = body && !body->solid;
+    return {body ? static_cast<std::uint32_t>(body->shape) + 1 : 0,
+            is_isotropic(request.lobes.front()),
+            along_surface,
+            request.filter,
+            request.quadrature,
+            request.gradient,
+            request.phasor,
+            static_cast<std::uint32_t>(rays)};
 }
 
-double sphere_radius(const SolidPicture& picture) {
-    // At distance 3 a unit takes 1 / (3 pixel) pixels.
-    return 1 / (3 * pixel_side(picture) * picture.scale);
+passes::SolidPush solid_push(const Request& request, int width, int height, int stride) {
+    const noise::Lobe& lobe = request.lobes.front();
+    passes::SolidPush push{};
+    push.center = {static_cast<float>(width / 2.0 / stride), static_cast<float>(height / 2.0 / stride)};
+    push.direction = direction(lobe.orientation);
+    push.frequency = static_cast<float>(lobe.frequency);
+    push.time = wrapped_time(request);
+    push.seed = request.seed;
+    push.unit = static_cast<float>(sphere_radius(request));
+    if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+        push.pixel = static_cast<float>(stride / request.scale);
+        push.depth = static_cast<float>(slice->depth);
+    } else {
+        const Body& body = std::get<Body>(request.view);
+        push.pixel = static_cast<float>(pixel_side(std::min(width, height)) * stride / body.zoom);
+        push.yaw = direction(body.yaw);
+        push.pitch = direction(body.pitch);
+    }
+    push.width = (width + stride - 1) / stride;
+    push.height = (height + stride - 1) / stride;
+    return push;
 }
 
-Solid::Solid(const vulkan::Device& device, const SolidPicture& picture, const image::Window& region)
-    : height_(region.height), pass_(device, solid_spirv, {1, sizeof(SolidPush)}, constants_of(picture)),
-      push_(make_push(picture, region)) {}
+Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region)
+    : height_(region.height),
+      pass_(device, solid_spirv, {1, sizeof(passes::SolidPush)}, solid_constants(request)),
+      push_(solid_push(request, request.width, request.height)) {
+    push_.width = region.width;
+    push_.first_column = region.x;
+    push_.first_row = region.y;
+}
 
-std::vector<Filler::Band> Solid::bands(int most_rows) const {
-    std::vector<Band> bands;
-    for (int row = 0; row < height_; row += most_rows)
-        bands.push_back({row, std::min(most_rows, height_ - row), 0, 0});
-    return bands;
+std::vector<RegionRenderer::Band> Solid::bands(int most_rows) const {
+    return bands_of_rows(height_, most_rows);
 }
 
 vulkan::Job Solid::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
@@ -106,11 +81,11 @@ vulkan::Job Solid::job(const vulkan::Device& device, const vulkan::Buffer& resul
 }
 
 void Solid::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    SolidPush push = push_;
+    passes::SolidPush push = push_;
     push.first_row += band.first_row;
-    push.rows = band.rows;
-    const auto groups = [](int side) { return (static_cast<std::uint32_t>(side) + group - 1) / group; };
-    job.submit(push, {groups(push.columns), groups(push.rows)}, copy);
+    push.height = band.rows;
+    job.submit(push, {groups(push.width, passes::solid_group), groups(push.height, passes::solid_group)},
+               copy);
 }
 
 } // namespace gabor::render

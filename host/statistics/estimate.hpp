@@ -29,6 +29,7 @@ struct Dispersion {
     double interdecile = 0; ///< (q90 - q10) / median
 };
 
+/// That of these values.
 Dispersion dispersion(const std::vector<double>& values);
 
 /// Density of the standard normal distribution.

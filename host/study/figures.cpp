@@ -4,6 +4,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "render/file.hpp"
 #include "study/measures.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ void write_png(const std::filesystem::path& path, std::span<const float> pixels)
     const int side = side_of(pixels);
     std::vector<float> shown;
     for (const float noise : pixels)
-        shown.push_back(0.5f + 0.25f * noise);
+        shown.push_back(render::unorm(noise));
     image::PngWriter writer(path.string() + ".png", side, side, 1);
     writer.write_rows(shown);
     writer.commit();
@@ -235,7 +236,7 @@ std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
 
 // Sharp veins on a gradient: where the noise is off by a little the picture is off by much.
 std::array<float, 3> colour(float noise) {
-    const float t = std::clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
+    const float t = std::clamp(render::unorm(noise), 0.0f, 1.0f);
     const float vein = std::exp(-40 * noise * noise);
     const float band = 0.5f + 0.5f * std::cos(25 * t);
     return {0.15f + 0.75f * t + 0.1f * band - 0.7f * vein, 0.1f + 0.6f * t * t + 0.15f * band - 0.4f * vein,

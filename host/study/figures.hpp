@@ -12,6 +12,7 @@ namespace gabor::study {
 using Tables = std::vector<Table>;
 using Folder = std::filesystem::path;
 
+/// The figures of the paper, and the study's own; pictures go into `folder`.
 Tables figure1(const vulkan::Device& device, const Effort& effort);
 Tables figure2(const vulkan::Device& device, const Effort& effort);
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);

@@ -15,12 +15,13 @@ struct Wave {
     double orientation = std::numbers::pi / 4; ///< radians
 };
 
-// In the order of shaders/gabor_ingredients.glsl.
+/// In the order of shaders/gabor_ingredients.glsl.
 enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
 enum class Weights { uniform, bernoulli, none };
 enum class Kernel { cosine, sine, random_phase };
 enum class Envelope { gaussian, c0, c1_radial, c1_separable };
 
+/// Each of them once.
 inline constexpr std::array all_points{Points::poisson,      Points::stratified, Points::jittered,
                                        Points::jittered_hex, Points::sobol,      Points::scrambled_sobol};
 inline constexpr std::array all_weights{Weights::uniform, Weights::bernoulli, Weights::none};
@@ -28,6 +29,7 @@ inline constexpr std::array all_kernels{Kernel::cosine, Kernel::sine, Kernel::ra
 inline constexpr std::array all_envelopes{Envelope::gaussian, Envelope::c0, Envelope::c1_radial,
                                           Envelope::c1_separable};
 
+/// As in the paper, in lower case: what tables say.
 std::string_view name(Points points);
 std::string_view name(Weights weights);
 std::string_view name(Kernel kernel);

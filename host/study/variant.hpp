@@ -8,11 +8,12 @@
 
 namespace gabor::study {
 
-// In the order of shaders/passes/recipes.comp.
+/// In the order of shaders/passes/recipes.comp.
 enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
+/// What tables say.
 std::string_view name(Lattice lattice);
 std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
@@ -24,6 +25,7 @@ struct Window {
     std::array<double, 3> c{1, 0, 0};
 };
 
+/// The window at (x, y), in kernel radii.
 double value(const Window& window, double x, double y);
 
 /// A recipe around the drop-in's: random phases, and choices that the drop-in does not have.
@@ -58,6 +60,7 @@ struct SpectralPurity {
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 
+/// That of a window, by quadrature of its Fourier transform.
 SpectralPurity spectral_purity(const Window& window);
 
 } // namespace gabor::study

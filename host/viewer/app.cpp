@@ -1,15 +1,13 @@
 #include "viewer/app.hpp"
 
 #include "viewer/panels.hpp"
-#include "viewer/screenshot.hpp"
-#include "viewer/view_input.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 namespace gabor::viewer {
 
@@ -17,7 +15,7 @@ namespace {
 
 constexpr double moving_budget =
     0.022; // seconds of a frame for the noise, in which there must be time for the rest
-constexpr double still_budget = 0.030;
+constexpr double resting_budget = 0.030;
 constexpr double sampling_budget = 0.004; // while time plays
 
 constexpr std::uint32_t most_samples = 1 << 21;
@@ -26,20 +24,22 @@ constexpr float panel_width = 26;        // in heights of the font
 
 struct ShaderFile {
     const char* path;
-    Stage stage;
+    ShaderStage stage;
 };
-constexpr std::array shader_files{
-    ShaderFile{"passes/pixels.comp", Stage::compute}, ShaderFile{"viewer/ingredients.comp", Stage::compute},
-    ShaderFile{"viewer/solid.comp", Stage::compute}, ShaderFile{"viewer/show.vert", Stage::vertex},
-    ShaderFile{"viewer/show.frag", Stage::fragment}};
+constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::compute},
+                                  ShaderFile{"viewer/ingredients.comp", ShaderStage::compute},
+                                  ShaderFile{"passes/solid.comp", ShaderStage::compute},
+                                  ShaderFile{"viewer/show.vert", ShaderStage::vertex},
+                                  ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
-    if (count > 0)
-        open_preset(*static_cast<Session*>(glfwGetWindowUserPointer(window)), paths[0]);
+    Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
+    if (count > 0 && !session.question)
+        open_preset(session, paths[0]);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
-    Placement placement = options.script || options.screenshot ? Placement{} : settings.placement;
+    Placement placement = options.screenshot ? Placement{} : settings.placement;
     if (options.size) {
         placement.width = options.size->width;
         placement.height = options.size->height;
@@ -62,13 +62,11 @@ vk::raii::CommandBuffer make_commands(const vulkan::Device& device, const vk::ra
 
 App::App(const Options& options)
     : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
-      device_(options.device, window_.presentation()), shaders_(options.shaders),
+      device_(options.device, window_.presentation()), compiler_(options.shaders),
       swapchain_(device_, window_.handle()),
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()), pool_(make_pool(device_)),
       commands_(make_commands(device_, pool_)), session_(options.document, options.device),
-      remember_(!options.script && !options.screenshot) {
-    if (options.script)
-        script_.emplace(*options.script);
+      remember_(!options.screenshot) {
     if (remember_)
         session_.panels = settings_.panels;
     glfwSetWindowUserPointer(window_.handle(), &session_);
@@ -88,7 +86,7 @@ App::~App() {
 void App::load_shaders() {
     decltype(spirv_) compiled;
     for (const ShaderFile& file : shader_files) {
-        Compiled result = shaders_.compile(file.path, file.stage);
+        Compiled result = compiler_.compile(file.path, file.stage);
         if (!result.error.empty()) {
             session_.shader_error = result.error;
             return;
@@ -100,9 +98,9 @@ void App::load_shaders() {
     spirv_ = std::move(compiled);
     painter_ = std::make_unique<Painter>(device_, swapchain_.render_pass(), spirv_["viewer/show.vert"],
                                          spirv_["viewer/show.frag"]);
-    for (std::size_t side = 0; side < works_.size(); ++side) {
-        works_[side].canvas->replace(spirv(works_[side].canvas->subject()));
-        works_[side].law.reset();
+    for (std::size_t index = 0; index < panes_.size(); ++index) {
+        panes_[index].canvas->replace(spirv(panes_[index].canvas->noise()));
+        panes_[index].sampler.reset();
     }
 }
 
@@ -111,96 +109,91 @@ void App::poll_shaders() {
     if (now - shaders_polled_ < reload_interval)
         return;
     shaders_polled_ = now;
-    if (shaders_.changed()) {
+    if (compiler_.changed()) {
         load_shaders();
         if (session_.shader_error.empty())
-            say(session_, "the shaders have been read again");
+            notify(session_, "the shaders have been read again");
         busy_ = true;
     }
 }
 
-const std::vector<std::uint32_t>& App::spirv(const Subject& subject) const {
-    return spirv_.find(subject.shader)->second;
+const std::vector<std::uint32_t>& App::spirv(const NoisePass& noise) const {
+    return spirv_.find(noise.shader)->second;
 }
 
 std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.rival || on_body(session_.history.now.view()))
+    if (!session_.history.now.comparison || render::in_space(session_.history.now.request))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
 }
 
-bool App::work(Extent window) {
-    const std::vector<Subject> wanted = subjects(session_.document());
+bool App::refine(Extent window) {
+    const std::vector<NoisePass> wanted = noise_passes(session_.document());
     const std::vector<Area> where = areas(window);
     session_.view = {where[0].width, where[0].height};
-    if (works_.size() != wanted.size() || session_.sides.size() != wanted.size()) {
-        works_.resize(wanted.size());
-        session_.sides.resize(wanted.size());
+    if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
+        panes_.resize(wanted.size());
+        session_.panes.resize(wanted.size());
     }
     bool more = false;
-    for (std::size_t side = 0; side < wanted.size(); ++side) {
-        Work& work = works_[side];
-        if (!work.canvas || !work.canvas->subject().same_pass(wanted[side])) {
-            work.canvas = std::make_unique<Canvas>(device_, wanted[side], spirv(wanted[side]));
-            work.law.reset();
-        }
+    for (std::size_t index = 0; index < wanted.size(); ++index) {
+        Pane& pane = panes_[index];
+        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
+            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
-        if (work.canvas->work(wanted[side], session_.document(), {where[side].width, where[side].height},
-                              share * (moving ? moving_budget : still_budget))) {
+        if (pane.canvas->refine(wanted[index], session_.document().camera,
+                                {where[index].width, where[index].height},
+                                share * (moving ? moving_budget : resting_budget))) {
             more = true;
-            work.picture_measured = false;
+            pane.picture_measured = false;
         }
-        measure(side, wanted[side]);
-        more |= !work.picture_measured || work.samples < most_samples;
+        measure(index, wanted[index]);
+        more |= !pane.picture_measured || pane.samples < most_samples;
 
-        Side& told = session_.sides[side];
-        const double cost = work.canvas->seconds_per_pixel();
-        told.name = wanted[side].name;
-        told.visited = wanted[side].visited;
-        told.nanoseconds = cost * 1e9;
-        told.milliseconds = cost * 1e3 * where[side].width * where[side].height;
-        told.stride = work.canvas->stride();
-        told.measured = measurer_.measured(side);
+        PaneReport& report = session_.panes[index];
+        const double cost = pane.canvas->seconds_per_pixel();
+        report.name = wanted[index].name;
+        report.visited = wanted[index].visited;
+        report.nanoseconds = cost * 1e9;
+        report.milliseconds = cost * 1e3 * where[index].width * where[index].height;
+        report.measured = measuring_.measured(index);
     }
-    return more || !measurer_.idle();
+    return more || !measuring_.idle();
 }
 
-// While the view stands still: the spectrum of what it shows, and the law of the values, more of them with
-// every frame.
-void App::measure(std::size_t side, const Subject& subject) {
-    Work& work = works_[side];
-    // Other instances, times and scales have the same law.
-    render::Picture picture = in_plane(subject).picture;
-    picture.seed = 0;
-    picture.time = 0;
-    picture.scale = 32;
-    std::string measured = fmt::format("{} {} {}", subject.shader, subject.name, render::to_json(picture));
-    if (!work.law || measured != work.measured) {
-        work.law = std::make_unique<Law>(device_, subject, spirv(subject));
-        work.measured = std::move(measured);
-        work.samples = 0;
-        work.picture_measured = false;
-        measurer_.reset(side);
+// While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
+// them with every frame.
+void App::measure(std::size_t index, const NoisePass& noise) {
+    Pane& pane = panes_[index];
+    NoisePass values = value_pass(noise);
+    if (!pane.sampler || pane.sampler->noise() != values) {
+        if (pane.sampler && pane.sampler->noise().same_pipeline(values))
+            pane.sampler->set(std::move(values));
+        else
+            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), spirv(noise));
+        pane.samples = 0;
+        pane.picture_measured = false;
+        measuring_.reset(index);
     }
-    if (!measurer_.idle())
+    if (!measuring_.idle())
         return;
-    const Canvas& canvas = *work.canvas;
-    if (canvas.fine() && !work.picture_measured) {
-        work.picture_measured = true;
-        if (subject.view == View::plane)
-            measurer_.add_picture(side, work.canvas->pixels(), subject.channels, canvas.grid(),
-                                  session_.document().picture.scale);
-    } else if ((canvas.fine() || session_.playing) && work.samples < most_samples) {
-        const std::span<const float> values = work.law->sample(
-            session_.document(), work.draws++, session_.playing ? sampling_budget : still_budget);
-        work.samples +=
-            static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(work.law->channels());
-        measurer_.add_samples(side, values, work.law->channels());
+    const Canvas& canvas = *pane.canvas;
+    if (canvas.fine() && !pane.picture_measured) {
+        pane.picture_measured = true;
+        if (is_flat(noise.request.view))
+            measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
+                                   noise.request.scale);
+    } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
+        const std::span<const float> values_now =
+            pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
+        const int channels = pane.sampler->noise().channel_count();
+        pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
+        measuring_.add_samples(index, values_now, channels);
     }
 }
 
@@ -226,7 +219,7 @@ void App::panels() {
     };
     constexpr std::array sections{
         Section{"Noise", noise_panel}, Section{"Spectrum", spectrum_panel}, Section{"Output", output_panel},
-        Section{"Measurements", measurements_panel}, Section{"Take it home", take_home_panel}};
+        Section{"Measurements", measurements_panel}, Section{"Files and code", files_panel}};
     for (const Section& section : sections)
         if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
             ImGui::PushID(section.title);
@@ -240,8 +233,8 @@ void App::panels() {
 }
 
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
-    for (std::size_t side = 0; side < works_.size(); ++side)
-        painter_->paint(commands, *works_[side].canvas, where[side], session_.document(), side);
+    for (std::size_t index = 0; index < panes_.size(); ++index)
+        painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
 }
 
 void App::draw(const Target& target) {
@@ -260,10 +253,10 @@ void App::draw(const Target& target) {
     swapchain_.present(commands);
 }
 
-void App::save_window(const std::string& path) {
+void App::write_window_png(const std::string& path) {
     const Extent extent = window_.pixels();
     swapchain_.wait();
-    screenshot(
+    save_png(
         device_, extent, path, [&](vk::CommandBuffer commands) { painter_->prepare(commands); },
         [&](vk::CommandBuffer commands) {
             paint(commands, areas(extent));
@@ -273,82 +266,57 @@ void App::save_window(const std::string& path) {
 
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
-    const Subject subject = subjects(document).front();
-    const Extent extent{document.picture.width, document.picture.height};
-    Canvas canvas(device_, subject, spirv(subject));
-    while (canvas.work(subject, document, extent, still_budget)) {
+    const NoisePass noise = noise_passes(document).front();
+    const Extent extent{document.request.width, document.request.height};
+    Canvas canvas(device_, noise, spirv(noise));
+    while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();
-    screenshot(
+    save_png(
         device_, extent, path, [&](vk::CommandBuffer commands) { painter_->prepare(commands); },
         [&](vk::CommandBuffer commands) {
             painter_->paint(commands, canvas, {0, 0, extent.width, extent.height}, document, 0);
         });
 }
 
-Script::Hands App::hands() {
-    GLFWwindow* window = window_.handle();
-    return {[window](int width, int height) { glfwSetWindowSize(window, width, height); },
-            [window](const std::string& how) {
-                if (how == "minimize")
-                    glfwIconifyWindow(window);
-                else if (how == "restore")
-                    glfwRestoreWindow(window);
-                else if (how == "hide")
-                    glfwHideWindow(window);
-                else
-                    glfwShowWindow(window);
-            },
-            [this](const std::string& path, bool with_panels) {
-                if (with_panels)
-                    window_picture_ = path;
-                else
-                    save_picture(path);
-            },
-            [this] { return !busy_ && !session_.exporter.running(); }};
-}
-
-bool App::frame() {
+bool App::frame(const FrameHook& hook) {
     swapchain_.wait();
     poll_shaders();
     gui_.begin();
-    if (script_ && !script_->play(session_, hands()))
+    if (hook && !hook(*this))
         return false;
     ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
     if (session_.playing) {
-        double& time = session_.document().picture.time;
+        double& time = session_.document().request.time;
         time += double{io.DeltaTime} / double{session_.period};
         time -= std::floor(time);
     }
     const float panel = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
-    bool closing =
-        view_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y, io.DisplayFramebufferScale.x);
-    closing |= window_.close_asked();
+    handle_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y);
     panels();
+    question_window(session_); // after all others: a modal window must not be the first to appear
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
-        session_.history.settle();
+        session_.history.commit();
     gui_.end();
-    if (closing)
+    if (session_.closing || window_.close_asked())
         return false;
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
-    busy_ = work(extent);
-    if (window_picture_) {
-        save_window(*window_picture_);
-        window_picture_.reset();
-    }
+    busy_ = refine(extent);
+    if (window_png_)
+        write_window_png(*std::exchange(window_png_, {}));
     if (const Target* target = swapchain_.acquire(extent))
         draw(*target);
     return true;
 }
 
-void App::run() {
+void App::run(const FrameHook& hook) {
     do {
-        const bool wanted = busy_ || script_ || session_.playing || session_.exporter.running();
+        const bool wanted = busy_ || hook || session_.playing || session_.exporter.running();
         if (!window_.shown())
-            glfwWaitEventsTimeout(script_ ? 0.02 : 0.25);
+            glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)
             glfwPollEvents();
         else {
@@ -357,7 +325,7 @@ void App::run() {
             if (glfwGetTime() - before < 0.9 * reload_interval)
                 last_input_ = glfwGetTime(); // something has happened
         }
-    } while (frame());
+    } while (frame(hook));
 }
 
 } // namespace gabor::viewer

@@ -2,11 +2,12 @@
 
 #include "viewer/gui.hpp"
 #include "viewer/painter.hpp"
-#include "viewer/script.hpp"
+#include "viewer/session.hpp"
 #include "viewer/settings.hpp"
-#include "viewer/shaders.hpp"
+#include "viewer/shader_compiler.hpp"
+#include "viewer/target.hpp"
 
-#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -17,49 +18,56 @@ struct Options {
     std::string device;                    ///< as for vulkan::Device
     std::filesystem::path shaders;         ///< empty for those built in
     std::optional<std::string> screenshot; ///< one picture, and no window
-    std::optional<std::filesystem::path> script;
-    std::optional<Extent> size; ///< of the window
+    std::optional<Extent> size;            ///< of the window
 };
 
 /// The program: a window, what it shows, and what is done in it.
 class App {
   public:
+    /// What is called in each frame, once Dear ImGui has the window's input: tests play theirs here, and end
+    /// the program by returning false.
+    using FrameHook = std::function<bool(App&)>;
+
     explicit App(const Options& options);
     ~App();
 
-    /// Until the window is closed, or a script ends.
-    void run();
+    /// Until the window is closed, or the hook ends it.
+    void run(const FrameHook& hook = {});
+
+    Session& session() { return session_; }
+    const Window& window() const { return window_; }
+    /// Whether nothing is left to refine, to measure or to export.
+    bool settled() const { return !busy_ && !session_.exporter.running(); }
     /// The picture itself, without a window around it, as gabor render would have it.
     void save_picture(const std::string& path);
+    /// The window with its panels, at the end of this frame.
+    void save_window(const std::string& path) { window_png_ = path; }
 
   private:
-    /// What belongs to one side beyond what panels see.
-    struct Work {
+    struct Pane {
         std::unique_ptr<Canvas> canvas;
-        std::unique_ptr<Law> law;
-        std::string measured; ///< what the samples so far are of
+        std::unique_ptr<ValueSampler> sampler;
         std::uint32_t samples = 0;
         std::uint32_t draws = 0;
         bool picture_measured = false;
     };
 
-    bool frame(); ///< whether to go on
+    bool frame(const FrameHook& hook); ///< whether to go on
     void load_shaders();
     void poll_shaders();
     std::vector<Area> areas(Extent window) const;
-    bool work(Extent window); ///< whether anything is left to do
-    void measure(std::size_t side, const Subject& subject);
+    bool refine(Extent window); ///< whether anything is left to do
+    void measure(std::size_t index, const NoisePass& noise);
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
-    void save_window(const std::string& path);
-    Script::Hands hands();
-    const std::vector<std::uint32_t>& spirv(const Subject& subject) const;
+    void write_window_png(const std::string& path);
+    const std::vector<std::uint32_t>& spirv(const NoisePass& noise) const;
 
     Settings settings_;
     Window window_;
     vulkan::Device device_;
-    Shaders shaders_;
+    ShaderCompiler compiler_;
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> spirv_;
     Swapchain swapchain_;
     Gui gui_;
@@ -67,14 +75,16 @@ class App {
     vk::raii::CommandPool pool_;
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
-    Measurer measurer_;
-    std::vector<Work> works_;
-    std::optional<Script> script_;
-    std::optional<std::string> window_picture_; ///< to save at the end of this frame
+    MeasuringThread measuring_;
+    std::vector<Pane> panes_;
+    std::optional<std::string> window_png_; ///< to write at the end of this frame
     double shaders_polled_ = 0;
     double last_input_ = 0;
     bool busy_ = true;
-    bool remember_;
+    bool remember_; ///< the window's placement, for the next time
 };
+
+/// The program gabor-viewer, and the exit status that it ends with. `hook`: as for App::run.
+int run_viewer(int argc, char** argv, const App::FrameHook& hook = {});
 
 } // namespace gabor::viewer

@@ -3,24 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 namespace gabor::viewer {
 
 namespace {
 
-constexpr int group = 8; // local_size of passes/pixels.comp and of shaders/viewer/view.glsl, in x and y
 constexpr int coarsest_stride = 16;
+constexpr int rows_at_once = 8; ///< at least, of the passes' groups
 constexpr int sample_columns = 256;
 constexpr int most_sample_rows = 256;
 
 vulkan::Memory result_memory(const vulkan::Device& device) {
     return device.unified() ? vulkan::Memory::readback : vulkan::Memory::device;
-}
-
-std::size_t count(Extent grid, int channels) {
-    return static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height) *
-           static_cast<std::size_t>(channels);
 }
 
 template <typename T>
@@ -31,156 +25,154 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
     std::ranges::copy(values, buffer.as<T>().begin());
 }
 
-vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, const Spirv& spirv) {
-    return {device, spirv, {5, sizeof(ViewPush)}, subject.constants};
+// The buffers and the push constants of the three passes.
+vulkan::Pass::Interface interface_of(const NoisePass& noise) {
+    if (render::in_space(noise.request))
+        return {1, sizeof(passes::SolidPush)};
+    if (noise.ingredients)
+        return {3, sizeof(passes::IngredientsPush)};
+    return {5, sizeof(passes::PixelsPush)};
 }
+
+vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
+    return {device, spirv, interface_of(noise), noise.constants};
+}
+
+static_assert(passes::pixels_group == passes::solid_group &&
+              passes::pixels_group == passes::ingredients_group);
 
 } // namespace
 
-Canvas::Grid::Grid(const vulkan::Device& device)
-    : values(device, 4, result_memory(device)), columns(device, 8, vulkan::Memory::upload),
-      rows(device, 8, vulkan::Memory::upload), lobes(device, 8, vulkan::Memory::upload) {}
-
-Canvas::Canvas(const vulkan::Device& device, const Subject& subject, const Spirv& spirv)
-    : device_(device), subject_(subject), paint_(render::read_paint(subject.picture.paint)),
-      paint_samples_(device, paint_.samples.size() * sizeof(float), vulkan::Memory::upload),
-      pass_(make_pass(device, subject, spirv)), grids_{Grid(device), Grid(device)} {
-    upload(device, paint_samples_, paint_.samples);
+void Cost::add(double seconds, double values) {
+    if (values >= 4096)
+        cost_ = 0.7 * cost_ + 0.3 * std::max(seconds / values, 1e-12);
 }
 
-void Canvas::replace(const Spirv& spirv) {
-    for (Grid& grid : grids_) {
-        grid.job.reset();
-        grid.next_row = -1;
+ValueGrid::ValueGrid(const vulkan::Device& device, int channels)
+    : device_(device), channels_(channels), values_(device, 4, result_memory(device)),
+      columns_(device, 8, vulkan::Memory::upload), rows_(device, 8, vulkan::Memory::upload),
+      lobes_(device, 8, vulkan::Memory::upload) {}
+
+std::size_t ValueGrid::count() const {
+    return static_cast<std::size_t>(input_.grid.width) * static_cast<std::size_t>(input_.grid.height) *
+           static_cast<std::size_t>(channels_);
+}
+
+void ValueGrid::stop() {
+    job_.reset();
+    next_row_ = -1;
+}
+
+void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::Buffer& paint) {
+    job_.reset();
+    input_ = std::move(input);
+    next_row_ = 0;
+    const std::size_t bytes = count() * sizeof(float);
+    if (values_.size() < bytes) {
+        values_ = vulkan::Buffer(device_, bytes, result_memory(device_));
+        if (!device_.unified())
+            staging_.emplace(device_, bytes, vulkan::Memory::readback);
     }
-    pass_ = make_pass(device_, subject_, spirv);
+    upload(device_, columns_, input_.columns);
+    upload(device_, rows_, input_.rows);
+    upload(device_, lobes_, input_.lobes);
+    vulkan::Job::Buffers buffers{values_};
+    if (std::holds_alternative<passes::IngredientsPush>(input_.push))
+        buffers = {columns_, rows_, values_};
+    else if (std::holds_alternative<passes::PixelsPush>(input_.push))
+        buffers = {columns_, rows_, lobes_, paint, values_};
+    job_.emplace(device_, pass, buffers);
+}
+
+void ValueGrid::fill(int rows, Cost& cost) {
+    using Clock = std::chrono::steady_clock;
+    const int first = next_row_;
+    const int filled = std::min(rows, input_.grid.height - first);
+    const bool whole = first + filled == input_.grid.height;
+    std::optional<vulkan::Job::Copy> copy;
+    if (staging_ && whole)
+        copy.emplace(vulkan::Job::Copy{values_, *staging_, count() * sizeof(float)});
+    const Clock::time_point before = Clock::now();
+    std::visit(
+        [&](auto push) {
+            push.width = input_.grid.width;
+            push.height = filled;
+            push.first_row += first;
+            push.before = first * input_.grid.width;
+            job_->submit(push,
+                         {render::groups(push.width, passes::pixels_group),
+                          render::groups(filled, passes::pixels_group)},
+                         copy);
+        },
+        input_.push);
+    job_->wait();
+    next_row_ = whole ? -1 : first + filled;
+    // Not by the device's own clock: lavapipe stops it before the work is done.
+    cost.add(std::chrono::duration<double>(Clock::now() - before).count(),
+             static_cast<double>(filled) * input_.grid.width);
+}
+
+std::span<const float> ValueGrid::read() {
+    return (staging_ ? *staging_ : values_).as<float>().first(count());
+}
+
+Canvas::Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv)
+    : noise_(noise), paint_(render::load_paint(noise.request.paint)),
+      paint_samples_(render::upload(device, paint_.samples)), device_(device),
+      pass_(make_pass(device, noise, spirv)), grids_{ValueGrid(device, noise.channel_count()),
+                                                     ValueGrid(device, noise.channel_count())} {}
+
+void Canvas::replace(const Spirv& spirv) {
+    for (ValueGrid& grid : grids_)
+        grid.stop();
+    pass_ = make_pass(device_, noise_, spirv);
     stale_ = true;
 }
 
-bool Canvas::same(const Request& a, const Request& b) {
-    return std::memcmp(&a.look.push, &b.look.push, sizeof a.look.push) == 0 && a.look.lobes == b.look.lobes &&
-           a.camera == b.camera && a.scale == b.scale && a.extent == b.extent;
+void Canvas::start(ValueGrid& grid, int stride) {
+    grid.start(pass_, view_grid(noise_, camera_, extent_, stride, paint_), paint_samples_);
 }
 
-void Canvas::start(Grid& grid, const Places& places, int stride) {
-    grid.job.reset();
-    grid.grid = {static_cast<int>(places.columns.size()), static_cast<int>(places.rows.size())};
-    grid.stride = stride;
-    grid.next_row = 0;
-    const std::size_t bytes = count(grid.grid, subject_.channels) * sizeof(float);
-    if (grid.values.size() < bytes) {
-        grid.values = vulkan::Buffer(device_, bytes, result_memory(device_));
-        if (!device_.unified())
-            grid.staging.emplace(device_, bytes, vulkan::Memory::readback);
-    }
-    upload(device_, grid.columns, places.columns);
-    upload(device_, grid.rows, places.rows);
-    upload(device_, grid.lobes, shown_.look.lobes);
-    grid.job.emplace(device_, pass_,
-                     vulkan::Job::Buffers{grid.columns, grid.rows, grid.lobes, paint_samples_, grid.values});
-}
-
-// Fills up to `rows` rows from the next one on.
-void Canvas::fill(Grid& grid, int rows) {
-    using Clock = std::chrono::steady_clock;
-    const int first = grid.next_row;
-    const int filled = std::min(rows, grid.grid.height - first);
-    ViewPush push = shown_.look.push;
-    push.stride = static_cast<float>(grid.stride);
-    push.pixels.width = grid.grid.width;
-    push.pixels.height = filled;
-    push.pixels.first_row = first;
-    push.pixels.before = first * grid.grid.width;
-    std::optional<vulkan::Job::Copy> copy;
-    if (grid.staging && first + filled == grid.grid.height)
-        copy.emplace(vulkan::Job::Copy{grid.values, *grid.staging, grid.values.size()});
-    const auto groups = [](int pixels) { return static_cast<std::uint32_t>((pixels + group - 1) / group); };
-    const Clock::time_point before = Clock::now();
-    grid.job->submit(push, {groups(grid.grid.width), groups(filled)}, copy);
-    grid.job->wait();
-    // Not by the device's own clock: lavapipe stops it before the work is done.
-    const double seconds = std::chrono::duration<double>(Clock::now() - before).count();
-    const double pixels = static_cast<double>(filled) * grid.grid.width;
-    if (pixels >= 4096)
-        cost_ = 0.7 * cost_ + 0.3 * std::max(seconds / pixels, 1e-12);
-    grid.next_row = first + filled == grid.grid.height ? -1 : first + filled;
-}
-
-int Canvas::coarsest(double seconds) const {
-    const double whole = cost_ * shown_.extent.width * shown_.extent.height;
-    int stride = 1;
-    while (stride < coarsest_stride && whole / (stride * stride) > seconds)
-        stride *= 2;
-    return stride;
-}
-
-bool Canvas::work(const Subject& subject, const Document& document, Extent extent, double seconds) {
-    subject_ = subject;
-    Request request{look_of(subject, document, extent), document.camera, document.picture.scale, extent};
-    render::PixelsPush& push = request.look.push.pixels;
-    push.paint_width = paint_.width;
-    push.paint_height = paint_.height;
-    const Camera home = home_of(document);
-    const auto paint_along = [&](const Coordinate& at, const Coordinate& from, int side, int view,
-                                 int samples) {
-        const double moved = static_cast<double>(at.whole - from.whole) + at.part - from.part;
-        return static_cast<float>((moved * document.picture.scale + (side - view) / 2.0) * samples / side);
-    };
-    push.paint_x = paint_along(document.camera.x, home.x, document.picture.width, extent.width, paint_.width);
-    push.paint_y =
-        paint_along(document.camera.y, home.y, document.picture.height, extent.height, paint_.height);
-    const auto begin = [&](Grid& grid, int stride) {
-        shown_.look.push.pixels.paint_scale_x =
-            static_cast<float>(stride * static_cast<double>(paint_.width) / document.picture.width);
-        shown_.look.push.pixels.paint_scale_y =
-            static_cast<float>(stride * static_cast<double>(paint_.height) / document.picture.height);
-        start(grid, places_of(subject, document, extent, stride), stride);
-    };
-    Grid& behind = grids_[1 - front_];
-    // What depends on the stride is no part of the request.
-    Request known = shown_;
-    known.look.push.pixels.paint_scale_x = known.look.push.pixels.paint_scale_y = 0;
-    if (stale_ || !same(request, known)) {
-        shown_ = request;
+bool Canvas::refine(const NoisePass& noise, const Camera& camera, Extent extent, double seconds) {
+    ValueGrid& behind = grids_[1 - front_];
+    if (stale_ || noise != noise_ || camera != camera_ || extent != extent_) {
         stale_ = false;
-        begin(behind, coarsest(seconds));
-        fill(behind, behind.grid.height);
+        noise_ = noise;
+        camera_ = camera;
+        extent_ = extent;
+        const double whole = cost_.per_value() * extent.width * extent.height;
+        int stride = 1;
+        while (stride < coarsest_stride && whole / (stride * stride) > seconds)
+            stride *= 2;
+        start(behind, stride);
+        behind.fill(behind.extent().height, cost_);
+        stride_ = stride;
         front_ = 1 - front_;
-        return front().stride > 1;
+        return stride > 1;
     }
-    if (front().stride <= 1)
+    if (stride_ <= 1)
         return false;
-    if (behind.next_row < 0)
-        begin(behind, front().stride / 2);
-    const double rows = seconds / (cost_ * behind.grid.width);
-    fill(behind, std::max(group, static_cast<int>(std::min(rows, 1e5))));
-    if (behind.next_row < 0)
+    if (!behind.filling())
+        start(behind, stride_ / 2);
+    const double rows = seconds / (cost_.per_value() * behind.extent().width);
+    behind.fill(std::max(rows_at_once, static_cast<int>(std::min(rows, 1e5))), cost_);
+    if (!behind.filling()) {
+        stride_ /= 2;
         front_ = 1 - front_;
-    return front().stride > 1;
+    }
+    return stride_ > 1;
 }
 
-std::span<const float> Canvas::pixels() {
-    Grid& grid = front();
-    return (grid.staging ? *grid.staging : grid.values)
-        .as<float>()
-        .first(count(grid.grid, subject_.channels));
-}
+ValueSampler::ValueSampler(const vulkan::Device& device, NoisePass noise, const Spirv& spirv)
+    : noise_(std::move(noise)), no_paint_(render::upload(device, render::Paint().samples)),
+      pass_(make_pass(device, noise_, spirv)), grid_(device, noise_.channel_count()) {}
 
-std::span<const float> Law::sample(const Document& document, std::uint32_t draw, double seconds) {
-    const int rows =
-        std::clamp(static_cast<int>(seconds / (canvas_.cost_ * sample_columns)), group, most_sample_rows);
-    Subject subject = canvas_.subject_;
-    subject.picture.frequency = document.picture.frequency;
-    subject.picture.orientation = document.picture.orientation;
-    subject.picture.lobes = document.picture.lobes;
-    subject.picture.frequency_spread = document.picture.frequency_spread;
-    subject.picture.orientation_spread = document.picture.orientation_spread;
-    canvas_.shown_.look = look_of(subject, document, {sample_columns, rows});
-    canvas_.shown_.look.push.pixels.seed = draw * 0x9e3779b1u;
-    Canvas::Grid& grid = canvas_.front();
-    canvas_.start(grid, random_places(subject, sample_columns, rows, draw), 1);
-    canvas_.fill(grid, rows);
-    return canvas_.pixels();
+std::span<const float> ValueSampler::sample(std::uint32_t draw, double seconds) {
+    const int rows = std::clamp(static_cast<int>(seconds / (cost_.per_value() * sample_columns)),
+                                rows_at_once, most_sample_rows);
+    grid_.start(pass_, random_grid(noise_, {sample_columns, rows}, draw), no_paint_);
+    grid_.fill(rows, cost_);
+    return grid_.read();
 }
 
 } // namespace gabor::viewer

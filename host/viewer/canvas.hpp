@@ -1,7 +1,8 @@
 #pragma once
 
-#include "render/paint.hpp"
-#include "viewer/source.hpp"
+#include "vulkan/pass.hpp"
+
+#include "viewer/noise_pass.hpp"
 
 #include <array>
 #include <optional>
@@ -11,85 +12,106 @@ namespace gabor::viewer {
 
 using Spirv = std::vector<std::uint32_t>;
 
-/// One side of the view: the values of a noise on a grid of the view's pixels, coarse while it moves, then
+/// Seconds per value, as measured while grids are filled: a first guess that the first frames correct.
+class Cost {
+  public:
+    void add(double seconds, double values);
+    double per_value() const { return cost_; }
+
+  private:
+    double cost_ = 1e-6;
+};
+
+/// A grid of values on the device, filled by a pass in one go or row by row.
+class ValueGrid {
+  public:
+    ValueGrid(const vulkan::Device& device, int channels);
+
+    /// Begins anew. `pass` and `paint` must live as long as the grid is being filled.
+    void start(const vulkan::Pass& pass, GridInput input, const vulkan::Buffer& paint);
+    /// Fills up to `rows` rows from the next one on, and adds what it took to `cost`.
+    void fill(int rows, Cost& cost);
+    void stop();
+
+    bool filling() const { return next_row_ >= 0; }
+    Extent extent() const { return input_.grid; }
+    const vulkan::Buffer& values() const { return values_; }
+    /// The values on the host, once they are filled.
+    std::span<const float> read();
+
+  private:
+    std::size_t count() const;
+
+    const vulkan::Device& device_;
+    int channels_;
+    GridInput input_;
+    vulkan::Buffer values_;
+    vulkan::Buffer columns_;
+    vulkan::Buffer rows_;
+    vulkan::Buffer lobes_;
+    std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
+    std::optional<vulkan::Job> job_;
+    int next_row_ = -1; ///< -1: all are filled
+};
+
+/// One pane of the view: the values of a noise on a grid of the view's pixels, coarse while it moves, then
 /// finer and finer, in portions that leave the window alive.
 class Canvas {
   public:
-    Canvas(const vulkan::Device& device, const Subject& subject, const Spirv& spirv);
+    Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv);
 
-    const Subject& subject() const { return subject_; }
-    /// Another pass for the same subject, from changed shaders.
+    const NoisePass& noise() const { return noise_; }
+    /// The same noise by changed shaders.
     void replace(const Spirv& spirv);
 
-    /// Works for about `seconds` at what a view of the document shows in `extent` pixels, and returns whether
-    /// there is more to do. Where that is something else than before it is answered at once, as finely as the
-    /// time allows. `subject` must be of the same pass.
-    bool work(const Subject& subject, const Document& document, Extent extent, double seconds);
+    /// Works for about `seconds` at what the camera shows of the noise in `extent` pixels, and returns
+    /// whether there is more to do. Where that is something else than before it is answered at once, as
+    /// finely as the time allows. `noise` must have the same pipeline.
+    bool refine(const NoisePass& noise, const Camera& camera, Extent extent, double seconds);
 
-    const vulkan::Buffer& values() const { return front().values; }
-    Extent grid() const { return front().grid; }
-    int stride() const { return front().stride; } ///< pixels per value
-    bool fine() const { return front().stride == 1 && !stale_; }
-    double seconds_per_pixel() const { return cost_; }
+    const vulkan::Buffer& values() const { return grids_[front_].values(); }
+    Extent grid() const { return grids_[front_].extent(); }
+    int stride() const { return stride_; } ///< pixels per value
+    bool fine() const { return stride_ == 1 && !stale_; }
+    double seconds_per_pixel() const { return cost_.per_value(); }
     /// The values on the host, once `fine`: valid until the next work.
-    std::span<const float> pixels();
+    std::span<const float> pixels() { return grids_[front_].read(); }
 
   private:
-    struct Grid {
-        explicit Grid(const vulkan::Device& device);
+    void start(ValueGrid& grid, int stride);
 
-        vulkan::Buffer values;
-        vulkan::Buffer columns;
-        vulkan::Buffer rows;
-        vulkan::Buffer lobes;
-        std::optional<vulkan::Buffer> staging; ///< where the host cannot read the device's memory
-        std::optional<vulkan::Job> job;
-        Extent grid;
-        int stride = 0;    ///< pixels per value; 0: empty
-        int next_row = -1; ///< -1: all are filled
-    };
-
-    /// All that decides the pixels of a view.
-    struct Request {
-        Look look;
-        Camera camera;
-        double scale;
-        Extent extent;
-    };
-
-    Grid& front() { return grids_[front_]; }
-    const Grid& front() const { return grids_[front_]; }
-    static bool same(const Request& a, const Request& b);
-    void start(Grid& grid, const Places& places, int stride);
-    void fill(Grid& grid, int rows);
-    int coarsest(double seconds) const;
-
-    const vulkan::Device& device_;
-    Subject subject_;
+    NoisePass noise_;
+    Camera camera_;
+    Extent extent_;
     render::Paint paint_;
     vulkan::Buffer paint_samples_;
+    const vulkan::Device& device_;
     vulkan::Pass pass_;
-    std::array<Grid, 2> grids_;
+    std::array<ValueGrid, 2> grids_; ///< the one that is shown, and a finer one that is being filled
     std::size_t front_ = 0;
+    int stride_ = 0; ///< of the one shown
     bool stale_ = true;
-    Request shown_;
-    double cost_ = 1e-6; ///< seconds per value; a first guess that the first frames correct
-
-    friend class Law;
+    Cost cost_;
 };
 
-/// Values of a noise at random places, for their law.
-class Law {
+/// Values of a noise at random points, for their statistics.
+class ValueSampler {
   public:
-    Law(const vulkan::Device& device, const Subject& subject, const Spirv& spirv)
-        : canvas_(device, in_plane(subject), spirv) {}
+    /// `noise`: a `value_pass`.
+    ValueSampler(const vulkan::Device& device, NoisePass noise, const Spirv& spirv);
 
-    /// As many as fit about `seconds`; another `draw`, other places of another instance.
-    std::span<const float> sample(const Document& document, std::uint32_t draw, double seconds);
-    int channels() const { return canvas_.subject_.channels; }
+    const NoisePass& noise() const { return noise_; }
+    /// Another noise of the same pipeline.
+    void set(NoisePass noise) { noise_ = std::move(noise); }
+    /// As many values as fit about `seconds`; another `draw`, other points of another instance.
+    std::span<const float> sample(std::uint32_t draw, double seconds);
 
   private:
-    Canvas canvas_;
+    NoisePass noise_;
+    vulkan::Buffer no_paint_;
+    vulkan::Pass pass_;
+    ValueGrid grid_;
+    Cost cost_;
 };
 
 } // namespace gabor::viewer

@@ -1,6 +1,8 @@
 #include "viewer/document.hpp"
 
-#include "error.hpp"
+#include "render/load.hpp"
+
+#include <cmath>
 
 namespace gabor::viewer {
 
@@ -9,87 +11,72 @@ namespace {
 constexpr std::size_t most_steps = 1000;
 
 // The document but for what moves by itself or by looking around.
-Document still(Document document) {
+Document without_viewpoint(Document document) {
     document.camera = {};
-    document.pose = {};
-    document.picture.scale = 0;
-    document.picture.time = 0;
+    document.request.scale = 0;
+    document.request.time = 0;
+    if (auto* body = std::get_if<render::Body>(&document.request.view))
+        *body = {body->shape, body->solid};
     return document;
 }
 
 } // namespace
 
-bool Document::operator==(const Document& other) const {
-    return render::to_json(picture) == render::to_json(other.picture) && camera == other.camera &&
-           body == other.body && waves == other.waves && pose == other.pose && output == other.output &&
-           colours == other.colours && contrast == other.contrast && rival == other.rival;
-}
-
-View Document::view() const {
-    if (body)
-        return *body;
-    return picture.view == "horizon" ? View::perspective : View::plane;
-}
-
-void Document::set_view(View view) {
-    body.reset();
-    if (on_body(view))
-        body = view;
-    picture.view = view == View::perspective ? "horizon" : "flat";
-    picture.filter = view != View::plane;
-    if (picture.filter) { // they exclude each other
-        picture.gradient = false;
-        picture.values = 1;
+Coordinate Coordinate::moved(double by) const {
+    const double carried = std::floor(by);
+    Coordinate result{whole + static_cast<std::int64_t>(carried), part + (by - carried)};
+    if (result.part >= 1) {
+        ++result.whole;
+        result.part -= 1;
     }
-    if (view != View::plane) {
-        picture.tileable = false;
-        picture.paint.clear();
-    }
-    camera = home_of(*this);
-}
-
-render::Picture Document::exported() const {
-    if (!body)
-        return picture;
-    const render::Lobe first =
-        picture.lobes.empty() ? render::Lobe{picture.frequency, picture.orientation} : picture.lobes.front();
-    render::Picture result;
-    result.width = picture.width;
-    result.height = picture.height;
-    result.scale = picture.scale;
-    result.frequency = first.frequency;
-    result.orientation = first.orientation;
-    result.orientation_spread = waves == Waves::isotropic || waves == Waves::surface_isotropic ? 90 : 0;
-    result.solid = waves == Waves::oriented || waves == Waves::isotropic;
-    result.seed = picture.seed;
-    result.filter = picture.filter;
-    result.view = *body == View::sphere ? "sphere" : "torus";
     return result;
 }
 
-Camera home_of(const Document& document) {
-    const render::Picture& picture = document.picture;
-    if (document.view() != View::plane)
-        return {};
-    return Camera{}.moved(picture.width / 2.0 / picture.scale, picture.height / 2.0 / picture.scale);
+bool is_flat(const render::View& view) {
+    return std::holds_alternative<render::Plane>(view) || std::holds_alternative<render::Slice>(view);
 }
 
-Document document_of(const render::Picture& picture) {
-    Document document;
-    document.picture = picture;
-    if (render::is_in_space(picture)) {
-        if (picture.view == "slice")
-            throw RequestError("view slice: the viewer has the views flat, horizon, sphere and torus");
-        document.body = picture.view == "sphere" ? View::sphere : View::torus;
-        document.waves = render::in_space(picture).waves;
-        document.picture.view = "flat";
+void set_parameter(Document& document, std::string_view name, const render::Value& value) {
+    render::Request& request = document.request;
+    if (name == "paint")
+        render::load_paint(std::get<std::string>(value)); // it must be there
+    render::set(request, name, value);
+    if (name == "view") {
+        request.filter = !is_flat(request.view);
+        render::give_way(request, "filter");
     }
-    document.camera = home_of(document);
+    render::give_way(request, name);
+    if (name == "view" || name == "width" || name == "height")
+        document.camera = default_camera(document);
+}
+
+render::Request with_output(render::Request request, Output output) {
+    if (output == Output::gradient) {
+        request.gradient = true;
+        render::give_way(request, "gradient");
+    } else if (output == Output::phase || output == Output::intensity) {
+        request.quadrature = true;
+        render::give_way(request, "quadrature");
+    }
+    return request;
+}
+
+Camera default_camera(const Document& document) {
+    const render::Request& request = document.request;
+    if (!is_flat(request.view))
+        return {};
+    return Camera{}.moved(request.width / 2.0 / request.scale, request.height / 2.0 / request.scale);
+}
+
+Document document_of(const render::Request& request) {
+    Document document;
+    document.request = request;
+    document.camera = default_camera(document);
     return document;
 }
 
-void History::settle() {
-    if (still(now) == still(steps_[at_])) {
+void History::commit() {
+    if (without_viewpoint(now) == without_viewpoint(steps_[at_])) {
         steps_[at_] = now;
         return;
     }
@@ -102,15 +89,15 @@ void History::settle() {
 
 void History::undo() {
     if (can_undo())
-        go(at_ - 1);
+        go_to(at_ - 1);
 }
 
 void History::redo() {
     if (can_redo())
-        go(at_ + 1);
+        go_to(at_ + 1);
 }
 
-void History::go(std::size_t step) {
+void History::go_to(std::size_t step) {
     steps_[at_] = now;
     at_ = step;
     now = steps_[at_];

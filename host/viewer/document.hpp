@@ -1,71 +1,68 @@
 #pragma once
 
-#include "render/picture.hpp"
-#include "render/solid.hpp"
+#include "render/parameters.hpp"
 #include "study/ingredients.hpp"
-#include "viewer/camera.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace gabor::viewer {
 
+/// A coordinate in kernel radii that is as precise far away as it is near: whole + part, part in [0, 1).
+struct Coordinate {
+    std::int64_t whole = 0;
+    double part = 0;
+
+    Coordinate moved(double by) const;
+    bool operator==(const Coordinate&) const = default;
+};
+
+/// The point of the plane in the middle of the view.
+struct Camera {
+    Coordinate x;
+    Coordinate y;
+
+    Camera moved(double by_x, double by_y) const { return {x.moved(by_x), y.moved(by_y)}; }
+    bool operator==(const Camera&) const = default;
+};
+
 enum class Output { value, gradient, phase, intensity, variance };
 
-enum class View { plane, perspective, sphere, torus };
-/// Of noise in space, on a sphere or a torus: along one direction or along all, in space or along the
-/// surface.
-using Waves = render::SolidWaves;
-
-constexpr bool on_body(View view) {
-    return view == View::sphere || view == View::torus;
-}
-
-/// From where a body is seen.
-struct Pose {
-    float yaw = 0;      ///< degrees around a body's axis
-    float pitch = 30;   ///< degrees above its equator
-    float nearness = 1; ///< how much larger than to fit the view a body is
-    bool operator==(const Pose&) const = default;
-};
-
-/// What stands beside the picture in the split view: another recipe of the drop-in on the same parameters, or
-/// one of the noises that the paper compares.
-struct Rival {
-    std::string recipe; ///< empty for `ingredients`
-    study::Ingredients ingredients;
-    bool operator==(const Rival&) const = default;
-};
+/// What stands beside the picture in the split view, on the same parameters: one of the noises that the paper
+/// compares, the seminal one by default, or the drop-in with another recipe.
+using Comparison = std::variant<study::Ingredients, noise::Recipe>;
 
 /// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
 struct Document {
-    render::Picture picture;
+    render::Request request;
     Camera camera;
-    std::optional<View> body; ///< a sphere or a torus, instead of the picture's plane
-    Waves waves = Waves::surface_isotropic;
-    Pose pose;
     Output output = Output::value;
     int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
     float contrast = 2; ///< standard deviations from the mean to the ends
-    std::optional<Rival> rival;
+    std::optional<Comparison> comparison;
 
-    View view() const;
-    /// Another view, with the filter where it is needed, and the camera where it begins.
-    void set_view(View view);
-    /// The picture with its view: what presets and exports hold. Noise in space has one lobe, a recipe of its
-    /// own and no time; what it cannot have is left out.
-    render::Picture exported() const;
-    bool operator==(const Document& other) const;
+    bool operator==(const Document&) const = default;
 };
 
+/// A document with the request's picture in the middle of the view.
+Document document_of(const render::Request& request);
+
+/// Whether a view shows a plane from above, at one scale.
+bool is_flat(const render::View& view);
+
+/// Puts in a parameter, and back to default what cannot stand beside it. Another view begins where the camera
+/// is by default, and filtered where it has a distance. Throws RequestError where that value cannot be.
+void set_parameter(Document& document, std::string_view name, const render::Value& value);
+
+/// The request with the channels that an output is made of, beside its own.
+render::Request with_output(render::Request request, Output output);
+
 /// Where the camera is for the view to show what gabor render does.
-Camera home_of(const Document& document);
+Camera default_camera(const Document& document);
 
-/// A document with the picture in the middle of the view. Throws RequestError for a view that the viewer does
-/// not have.
-Document document_of(const render::Picture& picture);
-
-/// Where one has been. What is edited is `now`; `settle` makes a step of what has changed since the last one.
+/// What undo and redo go through. What is edited is `now`; `commit` makes a step of what has changed since
+/// the last one.
 class History {
   public:
     explicit History(Document document) : now(std::move(document)), steps_{now} {}
@@ -73,14 +70,14 @@ class History {
     Document now;
 
     /// Call while nothing is being dragged. Where the camera stands is no step of its own, nor is the time.
-    void settle();
+    void commit();
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
     void undo();
     void redo();
 
   private:
-    void go(std::size_t step);
+    void go_to(std::size_t step);
 
     std::vector<Document> steps_;
     std::size_t at_ = 0;

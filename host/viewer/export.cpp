@@ -1,6 +1,6 @@
 #include "viewer/export.hpp"
 
-#include "error.hpp"
+#include "render/parameters.hpp"
 
 #include <fmt/format.h>
 
@@ -20,29 +20,31 @@ Exporter::~Exporter() {
         thread_.join();
 }
 
-void Exporter::start(const render::Picture& picture, const std::filesystem::path& exr,
+void Exporter::start(const render::Request& request, const std::filesystem::path& exr,
                      const std::optional<std::filesystem::path>& png) {
-    render::check(picture);
-    if (exr.empty() || (png && *png == exr))
-        throw RequestError("an export takes the name of an EXR, and another one for a PNG");
+    render::check(request);
     if (thread_.joinable())
         thread_.join();
     cancelled_ = false;
     done_ = 0;
-    total_ = static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
+    written_.clear();
+    total_ = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     running_ = true;
-    thread_ = std::thread([this, picture, exr, png] {
+    thread_ = std::thread([this, request, exr, png] {
         const auto start = std::chrono::steady_clock::now();
         try {
             const vulkan::Device device(selector_);
-            render::render_file(device, picture, {0, 0, picture.width, picture.height}, {exr, png, "none"},
+            render::render_file(device, request, {0, 0, request.width, request.height}, {exr, png, "none"},
                                 [this](std::uint64_t pixels) {
                                     if (cancelled_)
                                         throw Cancelled();
                                     done_ += pixels;
                                 });
+            for (const std::optional<std::filesystem::path>& path : {std::optional(exr), png})
+                if (path)
+                    written_[std::filesystem::absolute(*path)] = file_stamp(*path);
             result_ =
-                fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), picture.width, picture.height,
+                fmt::format("{}: {} x {} pixels in {:.2f} s", exr.string(), request.width, request.height,
                             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         } catch (const Cancelled&) {
             result_ = "cancelled; no file was written";
@@ -55,10 +57,6 @@ void Exporter::start(const render::Picture& picture, const std::filesystem::path
 
 double Exporter::progress() const {
     return static_cast<double>(done_) / static_cast<double>(total_);
-}
-
-std::string Exporter::result() {
-    return running_ ? std::string() : result_;
 }
 
 } // namespace gabor::viewer

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "render/file.hpp"
+#include "viewer/file_stamp.hpp"
 
 #include <atomic>
+#include <map>
 #include <string>
 #include <thread>
 
@@ -15,15 +17,19 @@ class Exporter {
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
     ~Exporter();
 
-    /// Throws RequestError where the picture or a path will not do. Not while `running`.
-    void start(const render::Picture& picture, const std::filesystem::path& exr,
+    /// Throws RequestError where the request or a path will not do. Not while `running`.
+    void start(const render::Request& request, const std::filesystem::path& exr,
                const std::optional<std::filesystem::path>& png);
     void cancel() { cancelled_ = true; }
 
     bool running() const { return running_; }
     double progress() const; ///< from 0 to 1
     /// What came of the last one: a line to show, empty at first.
-    std::string result();
+    std::string result() const { return running_ ? std::string() : result_; }
+    /// The files of the last one, by their absolute paths; none while it runs.
+    std::map<std::filesystem::path, FileStamp> written() const {
+        return running_ ? decltype(written_)() : written_;
+    }
 
   private:
     std::string selector_;
@@ -32,7 +38,8 @@ class Exporter {
     std::atomic<bool> cancelled_ = false;
     std::atomic<std::uint64_t> done_ = 0;
     std::uint64_t total_ = 1;
-    std::string result_; ///< the thread's while it runs
+    std::string result_; ///< this and `written_` belong to the thread while it runs
+    std::map<std::filesystem::path, FileStamp> written_;
 };
 
 } // namespace gabor::viewer

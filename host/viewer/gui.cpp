@@ -6,7 +6,9 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
+#include <algorithm>
 #include <array>
+#include <deque>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,13 +17,18 @@ namespace gabor::viewer {
 
 namespace {
 
-// Keys whose press came since the last frame: one that is let go before the frame ends must be seen all the
-// same.
-std::vector<int> tapped;
+// Keys pressed since the last frame, with the modifiers held then: they may have been let go before the frame
+// begins, and must be seen all the same.
+struct KeyPress {
+    int key;
+    int modifiers;
+};
+std::deque<KeyPress> key_presses;
 
-void note_key(GLFWwindow*, int key, int, int action, int) {
-    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown))
-        tapped.push_back(key);
+void note_key(GLFWwindow*, int key, int, int action, int modifiers) {
+    const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown) && !is_modifier)
+        key_presses.push_back({key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)});
 }
 
 void check_result(VkResult result) {
@@ -134,14 +141,31 @@ void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    for (const int key : released_)
+    const std::vector<int> previous = std::exchange(released_, {});
+    for (const int key : previous)
         io.KeysDown[key] = false;
-    released_.clear();
-    for (const int key : std::exchange(tapped, {}))
+    const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    // A frame takes the presses up to the first with other modifiers, or of a key that must be seen released
+    // before it is pressed again.
+    const auto has = [](const std::vector<int>& keys, int key) {
+        return std::ranges::find(keys, key) != keys.end();
+    };
+    const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;
+    for (; !key_presses.empty(); key_presses.pop_front()) {
+        const auto [key, with] = key_presses.front();
+        if (with != modifiers || has(previous, key) || has(released_, key))
+            break;
+        io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
+        io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
         if (!io.KeysDown[key]) {
             io.KeysDown[key] = true;
             released_.push_back(key);
         }
+    }
+    for (const KeyPress& later : key_presses)
+        io.KeysDown[later.key] = false;
 }
 
 void Gui::end() {

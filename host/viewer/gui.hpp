@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/window.hpp"
+#include "vulkan/state.hpp"
 
 #include <filesystem>
 

@@ -109,9 +109,11 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
 
     // The noises that the paper compares have their value alone.
-    const int channels = canvas.subject().channels;
-    const auto shown = canvas.subject().ingredients ? 0 : static_cast<std::int32_t>(document.output);
-    const vk::Pipeline pipeline = this->pipeline({shown, document.colours, channels, canvas.stride() > 1});
+    const NoisePass& noise = canvas.noise();
+    const auto shown = noise.ingredients ? 0 : static_cast<std::int32_t>(document.output);
+    const int last = noise.channels.back() == "removed" ? 1 : noise.channels.back() == "A" ? 2 : 0;
+    const vk::Pipeline pipeline =
+        this->pipeline({shown, document.colours, noise.channel_count(), canvas.stride() > 1, last});
 
     ShowPush push{};
     push.origin[0] = static_cast<float>(area.x);
@@ -120,7 +122,8 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.grid[1] = canvas.grid().height;
     push.stride = static_cast<float>(canvas.stride());
     push.contrast = document.contrast;
-    push.slope = static_cast<float>(2 * std::numbers::pi * document.picture.frequency / std::numbers::sqrt2);
+    push.slope = static_cast<float>(2 * std::numbers::pi * noise.request.lobes.front().frequency /
+                                    std::numbers::sqrt2);
 
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});

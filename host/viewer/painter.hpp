@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/canvas.hpp"
+#include "vulkan/state.hpp"
 
 #include <map>
 
@@ -28,7 +29,7 @@ class Painter {
                std::size_t index);
 
     /// The specialization constants of shaders/viewer/show.frag.
-    using Constants = std::array<std::int32_t, 4>;
+    using Constants = std::array<std::int32_t, 5>;
 
   private:
     vk::Pipeline pipeline(const Constants& constants);

@@ -4,18 +4,25 @@
 
 namespace gabor::viewer {
 
-// Each draws itself, and changes the session by what is done to it.
+/// The user interface: each function draws a part of it, and changes the session by what is done to it. Sizes
+/// are in Dear ImGui's units.
 void noise_panel(Session& session);
 void spectrum_panel(Session& session);
 void output_panel(Session& session);
 void measurements_panel(Session& session);
-void take_home_panel(Session& session);
+void files_panel(Session& session);
 void help_window(Session& session);
-/// On the picture itself: names and times of the sides, notes, and what is wrong with a shader.
-/// `width`: of the picture, in Dear ImGui's units.
+void question_window(Session& session);
+/// On the picture itself: the names and times of the panes, messages, and what is wrong with a shader.
 void overlay(const Session& session, float width, float height);
 
-/// A question mark's worth of words over the item before.
-void tip(const char* text);
+/// Keys, and the mouse over a picture of this size, where no panel takes them.
+void handle_input(Session& session, float width, float height);
+
+/// A slider over part of a range, all of which can be typed. Returns whether the value was changed.
+bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& slider);
+
+/// Explains the item before while the pointer rests on it.
+void tooltip(const char* text);
 
 } // namespace gabor::viewer

@@ -1,7 +1,6 @@
 #include "viewer/snippet.hpp"
 
-#include "render/axis.hpp"
-#include "render/pixels.hpp"
+#include "viewer/noise_pass.hpp"
 
 #include <fmt/format.h>
 
@@ -23,56 +22,37 @@ std::string vec2(double x, double y) {
     return fmt::format("vec2({}, {})", literal(x), literal(y));
 }
 
-std::string macros(const noise::Recipe& recipe, std::size_t lobes) {
-    const noise::Recipe& standard = noise::recipes().front();
-    std::string text;
-    if (recipe.impulses != standard.impulses)
-        text += fmt::format("#define GABOR_IMPULSES {}\n", recipe.impulses);
-    if (recipe.radius != standard.radius)
-        text += fmt::format("#define GABOR_RADIUS {}\n", literal(recipe.radius));
-    if (recipe.weight_floor != standard.weight_floor)
-        text += fmt::format("#define GABOR_WEIGHT_FLOOR {}\n", literal(recipe.weight_floor));
-    if (recipe.phases != standard.phases)
-        text += fmt::format("#define GABOR_PHASES {}\n", recipe.phases);
-    if (recipe.window != standard.window)
-        text += fmt::format("#define GABOR_WINDOW vec3({}, {}, {})\n", literal(recipe.window[0]),
-                            literal(recipe.window[1]), literal(recipe.window[2]));
-    if (lobes > 1)
-        text += fmt::format("#define GABOR_LOBES {}\n", lobes);
-    return text;
-}
-
 std::string lobe(const noise::Lobe& lobe) {
-    return fmt::format("gabor_lobe({}, {}, {}, {}, {})", literal(lobe.frequency), literal(lobe.orientation),
-                       literal(lobe.frequency_spread), literal(lobe.orientation_spread), literal(lobe.power));
+    return fmt::format("gabor_lobe({}, {}, {}, {}, {})", literal(lobe.frequency), literal(lobe.angle()),
+                       literal(lobe.frequency_spread), literal(noise::radians(lobe.orientation_spread)),
+                       literal(lobe.power));
 }
 
 // The noise at `place`, as seen through `footprint` where there is a filter.
-std::string value(const render::Picture& picture, std::string_view kernel, std::string_view seed) {
-    return picture.filter ? fmt::format("gabor_field_filtered(place, {}, footprint, {}).y", kernel, seed)
+std::string value(const render::Request& request, std::string_view kernel, std::string_view seed) {
+    return request.filter ? fmt::format("gabor_field_filtered(place, {}, footprint, {}).y", kernel, seed)
                           : fmt::format("gabor_field(place, {}, {}).value.y", kernel, seed);
 }
 
-std::string noise_at_place(const render::Picture& picture) {
-    const std::vector<noise::Lobe> lobes = render::spectrum(picture);
-    const std::string seed = fmt::format("{}u", picture.seed);
+std::string noise_at_place(const render::Request& request) {
+    const std::vector<noise::Lobe>& lobes = request.lobes;
+    const std::string seed = fmt::format("{}u", request.seed);
     const noise::Lobe& first = lobes.front();
-    if (lobes.size() == 1 && first.frequency_spread == 0 && first.orientation_spread == 0)
+    if (lobes.size() == 1 && first.is_one_wave())
         return fmt::format("    GaborKernel kernel = gabor_kernel({}, {});\n    return {};\n",
-                           literal(first.frequency), literal(first.orientation),
-                           value(picture, "kernel", seed));
+                           literal(first.frequency), literal(first.angle()), value(request, "kernel", seed));
     if (lobes.size() == 1)
         return fmt::format("    GaborKernel kernel = gabor_kernel_lobe({});\n    return {};\n", lobe(first),
-                           value(picture, "kernel", seed));
+                           value(request, "kernel", seed));
     std::string text = fmt::format("    GaborLobes lobes;\n    lobes.count = {};\n", lobes.size());
-    double together = 0;
+    double total_power = 0;
     for (std::size_t i = 0; i < lobes.size(); ++i) {
         text += fmt::format("    lobes.lobe[{}] = {};\n", i, lobe(lobes[i]));
-        together += lobes[i].power;
+        total_power += lobes[i].power;
     }
-    if (!picture.sum)
+    if (!request.sum)
         return text + fmt::format("    GaborKernel kernel = gabor_kernel_lobes(lobes);\n    return {};\n",
-                                  value(picture, "kernel", seed));
+                                  value(request, "kernel", seed));
     return text + fmt::format(R"(    float sum = 0.0; // of independent noises
     for (int i = 0; i < {}; ++i) {{
         uint own_seed = gabor_mix({} + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
@@ -81,21 +61,21 @@ std::string noise_at_place(const render::Picture& picture) {
     }}
     return sum;
 )",
-                              lobes.size(), seed, literal(together), value(picture, "kernel", "own_seed"));
+                              lobes.size(), seed, literal(total_power), value(request, "kernel", "own_seed"));
 }
 
 std::string of_plane(const Document& document, Extent extent) {
-    const render::Picture& picture = document.picture;
-    const render::Axis x_axis = render::axis_along(picture, picture.width);
-    const render::Axis y_axis = render::axis_along(picture, picture.height);
-    const bool horizon = document.view() == View::perspective;
+    const render::Request& request = document.request;
+    const render::Axis x_axis = render::axis_along(request, request.width);
+    const render::Axis y_axis = render::axis_along(request, request.height);
+    const bool horizon = std::holds_alternative<render::Horizon>(request.view);
     // The middle of the first pixel; or where the camera stands.
     const auto place = [&](const Coordinate& middle, int pixels, double radius) {
-        return place_at(middle, horizon ? 0 : (0.5 - pixels / 2.0) / picture.scale, radius);
+        return axis_point(middle, horizon ? 0 : (0.5 - pixels / 2.0) / request.scale, radius);
     };
-    const AxisPlace x = place(document.camera.x, extent.width, x_axis.radius);
-    const AxisPlace y = place(document.camera.y, extent.height, y_axis.radius);
-    const double time = picture.time - std::floor(picture.time);
+    const passes::Line x = place(document.camera.x, extent.width, x_axis.radius);
+    const passes::Line y = place(document.camera.y, extent.height, y_axis.radius);
+    const double time = request.time - std::floor(request.time);
     std::string text =
         fmt::format(R"(
 // pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
@@ -117,48 +97,42 @@ float noise_of_view(vec2 pixel)
     vec2 dx = vec2(near, 0.0);
     vec2 dy = near / at.y * vec2(-at.x, {});
 )",
-                        vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / picture.scale),
+                        vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / request.scale),
                         literal(-extent.width), literal(extent.width));
     } else {
         text += fmt::format("    place.local += (pixel - 0.5) * {} * place.radius;\n",
-                            literal(1 / picture.scale));
-        if (picture.filter)
-            text += fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / picture.scale, 0),
-                                vec2(0, 1 / picture.scale));
+                            literal(1 / request.scale));
+        if (request.filter)
+            text += fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / request.scale, 0),
+                                vec2(0, 1 / request.scale));
     }
-    if (picture.filter)
+    if (request.filter)
         text += "    GaborFootprint footprint = gabor_footprint(dx, dy);\n";
-    return text + noise_at_place(picture) + "}\n";
+    return text + noise_at_place(request) + "}\n";
 }
 
-std::string of_body(const Document& document) {
-    const render::Picture& picture = document.picture;
-    const noise::Lobe first = render::spectrum(picture).front();
-    const std::string frequency = literal(first.frequency);
-    const std::string direction = fmt::format("vec3({}, {}, 0.0)", literal(std::cos(first.orientation)),
-                                              literal(std::sin(first.orientation)));
-    std::string kernel;
-    switch (document.waves) {
-    case Waves::oriented:
-        kernel = fmt::format("gabor_kernel_3d({}, {})", frequency, direction);
-        break;
-    case Waves::isotropic:
-        kernel = fmt::format("gabor_kernel_isotropic_3d({})", frequency);
-        break;
-    case Waves::surface:
-        kernel = fmt::format("gabor_kernel_surface({}, {}, normal)", frequency, direction);
-        break;
-    case Waves::surface_isotropic:
-        kernel = fmt::format("gabor_kernel_surface_isotropic({}, normal)", frequency);
-        break;
-    }
+std::string of_space(const render::Request& request) {
+    const noise::Lobe& lobe = request.lobes.front();
+    const render::Body* body = std::get_if<render::Body>(&request.view);
+    const bool on_surface = body && !body->solid;
+    std::string arguments = literal(lobe.frequency);
+    if (!render::is_isotropic(lobe))
+        arguments += fmt::format(", vec3({}, {}, 0.0)", literal(std::cos(lobe.angle())),
+                                 literal(std::sin(lobe.angle())));
+    if (on_surface)
+        arguments += ", normal";
+    const std::string kernel =
+        fmt::format("gabor_kernel_{}({})",
+                    render::is_isotropic(lobe) ? (on_surface ? "surface_isotropic" : "isotropic_3d")
+                                               : (on_surface ? "surface" : "3d"),
+                    arguments);
     const std::string filtered =
-        !picture.filter ? ""
+        !request.filter ? ""
                         : R"(    kernel = gabor_filtered_3d(kernel, dFdx(p), dFdy(p)); // in a fragment shader
 )";
     return fmt::format(R"(#include "gabor_noise_3d.glsl" // and this one
 
-// p: a place on or in the body, in kernel radii. normal: of the surface there, of length 1.
+// p: a point on or in the body, in kernel radii. normal: of the surface there, of length 1.
 // Mean 0, variance 1; gabor_unorm(noise_of_body(p, normal)) is what to show.
 float noise_of_body(vec3 p, vec3 normal)
 {{
@@ -168,20 +142,25 @@ float noise_of_body(vec3 p, vec3 normal)
     return gabor_field_3d(place, kernel, {}u).value.y;
 }}
 )",
-                       kernel, filtered, literal(picture.time - std::floor(picture.time)), picture.seed);
+                       kernel, filtered, literal(double{render::wrapped_time(request)}), request.seed);
 }
 
 } // namespace
 
 std::string snippet(const Document& document, Extent extent) {
-    const render::Picture& picture = document.picture;
+    const render::Request& request = document.request;
+    const bool space = render::in_space(request);
     std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
-    if (!document.body)
-        text += macros(noise::find_recipe(picture.recipe), render::spectrum(picture).size());
-    if (!picture.paint.empty())
+    if (!space) {
+        for (const noise::Macro& macro : noise::macros(request.recipe))
+            text += fmt::format("#define {} {}\n", macro.name, macro.value);
+        if (request.lobes.size() > 1)
+            text += fmt::format("#define GABOR_LOBES {}\n", request.lobes.size());
+    }
+    if (!request.paint.empty())
         text += "// Frequency and orientation were painted; here they are those beside the paint.\n";
     text += "#include \"gabor_noise.glsl\" // or paste it here\n";
-    return text + (document.body ? of_body(document) : of_plane(document, extent));
+    return text + (space ? of_space(request) : of_plane(document, extent));
 }
 
 } // namespace gabor::viewer

@@ -44,6 +44,7 @@ class Pass {
     std::unique_ptr<State> state_;
 };
 
+/// Workgroups along each axis.
 struct Groups {
     std::uint32_t x = 1;
     std::uint32_t y = 1;

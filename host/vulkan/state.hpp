@@ -24,6 +24,7 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
 inline constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
+/// What Device owns, in the order of its making.
 struct Device::State {
     vk::raii::Context context;
     vk::raii::Instance instance;
@@ -39,6 +40,7 @@ struct Device::State {
     bool executable_properties = false; ///< VK_KHR_pipeline_executable_properties is enabled
 };
 
+/// What Buffer owns.
 struct Buffer::State {
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer buffer = nullptr;
@@ -46,6 +48,7 @@ struct Buffer::State {
     std::size_t bytes = 0;
 };
 
+/// What Pass owns.
 struct Pass::State {
     vk::raii::DescriptorSetLayout set_layout = nullptr;
     vk::raii::PipelineLayout layout = nullptr;

@@ -11,9 +11,9 @@
 // row, and the last factor, which all impulses share, once for each pixel; exponentials at even distances follow from
 // the first by rotation. Derivatives have q' for q and gain the factor 2 pi i F.
 //
-// To use it in an engine, cut columns and rows into runs as host/render/runs.cpp does, and set the push constants as
-// host/render/bake.cpp does.
+// To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
+#include "passes/bake_interface.h"
 #include "recipe.glsl"
 
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
@@ -25,36 +25,11 @@ const int impulses = visited * visited * recipe_impulses;
 
 const int channels = 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0);
 
-layout(local_size_x = 32) in;
-
-// Consecutive pixels that visit the same cells along an axis.
-struct Run {
-    int cell;    // the first of them
-    float local; // place of the first pixel, in cells from where the next cell begins
-    int first;   // that pixel in the picture; may be outside
-    int count;   // at most block_columns along x
-};
+layout(local_size_x = bake_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Columns { Run columns[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
 layout(std430, set = 0, binding = 2) writeonly buffer Picture { float picture[]; };
-
-layout(push_constant) uniform Push {
-    vec2 wave;        // as in GaborKernel
-    vec2 column_turn; // cos and sin of the phase from one column to the next
-    vec2 row_turn;    // and from one row to the next
-    vec2 radius;      // as in GaborPlace
-    ivec2 period;     // as in GaborPlace
-    float time;       // as in GaborPlace, within [0, 1)
-    float amplitude;  // as in GaborKernel, times what fewer cells per radius take
-    float pixel;      // kernel radii per pixel
-    uint seed;
-    int width;
-    int height;
-    int first_row;    // of the band, in the units of Run.first
-    uint column_runs;
-    uint first_row_run;
-};
 
 vec2 rotated(vec2 z, vec2 by)
 {

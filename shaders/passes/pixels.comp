@@ -7,6 +7,7 @@
 #define GABOR_LOBES 16
 #endif
 
+#include "passes/pixels_interface.h"
 #include "recipe.glsl"
 
 layout(constant_id = 7) const int lobe_count = 0; // 0: one frequency and orientation
@@ -21,21 +22,7 @@ layout(constant_id = 15) const int values = 1; // uncorrelated ones
 const int channels = values + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
-layout(local_size_x = 8, local_size_y = 8) in;
-
-// Where the pixels of a column or a row are: in cells, or in perspective in pixels from the horizon's middle.
-struct Line {
-    int cell;
-    float local;
-};
-
-struct Lobe {
-    float frequency;
-    float orientation;
-    float frequency_spread;
-    float orientation_spread;
-    float power;
-};
+layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
@@ -43,39 +30,15 @@ layout(std430, set = 0, binding = 2) readonly buffer Lobes { Lobe lobes[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
 layout(std430, set = 0, binding = 4) writeonly buffer Picture { float picture[]; };
 
-layout(push_constant) uniform Push {
-    vec2 radius;  // as in GaborPlace
-    ivec2 period; // as in GaborPlace
-    float time;   // as in GaborPlace
-    float frequency;
-    float orientation;
-    float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
-    float focal_length; // pixels, in perspective
-    uint seed;
-    int width;
-    int height;
-    int first_row;        // of the band
-    int paint_width;
-    int paint_height;
-    float paint_scale_x; // samples of the paint per pixel
-    float paint_scale_y;
-    float paint_x;        // the region's corner in the paint
-    float paint_y;
-    float camera_x;       // in perspective: where it stands in its cell
-    float camera_y;
-    int before;           // pixels before those of the band
-};
-
 // Frequency and orientation at a pixel, between the samples of the paint around it.
 vec2 painted_at(vec2 pixel)
 {
-    vec2 at = clamp(vec2(paint_x, paint_y) + (pixel + 0.5) * vec2(paint_scale_x, paint_scale_y) - 0.5, vec2(0.0),
-                    vec2(paint_width - 1, paint_height - 1));
+    vec2 at = clamp(paint_corner + (pixel + 0.5) * paint_scale - 0.5, vec2(0.0), vec2(paint_size - 1));
     ivec2 low = ivec2(at);
-    ivec2 high = min(low + 1, ivec2(paint_width - 1, paint_height - 1));
+    ivec2 high = min(low + 1, paint_size - 1);
     vec2 between = at - vec2(low);
-    return mix(mix(paint[low.y * paint_width + low.x], paint[low.y * paint_width + high.x], between.x),
-               mix(paint[high.y * paint_width + low.x], paint[high.y * paint_width + high.x], between.x), between.y);
+    return mix(mix(paint[low.y * paint_size.x + low.x], paint[low.y * paint_size.x + high.x], between.x),
+               mix(paint[high.y * paint_size.x + low.x], paint[high.y * paint_size.x + high.x], between.x), between.y);
 }
 
 GaborLobe lobe_at(int i)
@@ -107,13 +70,13 @@ Values evaluate(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, 
 Values evaluate_sum(GaborPlace place, GaborFootprint footprint)
 {
     Values sum = Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 0.0);
-    float together = 0.0;
+    float total_power = 0.0;
     for (int i = 0; i < lobe_count; ++i)
-        together += lobes[i].power;
+        total_power += lobes[i].power;
     for (int i = 0; i < lobe_count; ++i) {
         uint instance = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
         Values one = evaluate(place, gabor_kernel_lobe(lobe_at(i)), footprint, instance);
-        float share = lobes[i].power / together;
+        float share = lobes[i].power / total_power;
         sum.field.value += sqrt(share) * one.field.value;
         sum.field.slope_x += sqrt(share) * one.field.slope_x;
         sum.field.slope_y += sqrt(share) * one.field.slope_y;
@@ -180,7 +143,7 @@ void main()
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
         float near = pixel / row.local;
-        place.local = near * vec2(column.local, -focal_length) * radius + vec2(camera_x, camera_y);
+        place.local = near * vec2(column.local, -focal_length) * radius + camera;
         dx = vec2(near, 0.0);
         dy = near / row.local * vec2(-column.local, focal_length);
     }

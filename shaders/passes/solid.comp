@@ -5,43 +5,45 @@
 // Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective.
 //
 // Bodies are in a unit of their own, in which the sphere has radius 1. The camera looks at their centre from a distance
-// of 4, from 30 degrees above the plane z = 0.
+// of 4. The torus lies within the sphere.
 
-layout(constant_id = 0) const int view = 0;     // 0 slice, 1 sphere, 2 torus
-layout(constant_id = 1) const int waves = 0;    // 0 oriented, 1 isotropic, 2 and 3 the same tangent to the surface
-layout(constant_id = 2) const int filtered = 1; // by the pixel's footprint
+#include "passes/solid_interface.h"
+
+layout(constant_id = 0) const int view = 0;             // 0 slice, 1 sphere, 2 torus
+layout(constant_id = 1) const bool isotropic = false;   // else all waves go along `direction`
+layout(constant_id = 2) const bool on_surface = false;  // waves are tangent to the surface
+layout(constant_id = 3) const bool filtered = true;     // by the pixel's footprint
+layout(constant_id = 4) const bool with_quadrature = false;
+layout(constant_id = 5) const bool with_gradient = false; // along the picture's right and down
+layout(constant_id = 6) const bool with_phasor = false;
+layout(constant_id = 7) const int rays = 4; // through a pixel for its coverage, along each axis; 0: that of its centre
+const int channels = 2 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0);
 
 #define GABOR_UNROLL [[unroll]]
 #include "gabor_noise.glsl"
 #include "gabor_noise_3d.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
-layout(std430, set = 0, binding = 0) writeonly buffer Pixels { vec2 pixels[]; }; // noise, coverage
+layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
-layout(push_constant) uniform Push {
-    float center_x; // of the picture, in pixels from the corner
-    float center_y;
-    float pixel;    // side of a pixel: of the slice in kernel radii, else in the plane at distance 1
-    float unit;     // kernel radii in a body's unit
-    float depth;    // z of the slice, kernel radii
-    float frequency;
-    float direction_x;
-    float direction_y;
-    float direction_z;
-    uint seed;
-    int first_column; // of these pixels in the picture
-    int first_row;
-    int columns;
-    int rows;
-};
-
-const vec3 toward_eye = vec3(0.0, -0.8660254, 0.5);
-const vec3 right = vec3(1.0, 0.0, 0.0);
-const vec3 up = vec3(0.0, 0.5, 0.8660254);
 const float eye_distance = 4.0;
 const float torus_large = 0.68; // radius of the circle around the axis z, and of the tube
 const float torus_small = 0.3;
+
+// Of the camera, of length 1.
+struct Axes {
+    vec3 right;
+    vec3 up;
+    vec3 toward_eye;
+};
+
+Axes camera_axes()
+{
+    vec3 right = vec3(yaw.x, yaw.y, 0.0);
+    vec3 toward_eye = vec3(yaw.y * pitch.x, -yaw.x * pitch.x, pitch.y);
+    return Axes(right, vec3(-yaw.y * pitch.y, yaw.x * pitch.y, pitch.x), toward_eye);
+}
 
 struct Hit {
     bool found;
@@ -61,16 +63,15 @@ vec3 torus_normal(vec3 p)
 }
 
 // A ray from the eye; its direction has length 1 along the axis of the camera.
-vec3 ray_of(vec2 at)
+vec3 ray_of(vec2 at, Axes axes)
 {
-    vec2 plane = pixel * (at - vec2(center_x, center_y));
-    return plane.x * right - plane.y * up - toward_eye;
+    vec2 plane = pixel * (at - center);
+    return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
 }
 
-Hit sphere_hit(vec3 ray)
+// From the ray's foot, where it is nearest to the centre: the quadratic equation without its cancellation.
+Hit sphere_hit(vec3 eye, vec3 ray)
 {
-    vec3 eye = eye_distance * toward_eye;
-    // From the ray's foot, where it is nearest to the centre: the quadratic equation without its cancellation.
     float foot = -dot(eye, ray) / dot(ray, ray);
     vec3 nearest = eye + foot * ray;
     float square = 1.0 - dot(nearest, nearest);
@@ -81,9 +82,8 @@ Hit sphere_hit(vec3 ray)
 
 // By sphere tracing with a shortest step: what it steps over is a chord of 0.001, 10^-6 below the surface. A step that
 // ends inside the body is halved until the surface is found.
-Hit torus_hit(vec3 ray)
+Hit torus_hit(vec3 eye, vec3 ray)
 {
-    vec3 eye = eye_distance * toward_eye;
     float side = length(ray);
     float t = (eye_distance - torus_large - torus_small) / side;
     float gap = distance_to_torus(eye + t * ray);
@@ -103,62 +103,89 @@ Hit torus_hit(vec3 ray)
     return Hit(found, t, p - distance_to_torus(p) * normal, normal);
 }
 
-Hit hit_of(vec2 at)
+Hit hit_of(vec2 at, Axes axes)
 {
+    vec3 eye = eye_distance * axes.toward_eye;
     if (view == 1)
-        return sphere_hit(ray_of(at));
-    return torus_hit(ray_of(at));
+        return sphere_hit(eye, ray_of(at, axes));
+    return torus_hit(eye, ray_of(at, axes));
 }
 
-float noise_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
+GaborField3d field_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
 {
-    vec3 direction = vec3(direction_x, direction_y, direction_z);
-    GaborKernel3d kernel = gabor_kernel_3d(frequency, direction);
-    if (waves == 1)
-        kernel = gabor_kernel_isotropic_3d(frequency);
-    if (waves == 2)
-        kernel = gabor_kernel_surface(frequency, direction, normal);
-    if (waves == 3)
+    vec3 along = vec3(direction, 0.0);
+    GaborKernel3d kernel;
+    if (on_surface && isotropic)
         kernel = gabor_kernel_surface_isotropic(frequency, normal);
-    if (filtered == 1)
+    else if (on_surface)
+        kernel = gabor_kernel_surface(frequency, along, normal);
+    else if (isotropic)
+        kernel = gabor_kernel_isotropic_3d(frequency);
+    else
+        kernel = gabor_kernel_3d(frequency, along);
+    if (filtered)
         kernel = gabor_filtered_3d(kernel, dx, dy);
-    return gabor_noise_3d_at(ivec3(0), p * GABOR_3D_RADIUS, kernel, seed);
+    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_3D_RADIUS);
+    place.time = time;
+    return gabor_field_3d(place, kernel, seed);
+}
+
+void write_pixel(int at, GaborField3d field, float coverage, Axes axes)
+{
+    picture[at++] = field.value.y;
+    if (with_quadrature)
+        picture[at++] = field.value.x;
+    if (with_gradient) {
+        vec3 slope = vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y);
+        picture[at++] = dot(slope, axes.right);
+        picture[at++] = dot(slope, -axes.up);
+    }
+    if (with_phasor) {
+        vec2 phasor = gabor_phasor(field.value);
+        picture[at++] = phasor.x;
+        picture[at++] = phasor.y;
+    }
+    picture[at] = coverage;
 }
 
 void main()
 {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (at.x >= columns || at.y >= rows)
+    ivec2 here = ivec2(gl_GlobalInvocationID.xy);
+    if (here.x >= width || here.y >= height)
         return;
-    int index = at.y * columns + at.x;
-    vec2 corner = vec2(at + ivec2(first_column, first_row));
-    if (view == 0) {
+    int at = (before + here.y * width + here.x) * channels;
+    vec2 corner = vec2(here + ivec2(first_column, first_row));
+    if (view == 0) { // its axes are those of the plane, y growing downwards
+        Axes flat_axes = Axes(vec3(1.0, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, 1.0));
         vec3 p = vec3(pixel * (corner + 0.5), depth);
-        vec3 normal = vec3(0.0, 0.0, 1.0);
-        pixels[index] = vec2(noise_at(p, normal, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0)), 1.0);
+        GaborField3d field = field_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));
+        write_pixel(at, field, 1.0, flat_axes);
         return;
     }
-    // Coverage by 16 rays; where the central one misses, the noise is that of the first that hit.
-    Hit hit = hit_of(corner + 0.5);
-    float coverage = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        Hit other = hit_of(corner + (vec2(float(i & 3), float(i >> 2)) + 0.5) * 0.25);
+    // Where the central ray misses, the noise is that of the first that hits.
+    Axes axes = camera_axes();
+    Hit hit = hit_of(corner + 0.5, axes);
+    float coverage = hit.found && rays == 0 ? 1.0 : 0.0;
+    for (int i = 0; i < rays * rays; ++i) {
+        vec2 within = (vec2(float(i % rays), float(i / rays)) + 0.5) / float(rays);
+        Hit other = hit_of(corner + within, axes);
         if (other.found) {
-            coverage += 0.0625;
+            coverage += 1.0 / float(rays * rays);
             if (!hit.found)
                 hit = other;
         }
     }
     if (!hit.found) {
-        pixels[index] = vec2(0.0);
+        for (int i = 0; i < channels; ++i)
+            picture[at + i] = 0.0;
         return;
     }
     // How far the ray's end moves in the tangent plane (Igehy, "Tracing ray differentials", 1999).
-    vec3 ray = hit.p - eye_distance * toward_eye;
+    vec3 ray = hit.p - eye_distance * axes.toward_eye;
     float facing = min(dot(ray, hit.normal), -1.0e-4);
-    vec3 dx = hit.distance * pixel * right;
-    vec3 dy = -hit.distance * pixel * up;
+    vec3 dx = hit.distance * pixel * axes.right;
+    vec3 dy = -hit.distance * pixel * axes.up;
     dx -= dot(dx, hit.normal) / facing * ray;
     dy -= dot(dy, hit.normal) / facing * ray;
-    pixels[index] = vec2(noise_at(unit * hit.p, hit.normal, unit * dx, unit * dy), coverage);
+    write_pixel(at, field_at(unit * hit.p, hit.normal, unit * dx, unit * dy), coverage, axes);
 }

@@ -3,10 +3,16 @@
 
 // Any of the noises that the paper compares, the seminal one among them, for the viewer.
 
+#include "viewer/ingredients_interface.h"
 #include "../passes/ingredients.glsl"
-#include "view.glsl"
 
-layout(constant_id = 12) const int horizon = 0; // 1: a plane in perspective
+layout(constant_id = 12) const bool horizon = false; // a plane in perspective
+
+layout(local_size_x = ingredients_group, local_size_y = ingredients_group) in;
+
+layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
+layout(std430, set = 0, binding = 2) writeonly buffer Picture { float picture[]; };
 
 void main()
 {
@@ -17,15 +23,12 @@ void main()
     Line column = columns[here.x];
     Line row = rows[here.y + first_row];
     vec2 local = vec2(column.local, row.local);
-    if (horizon == 1) {
+    if (horizon) {
         if (row.local <= 0.0) { // the sky
             picture[at] = 0.0;
             return;
         }
-        local = pixel / row.local * vec2(column.local, -focal_length) + vec2(camera_x, camera_y);
+        local = pixel / row.local * vec2(column.local, -focal_length) + camera;
     }
-    // Cells are told by floats here: 1024 of them each way keep the offsets precise, and then it repeats.
-    vec2 p = vec2(ivec2(column.cell, row.cell) & 1023) + local;
-    vec2 wave = frequency * vec2(cos(orientation), sin(orientation));
-    picture[at] = amplitude * gabor_ingredients(p, wave, seed);
+    picture[at] = amplitude * gabor_ingredients(ivec2(column.cell, row.cell), local, wave, seed);
 }

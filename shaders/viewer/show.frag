@@ -12,6 +12,7 @@ layout(constant_id = 0) const int shown = 0;    // 0 value, 1 gradient, 2 phase,
 layout(constant_id = 1) const int colours = 0;  // the colour map
 layout(constant_id = 2) const int channels = 1;
 layout(constant_id = 3) const int coarse = 0;   // 1 where the grid is coarser than the pixels
+layout(constant_id = 4) const int last = 0;     // the last channel: 1 variance removed by the filter, 2 coverage
 
 layout(push_constant) uniform Push {
     vec2 origin;    // of the canvas in the framebuffer, pixels
@@ -45,10 +46,6 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy - origin;
     float noise = value(pixel, 0);
-    if (noise > 1.0e5) { // beside the body
-        colour = vec4(0.05, 0.05, 0.055, 1.0);
-        return;
-    }
     vec3 seen;
     if (shown == 1) {
         vec3 normal = normalize(vec3(-value(pixel, 1), -value(pixel, 2), 2.0 * slope / contrast));
@@ -61,9 +58,10 @@ void main()
         else
             seen = viewer_colour(colours, length(vec2(noise, other)) / (1.5 * contrast));
     } else if (shown == 4) {
-        seen = viewer_colour(colours, channels > 1 ? 1.0 - value(pixel, channels - 1) : 1.0); // less what the filter took
+        seen = viewer_colour(colours, last == 1 ? 1.0 - value(pixel, channels - 1) : 1.0);
     } else {
         seen = viewer_colour(colours, 0.5 + 0.5 * noise / contrast);
     }
-    colour = vec4(clamp(seen, 0.0, 1.0), 1.0);
+    float coverage = last == 2 ? value(pixel, channels - 1) : 1.0;
+    colour = vec4(mix(vec3(0.05, 0.05, 0.055), clamp(seen, 0.0, 1.0), coverage), 1.0);
 }

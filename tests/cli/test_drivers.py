@@ -38,7 +38,7 @@ class Drivers(ProgramTest):
 
     @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
     def test_two_drivers_agree(self):
-        """Each is within 2e-5 of the exact noise up to frequency 4, in proportion above: see render/picture.hpp."""
+        """Each is within 2e-5 of the exact noise up to frequency 4, in proportion above: see render/request.hpp."""
         for options in REQUESTS:
             pixels = []
             for driver in (LAVAPIPE, SWIFTSHADER):

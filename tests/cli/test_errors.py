@@ -77,9 +77,12 @@ class Words(ErrorTest):
         self.refuse_render(["--paint"], "--paint")
         self.refuse_render(["paint"], "paint")
         self.assert_refused(["everything"], "devices", "everything")
+        self.assert_refused(["'first'"], "devices", "first", "second")
+        self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--freqency=3")
+        self.assert_refused(["did you mean render?"], "rendr")
 
     def test_missing_words(self):
-        self.assert_refused(["subcommand"])
+        self.assertEqual(self.succeed(), self.succeed("--help"))
         self.assert_refused(["--output"], "render")
         self.assert_refused(["--output"], "render", "-o")
         self.assert_refused(["FILE"], "stats")
@@ -96,8 +99,20 @@ class Outputs(ErrorTest):
         (self.folder / "folder").mkdir()
         for output in ("missing/out.exr", "file/out.exr", "folder", "folder/", ".", "/", ""):
             self.assert_refused(["cannot write", output], "render", "-o", output)
+        for output in ("missing/out.png", "file/out.png", "folder", "folder/", ".", "/", ""):
             self.assert_refused(["cannot write", output], "render", "-o", "out.exr", "--png", output)
         self.assert_refused(["cannot write"], "render", "-o", "x" * 256 + ".exr")
+
+    def test_extensions_decide(self):
+        for output in ("out.jpg", "out.exr.4", "-"):
+            self.assert_refused([f"-o '{output}'", ".exr or .png"], "render", "-o", output)
+        self.assert_refused(["--png 'out.jpg'", ".png"], "render", "-o", "out.exr", "--png", "out.jpg")
+        self.assert_refused(["-o and --png"], "render", "-o", "a.png", "--png", "b.png")
+        self.succeed("render", "-o", "both.exr", "--png", "both.png", "--size=20x10")
+        self.succeed("render", "-o", "alone.png", "--size=20x10")
+        files = self.files()
+        self.assertEqual(files["alone.png"], files["both.png"])
+        self.assertEqual(sorted(files), ["alone.png", "both.exr", "both.png"])
 
     def test_one_name_for_two_files(self):
         for png in ("out.exr", "./out.exr", str(self.folder / "out.exr")):
@@ -141,10 +156,10 @@ class LikeFiles(ErrorTest):
 
     def test_what_is_absent_keeps_its_default(self):
         write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, '{"seed": 7}')
-        self.succeed("render", "-o", "like.exr.4", "--like", "like.exr")
-        self.succeed("render", "-o", "plain.4", "--seed=7", "--region=0,0,4,4")
+        self.succeed("render", "-o", "of_like.exr", "--like", "like.exr")
+        self.succeed("render", "-o", "plain.exr", "--seed=7", "--region=0,0,4,4")
         files = self.files()
-        self.assertEqual(files["like.exr.4"], files["plain.4"])
+        self.assertEqual(files["of_like.exr"], files["plain.exr"])
 
 
 class Devices(ErrorTest):

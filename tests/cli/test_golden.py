@@ -1,6 +1,6 @@
 """The pixels of this version: 8 x 8 of them for each recipe, block by block and pixel by pixel, in the first and in the
 last corner of the largest picture. On Mesa 22.3's lavapipe, Debian 12's, they are the numbers of tests/golden/pixels.txt
-bit for bit; on other drivers within the tolerance that render/picture.hpp states. Whoever changes them changes the
+bit for bit; on other drivers within the tolerance that render/request.hpp states. Whoever changes them changes the
 version. After a change that is meant, this writes the file anew, and the diff shows what changed:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py

@@ -1,5 +1,7 @@
 """`gabor devices`, --help and --version."""
 
+import json
+import pathlib
 import re
 import unittest
 
@@ -12,7 +14,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "stats", "bench", "devices"):
+        for command in ("render", "stats", "bench", "devices", "recipes"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -21,12 +23,27 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--compression", "--device", "--verbose"),
-                   "stats": ("FILE", "--channel", "--json"), "devices": (),
+                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
+                   "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
                    "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():
             text = self.succeed(command, "--help")
-            self.assertEqual(set(re.findall(r"(?m)^  ([-\w,]+) ", text)), {"-h,--help", *names}, command)
+            listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
+            self.assertEqual(listed, {"-h,--help", *names}, command)
+
+    def test_recipes_are_those_of_the_readme(self):
+        readme = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
+        recipes = json.loads(self.succeed("recipes", "--json"))
+        self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-\w+\.png\) \| `(\w+)`", readme),
+                         [recipe["name"] for recipe in recipes])
+        text = self.succeed("recipes")
+        for recipe in recipes:
+            row = re.search(rf"(?m)^\|[^|]*\| `{recipe['name']}` \| (\d+) \|.*\|([^|]*)\|$", readme)
+            self.assertEqual(int(row[1]), recipe["visited"])
+            macros = dict(macro.split(" ", 1) for macro in re.findall(r"`([^`]+)`", row[2]))
+            self.assertEqual(macros, recipe["macros"])
+            for macro in recipe["macros"].items():
+                self.assertIn("#define {} {}\n".format(*macro), text)
 
     def test_help_writes_nothing(self):
         self.succeed("render", "-o", "out.exr", "--help")

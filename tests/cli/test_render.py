@@ -14,8 +14,9 @@ from program import ProgramTest, gabor
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
             "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
-            "orientation_spread": 0, "lobes": [], "sum": False, "filter": False, "view": "flat", "paint": "",
-            "phasor": False, "values": 1, "solid": False, "depth": 0}
+            "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1}
+# What only some views have, and lists of lobes.
+OF_SOME = {"lobes": None, "sum": False, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1}
 
 
 class RenderTest(ProgramTest):
@@ -133,7 +134,7 @@ class Like(RenderTest):
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--values=3"], ["--filter"],
-                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid"], ["--paint=paint.exr"], ["--sum", "--preset=fabric"]]
+                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--sum", "--preset=fabric"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
@@ -145,8 +146,8 @@ class Like(RenderTest):
             self.assertEqual(again.attributes, made.attributes)
             for channel, values in made.channels.items():
                 self.assert_same_bits(again.channels[channel], values)
-            unlike |= {name for name, value in made.parameters.items() if value != DEFAULTS[name]}
-        self.assertEqual(unlike, set(DEFAULTS))
+            unlike |= {name for name, value in made.parameters.items() if value != {**DEFAULTS, **OF_SOME}[name]}
+        self.assertEqual(unlike, {*DEFAULTS, *OF_SOME})
 
     def test_options_override_it(self):
         self.render(output="made.exr", **SMALL)
@@ -166,6 +167,22 @@ class Like(RenderTest):
     def test_it_may_name_the_output(self):
         made = self.render(region="11,13,29,17", **SMALL)
         self.assert_same_bits(self.render(like="out.exr").pixels, made.pixels)
+
+
+class Flags(RenderTest):
+    def test_a_flag_can_be_taken_back(self):
+        self.succeed("render", "-o", "made.exr", "--tileable", "--gradient", "--size=80x80", "--no-quadrature")
+        made = Exr(self.folder / "made.exr")
+        self.assertEqual((made.parameters["tileable"], made.parameters["gradient"]), (True, True))
+        self.succeed("render", "-o", "again.exr", "--like=made.exr", "--no-tileable", "--no-gradient")
+        self.succeed("render", "-o", "plain.exr", "--size=80x80")
+        files = self.files()
+        self.assertEqual(files["again.exr"], files["plain.exr"])
+        self.assert_fails(2, ["tileable"], "render", "-o", "out.exr", "--tileable=3")
+
+    def test_an_angle_has_a_unit(self):
+        for text, degrees in (("45", 45), ("45deg", 45), ("0.7853981633974483rad", 45), ("-30deg", -30)):
+            self.assertAlmostEqual(self.render(size="8x8", orientation=text).parameters["orientation"], degrees, delta=1e-12)
 
 
 class Channels(RenderTest):

@@ -1,8 +1,8 @@
-// In place of host/vulkan/device.cpp when it is linked: a machine without Vulkan. A request then goes as far
+// In place of host/vulkan when it is linked: a machine without Vulkan. A request then goes as far
 // as it can without a device, thousands of times in a second.
 
 #include "error.hpp"
-#include "vulkan/device.hpp"
+#include "vulkan/buffer.hpp"
 
 #include <stdexcept>
 

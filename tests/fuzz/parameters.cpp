@@ -1,8 +1,8 @@
-// A picture's parameters as JSON, from the header of a file: refused, or the same again when written and
+// A request as JSON, from the header of a file: refused, or the same again when written and
 // read.
 
+#include "render/parameters.hpp"
 #include "error.hpp"
-#include "render/picture.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -218,7 +218,7 @@ TEST_CASE("A channel that cannot be read is refused", "[exr]") {
     CHECK_THAT(refusal(path, "id"), Contains("holds integers; accepted are half and float"));
     foreign.add<float>("new\nline");
     foreign.write_scanlines(path);
-    CHECK_THAT(refusal(path, "Y"), Contains("no channel 'Y'; accepted are id, new line"));
+    CHECK_THAT(refusal(path, "Y"), Contains("there is no channel 'Y': it has id, new line"));
 
     Imf::Header header({{0, 0}, {1, 1}}, {{0, 0}, {1, 1}});
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT, 2, 2));

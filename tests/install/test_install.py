@@ -1,5 +1,6 @@
 """What `cmake --install` lays down, and that it is enough for a project that knows nothing else of ours."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -19,6 +20,8 @@ INSTALLED = {
     "share/gabor-noise/shaders/gabor_noise.glsl",
     "share/gabor-noise/shaders/gabor_noise_3d.glsl",
     "share/gabor-noise/shaders/passes/bake.comp",
+    "share/gabor-noise/shaders/passes/bake_interface.h",
+    "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     "share/gabor-noise/shaders/translations/gabor_lattice.gdshaderinc",
     "share/gabor-noise/shaders/translations/gabor_lattice.hlsl",
@@ -64,9 +67,14 @@ class Install(unittest.TestCase):
             self.configure("-DWANTED_VERSION=99.0")
 
     def test_a_consumer_renders_what_the_program_does(self):
-        self.configure("-DWANTED_VERSION=0.1")
+        listed = subprocess.run([self.prefix / "bin/gabor", "recipes", "--json"], capture_output=True, check=True)
+        recipes = {recipe["name"]: recipe["macros"] for recipe in json.loads(listed.stdout)}
+        self.assertGreaterEqual(len(recipes), 3)
+        macros = [f"-D{name}=" + ";".join(f"-D{macro}={value.replace(' ', '')}" for macro, value in defined.items())
+                  for name, defined in recipes.items()]
+        self.configure("-DWANTED_VERSION=1.0", "-DRECIPES=" + ";".join(recipes), *macros)
         run(CMAKE, "--build", self.build)
-        for recipe in ("one", "paper"):
+        for recipe in recipes:
             with self.subTest(recipe):
                 run(self.build / "consumer", f"{recipe}.spv", f"{recipe}.raw", cwd=self.build)
                 run(self.prefix / "bin/gabor", "render", "-o", f"{recipe}.exr", f"--recipe={recipe}",

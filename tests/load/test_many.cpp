@@ -1,7 +1,7 @@
 // A process that renders again and again keeps neither memory nor descriptors. GABOR_RENDERS says how often.
 
 #include "image/exr.hpp"
-#include "render/bands.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -35,10 +35,10 @@ double memory() {
 }
 
 void render_file(const vulkan::Device& device, const std::filesystem::path& path, std::uint32_t seed) {
-    const render::Picture picture{.width = 300, .height = 200, .seed = seed};
-    image::ExrWriter exr(path, {{0, 0, 300, 200}, {0, 0, 300, 200}, render::channels(picture), "zip", ""});
-    render::render_bands(device, picture, {0, 0, 300, 200},
-                         [&](std::span<const float> values) { exr.write_rows(values); });
+    const render::Request request{.width = 300, .height = 200, .seed = seed};
+    image::ExrWriter exr(path, {{0, 0, 300, 200}, {0, 0, 300, 200}, render::channels(request), "zip", ""});
+    render::render_region(device, request, {0, 0, 300, 200},
+                          [&](std::span<const float> values) { exr.write_rows(values); });
     exr.commit();
 }
 

@@ -91,7 +91,7 @@ struct SpectraSample {
 
     noise::Lobe lobe(std::size_t i) const {
         const float* l = lobes + 5 * i;
-        return {l[0], l[1], l[2], l[3], l[4]};
+        return {l[0], noise::degrees(l[1]), l[2], noise::degrees(l[3]), l[4]};
     }
 };
 

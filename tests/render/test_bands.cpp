@@ -1,5 +1,5 @@
 #include "noise/reference.hpp"
-#include "render/bands.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ using namespace gabor;
 
 namespace {
 
-std::vector<float> rendered(const vulkan::Device& device, const render::Picture& picture,
+std::vector<float> rendered(const vulkan::Device& device, const render::Request& request,
                             const image::Window& region) {
     std::vector<float> pixels;
-    render::render_bands(device, picture, region, [&](std::span<const float> rows) {
+    render::render_region(device, request, region, [&](std::span<const float> rows) {
         pixels.insert(pixels.end(), rows.begin(), rows.end());
     });
     return pixels;
@@ -36,9 +36,14 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
               std::pair(32.0, 0.1), std::pair(500.0, 64.0), std::pair(4096.0, 4.0),
               std::pair(4096.0, 1000.0)}) {
             // The far corner of the largest picture, cut where it falls.
-            const render::Picture picture{65536, 65536, scale, frequency, 123, 99, std::string(recipe.name)};
+            const render::Request request{.width = 65536,
+                                          .height = 65536,
+                                          .scale = scale,
+                                          .recipe = recipe,
+                                          .lobes = {{frequency, 123}},
+                                          .seed = 99};
             const image::Window region{65536 - 70, 65536 - 45, 70, 45};
-            const std::vector<float> pixels = rendered(device, picture, region);
+            const std::vector<float> pixels = rendered(device, request, region);
             const noise::Reference reference(recipe, frequency, 123 * std::numbers::pi / 180, 99);
             REQUIRE(pixels.size() == 70 * 45);
             for (int y = 0; y < region.height; ++y) {
@@ -67,11 +72,16 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
 
 TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") {
     const vulkan::Device device;
-    const render::Picture picture{2500, 4000, 20, 3, 20, 1, "one"}; // more than two bands
-    const std::vector<float> whole = rendered(device, picture, {0, 0, picture.width, picture.height});
+    const render::Request request{.width = 2500,
+                                  .height = 4000,
+                                  .scale = 20,
+                                  .recipe = noise::find_recipe("one"),
+                                  .lobes = {{3, 20}},
+                                  .seed = 1}; // more than two bands
+    const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
     for (const image::Window& region : {image::Window{0, 0, 1, 1}, image::Window{2499, 3999, 1, 1},
                                         image::Window{1, 1700, 2499, 333}, image::Window{777, 13, 9, 3987}}) {
-        const std::vector<float> part = rendered(device, picture, region);
+        const std::vector<float> part = rendered(device, request, region);
         REQUIRE(part.size() ==
                 static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height));
         std::size_t i = 0;
@@ -85,31 +95,36 @@ TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") 
 
 TEST_CASE("what the sink throws ends the rendering", "[render]") {
     const vulkan::Device device;
-    const render::Picture picture{4096, 8192, 32, 4, 0, 1, "one"};
+    const render::Request request{.width = 4096, .height = 8192, .seed = 1};
     int bands = 0;
     const auto sink = [&](std::span<const float>) {
         if (++bands == 2)
             throw 7;
     };
-    CHECK_THROWS_AS(render::render_bands(device, picture, {0, 0, 4096, 8192}, sink), int);
+    CHECK_THROWS_AS(render::render_region(device, request, {0, 0, 4096, 8192}, sink), int);
     CHECK(bands == 2);
 }
 
 TEST_CASE("a tileable picture is the reference on a torus, at any time", "[render]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
-        render::Picture picture{131, 100, 16.3, 3, 25, 5, std::string(recipe.name)};
-        picture.tileable = true;
-        picture.time = 3.3;
-        const std::vector<float> pixels = rendered(device, picture, {0, 0, picture.width, picture.height});
+        const render::Request request{.width = 131,
+                                      .height = 100,
+                                      .scale = 16.3,
+                                      .recipe = recipe,
+                                      .lobes = {{3, 25}},
+                                      .seed = 5,
+                                      .time = 3.3,
+                                      .view = render::Plane{.tileable = true}};
+        const std::vector<float> pixels = rendered(device, request, {0, 0, request.width, request.height});
         const noise::Reference reference(recipe, 3, 25 * std::numbers::pi / 180, 5);
         const double cells_x = std::floor(131 / 16.3 * recipe.radius);
         const double cells_y = std::floor(100 / 16.3 * recipe.radius);
         double largest = 0;
         // The second round sees every pixel one period further along both axes.
         for (const int round : {0, 1}) {
-            for (int y = 0; y < picture.height; ++y) {
-                for (int x = 0; x < picture.width; ++x) {
+            for (int y = 0; y < request.height; ++y) {
+                for (int x = 0; x < request.width; ++x) {
                     const double u = (x + 0.5) / 131 * cells_x;
                     const double v = (y + 0.5) / 100 * cells_y;
                     noise::Place place;
@@ -122,7 +137,7 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
                     place.period_x = static_cast<int>(cells_x);
                     place.period_y = static_cast<int>(cells_y);
                     place.time = 0.3f;
-                    const double value = pixels[static_cast<std::size_t>(y * picture.width + x)];
+                    const double value = pixels[static_cast<std::size_t>(y * request.width + x)];
                     largest = std::max(largest, std::abs(value - reference(place)));
                 }
             }
@@ -136,12 +151,17 @@ TEST_CASE("quadrature and gradient are those of the reference", "[render]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         for (const bool with_quadrature : {true, false}) {
-            render::Picture picture{90, 70, 21.3, 4, 70, 5, std::string(recipe.name)};
-            picture.quadrature = with_quadrature;
-            picture.gradient = true;
-            const std::size_t channels = render::channels(picture).size();
+            const render::Request request{.width = 90,
+                                          .height = 70,
+                                          .scale = 21.3,
+                                          .recipe = recipe,
+                                          .lobes = {{4, 70}},
+                                          .seed = 5,
+                                          .quadrature = with_quadrature,
+                                          .gradient = true};
+            const std::size_t channels = render::channels(request).size();
             REQUIRE(channels == (with_quadrature ? 4 : 3));
-            const std::vector<float> values = rendered(device, picture, {0, 0, 90, 70});
+            const std::vector<float> values = rendered(device, request, {0, 0, 90, 70});
             REQUIRE(values.size() == 90 * 70 * channels);
             const noise::Reference reference(recipe, 4, 70 * std::numbers::pi / 180, 5);
             double largest = 0;

@@ -3,9 +3,9 @@
 // tools/test-long takes 10^8.
 
 #include "lattice_sampler.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
-#include "statistics/normal.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "render/runs.hpp"
+#include "render/bake.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,7 +11,7 @@ TEST_CASE("runs cover every pixel once, within one set of cells", "[runs]") {
         for (const double radius : {1.0, 1.06, 1.5}) {
             for (const int first : {0, 1, 17, 65000}) {
                 int next = 0;
-                for (const render::Run& run : render::make_runs(first, 500, cells_per_pixel, radius, 8)) {
+                for (const passes::Run& run : render::make_runs(first, 500, cells_per_pixel, radius, 8)) {
                     REQUIRE(run.count >= 1);
                     REQUIRE(run.count <= 8);
                     REQUIRE((next == 0 ? run.first <= 0 && run.first + run.count > 0 : run.first == next));
@@ -34,7 +34,7 @@ TEST_CASE("a part is cut where the whole is", "[runs]") {
     std::size_t i = 0;
     while (whole[i].first + whole[i].count <= 777)
         ++i;
-    for (const render::Run& run : part) {
+    for (const passes::Run& run : part) {
         CHECK(run.first + 777 == whole[i].first);
         CHECK(run.count == whole[i].count);
         CHECK(run.cell == whole[i].cell);

@@ -1,28 +1,31 @@
 #include "error.hpp"
 #include "noise/reference_3d.hpp"
+#include "render/parameters.hpp"
 #include "render/solid.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 using namespace gabor;
 using noise::Vector3;
-using render::SolidPicture;
-using render::SolidView;
-using render::SolidWaves;
+using render::Body;
+using render::Request;
+using render::Shape;
+using render::Slice;
 
 namespace {
 
-std::vector<float> rendered(const vulkan::Device& device, const SolidPicture& picture,
-                            const image::Window& region, int most_rows) {
-    render::check(picture);
-    const render::Solid solid(device, picture, region);
-    const auto row_values = 2 * static_cast<std::size_t>(region.width); // Y and A
+std::vector<float> rendered(const vulkan::Device& device, const Request& request, const image::Window& region,
+                            int most_rows) {
+    render::check(request);
+    const render::Solid solid(device, request, region);
+    const std::size_t row_values = render::channels(request).size() * static_cast<std::size_t>(region.width);
     vulkan::Buffer buffer(device, static_cast<std::size_t>(most_rows) * row_values * sizeof(float),
                           vulkan::Memory::readback);
     vulkan::Job job = solid.job(device, buffer);
@@ -50,25 +53,42 @@ Vector3 scaled(double s, const Vector3& v) {
 
 // The camera of passes/solid.comp in double precision.
 struct Camera {
-    explicit Camera(const SolidPicture& of) : picture(of) {}
+    explicit Camera(const Request& of) : request(of), body(std::get<Body>(of.view)) {}
+
+    // By the angles of the eye around the axis and above the equator.
+    Vector3 turned(const Vector3& right_forward_up) const {
+        const auto& [x, y, z] = right_forward_up;
+        const double yaw = noise::radians(body.yaw);
+        return {x * std::cos(yaw) - y * std::sin(yaw), x * std::sin(yaw) + y * std::cos(yaw), z};
+    }
+    Vector3 right() const { return turned({1, 0, 0}); }
+    Vector3 up() const {
+        const double pitch = noise::radians(body.pitch);
+        return turned({0, std::sin(pitch), std::cos(pitch)});
+    }
+    Vector3 eye() const {
+        const double pitch = noise::radians(body.pitch);
+        return scaled(4, turned({0, -std::cos(pitch), std::sin(pitch)}));
+    }
 
     Vector3 ray(double x, double y) const {
-        const double side = 2 * 1.05 * std::tan(std::asin(0.25)) / std::min(picture.width, picture.height);
-        const double right = (x - picture.width / 2.0) * side;
-        const double up = (picture.height / 2.0 - y) * side;
-        return along({right, up * sine, up * cosine}, -1, {0, -cosine, sine});
+        const double side =
+            2 * 1.05 * std::tan(std::asin(0.25)) / std::min(request.width, request.height) / body.zoom;
+        const Vector3 plane =
+            along(scaled((x - request.width / 2.0) * side, right()), (request.height / 2.0 - y) * side, up());
+        return along(plane, -0.25, eye());
     }
 
     // Implicit function of the body: 0 on it, and its gradient.
     double value(const Vector3& p) const {
-        if (picture.view == SolidView::sphere)
+        if (body.shape == Shape::sphere)
             return dot(p, p) - 1;
         const double whole = dot(p, p) + 0.68 * 0.68 - 0.3 * 0.3;
         return whole * whole - 4 * 0.68 * 0.68 * (p[0] * p[0] + p[1] * p[1]);
     }
     Vector3 normal(const Vector3& p) const {
         Vector3 gradient = p;
-        if (picture.view == SolidView::torus) {
+        if (body.shape == Shape::torus) {
             const double whole = dot(p, p) + 0.68 * 0.68 - 0.3 * 0.3;
             gradient = {(whole - 2 * 0.68 * 0.68) * p[0], (whole - 2 * 0.68 * 0.68) * p[1], whole * p[2]};
         }
@@ -79,16 +99,16 @@ struct Camera {
     // bisection.
     std::optional<Vector3> hit(const Vector3& ray) const {
         double t = 2.9;
-        for (; t < 5.5 && value(along(eye, t, ray)) > 0; t += 0.005) {
+        for (; t < 5.5 && value(along(eye(), t, ray)) > 0; t += 0.005) {
         }
         if (t >= 5.5)
             return {};
         double before = t - 0.005;
         for (int i = 0; i < 60; ++i) {
             const double middle = (before + t) / 2;
-            (value(along(eye, middle, ray)) > 0 ? before : t) = middle;
+            (value(along(eye(), middle, ray)) > 0 ? before : t) = middle;
         }
-        return along(eye, t, ray);
+        return along(eye(), t, ray);
     }
 
     // Where the ray meets the plane that touches the body.
@@ -96,18 +116,19 @@ struct Camera {
         return along(from, dot(along(p, -1, from), normal) / dot(ray, normal), ray);
     }
 
-    SolidPicture picture;
-    double sine = 0.5;
-    double cosine = std::sqrt(0.75);
-    Vector3 eye{0, -4 * cosine, 4 * sine};
+    Request request;
+    Body body;
 };
 
-noise::Waves waves_of(const SolidPicture& picture, const Vector3& normal) {
+noise::Waves waves_of(const Request& request, const Vector3& normal) {
+    const noise::Lobe& lobe = request.lobes.front();
+    const double angle = noise::radians(lobe.orientation);
+    const Body* body = std::get_if<Body>(&request.view);
     noise::Waves waves;
-    waves.frequency = picture.frequency;
-    if (picture.waves == SolidWaves::oriented || picture.waves == SolidWaves::surface)
-        waves.direction = scaled(1 / std::sqrt(dot(picture.direction, picture.direction)), picture.direction);
-    if (picture.waves == SolidWaves::surface || picture.waves == SolidWaves::surface_isotropic)
+    waves.frequency = lobe.frequency;
+    if (lobe.orientation_spread == 0)
+        waves.direction = {std::cos(angle), std::sin(angle), 0};
+    if (body && !body->solid)
         waves.normal = normal;
     return waves;
 }
@@ -118,44 +139,49 @@ struct Expected {
     double slope;
 };
 
-Expected expected(const SolidPicture& picture, const noise::Waves& waves, const Vector3& p) {
+Expected expected(const Request& request, const noise::Waves& waves, const Vector3& p) {
     noise::Place3d place;
+    place.time = static_cast<float>(request.time);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         place.cell[axis] = static_cast<std::int32_t>(std::floor(p[axis]));
         place.local[axis] = static_cast<float>(p[axis] - std::floor(p[axis]));
     }
-    const auto field = noise::Reference3d(noise::recipe_3d(), waves, picture.seed).field(place);
+    const auto field = noise::Reference3d(noise::recipe_3d(), waves, request.seed).field(place);
     return {field.value.imag(),
             std::hypot(field.slope[0].imag(), field.slope[1].imag(), field.slope[2].imag())};
 }
-
-constexpr SolidWaves all_waves[] = {SolidWaves::oriented, SolidWaves::isotropic, SolidWaves::surface,
-                                    SolidWaves::surface_isotropic};
 
 } // namespace
 
 TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
     const vulkan::Device device;
-    for (const SolidWaves waves : all_waves) {
+    for (const double spread : {0.0, 90.0}) {
         for (const bool filtered : {false, true}) {
-            SolidPicture picture{150, 70, SolidView::slice, waves, 11.5, 3.5, {1, 2, -1}, 7.3, 5, filtered};
-            const auto pixels = rendered(device, picture, {0, 0, 150, 70}, 70);
-            noise::Waves seen = waves_of(picture, {0, 0, 1});
+            const Request request{.width = 150,
+                                  .height = 70,
+                                  .scale = 11.5,
+                                  .lobes = {{3.5, 63, 0, spread}},
+                                  .seed = 5,
+                                  .time = filtered ? 0 : 0.3,
+                                  .view = Slice{7.3},
+                                  .filter = filtered};
+            const auto pixels = rendered(device, request, {0, 0, 150, 70}, 70);
+            noise::Waves seen = waves_of(request, {0, 0, 1});
             if (filtered) {
-                seen.dx = {1 / picture.scale, 0, 0};
-                seen.dy = {0, 1 / picture.scale, 0};
+                seen.dx = {1 / request.scale, 0, 0};
+                seen.dy = {0, 1 / request.scale, 0};
             }
             double largest = 0;
-            for (int y = 0; y < picture.height; ++y) {
-                for (int x = 0; x < picture.width; ++x) {
-                    const std::size_t at = 2 * static_cast<std::size_t>(y * picture.width + x);
-                    const Vector3 p{(x + 0.5) / picture.scale, (y + 0.5) / picture.scale, picture.depth};
-                    const Expected here = expected(picture, seen, p);
+            for (int y = 0; y < request.height; ++y) {
+                for (int x = 0; x < request.width; ++x) {
+                    const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
+                    const Vector3 p{(x + 0.5) / request.scale, (y + 0.5) / request.scale, 7.3};
+                    const Expected here = expected(request, seen, p);
                     REQUIRE(pixels[at + 1] == 1);
                     largest = std::max(largest, std::abs(pixels[at] - here.value) / (1 + 0.1 * here.slope));
                 }
             }
-            fmt::print("slice, waves {}: largest difference {:.2g}\n", static_cast<int>(waves), largest);
+            fmt::print("slice, spread {}: largest difference {:.2g}\n", spread, largest);
             CHECK(largest < 1.5e-5);
         }
     }
@@ -163,56 +189,70 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
 
 TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
     const vulkan::Device device;
-    for (const SolidView view : {SolidView::sphere, SolidView::torus}) {
-        for (const SolidWaves waves : all_waves) {
-            SolidPicture picture{
-                160, 120, view, waves, 8, 2, {0.2, -1, 0.4}, 0, 6, waves != SolidWaves::oriented};
-            const auto pixels = rendered(device, picture, {0, 0, 160, 120}, 120);
-            const Camera camera(picture);
-            const double unit = render::sphere_radius(picture);
-            double largest = 0;
-            int compared = 0;
-            for (int y = 0; y < picture.height; ++y) {
-                for (int x = 0; x < picture.width; ++x) {
-                    const std::size_t at = 2 * static_cast<std::size_t>(y * picture.width + x);
-                    REQUIRE(std::isfinite(pixels[at]));
-                    const Vector3 ray = camera.ray(x + 0.5, y + 0.5);
-                    const auto p = camera.hit(ray);
-                    const Vector3 normal = p ? camera.normal(*p) : Vector3{};
-                    const double facing = p ? -dot(normal, ray) / std::sqrt(dot(ray, ray)) : 0;
-                    if (facing < 0.1) // where grazing rays end is for coverage to blur
-                        continue;
-                    REQUIRE(pixels[at + 1] > 0);
-                    noise::Waves seen = waves_of(picture, normal);
-                    if (picture.filtered) {
-                        constexpr double step = 1e-4; // of a pixel
-                        const auto moved = [&](double dx, double dy) {
-                            const Vector3 q =
-                                Camera::meet(camera.eye, camera.ray(x + 0.5 + dx, y + 0.5 + dy), *p, normal);
-                            return scaled(unit / step, along(q, -1, *p));
-                        };
-                        seen.dx = moved(step, 0);
-                        seen.dy = moved(0, step);
+    // From where gabor render looks by default, and from another place at another time.
+    const Body turned{.yaw = -70, .pitch = -55, .zoom = 1.4};
+    for (const Body& pose : {Body(), turned})
+        for (const Shape shape : {Shape::sphere, Shape::torus}) {
+            for (const auto& [solid, spread] : {std::pair(true, 0.0), std::pair(true, 90.0),
+                                                std::pair(false, 0.0), std::pair(false, 90.0)}) {
+                Body body = pose;
+                body.shape = shape;
+                body.solid = solid;
+                const Request request{.width = 160,
+                                      .height = 120,
+                                      .scale = 8,
+                                      .lobes = {{2, -79, 0, spread}},
+                                      .seed = 6,
+                                      .time = pose == turned ? 0.6 : 0,
+                                      .view = body,
+                                      .filter = !solid || spread > 0};
+                const auto pixels = rendered(device, request, {0, 0, 160, 120}, 120);
+                const Camera camera(request);
+                const double unit = render::sphere_radius(request);
+                double largest = 0;
+                int compared = 0;
+                for (int y = 0; y < request.height; ++y) {
+                    for (int x = 0; x < request.width; ++x) {
+                        const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
+                        REQUIRE(std::isfinite(pixels[at]));
+                        const Vector3 ray = camera.ray(x + 0.5, y + 0.5);
+                        const auto p = camera.hit(ray);
+                        const Vector3 normal = p ? camera.normal(*p) : Vector3{};
+                        const double facing = p ? -dot(normal, ray) / std::sqrt(dot(ray, ray)) : 0;
+                        if (facing < 0.1) // where grazing rays end is for coverage to blur
+                            continue;
+                        REQUIRE(pixels[at + 1] > 0);
+                        noise::Waves seen = waves_of(request, normal);
+                        if (request.filter) {
+                            constexpr double step = 1e-4; // of a pixel
+                            const auto moved = [&](double dx, double dy) {
+                                const Vector3 q = Camera::meet(
+                                    camera.eye(), camera.ray(x + 0.5 + dx, y + 0.5 + dy), *p, normal);
+                                return scaled(unit / step, along(q, -1, *p));
+                            };
+                            seen.dx = moved(step, 0);
+                            seen.dy = moved(0, step);
+                        }
+                        const Expected here = expected(request, seen, scaled(unit, *p));
+                        // Places are off by 10^-6 of the unit, more where rays graze.
+                        const double tolerance = 1e-5 + 5e-7 * unit * (here.slope + 20) / facing;
+                        largest = std::max(largest, std::abs(pixels[at] - here.value) / tolerance);
+                        ++compared;
                     }
-                    const Expected here = expected(picture, seen, scaled(unit, *p));
-                    // Places are off by 10^-6 of the unit, more where rays graze.
-                    const double tolerance = 1e-5 + 5e-7 * unit * (here.slope + 20) / facing;
-                    largest = std::max(largest, std::abs(pixels[at] - here.value) / tolerance);
-                    ++compared;
                 }
+                fmt::print(
+                    "shape {}, solid {}, spread {}: {} pixels, largest difference {:.2f} of the tolerance\n",
+                    static_cast<int>(shape), solid, spread, compared, largest);
+                CHECK(largest < 1);
+                CHECK(compared > 4000);
             }
-            fmt::print("view {}, waves {}: {} pixels, largest difference {:.2f} of the tolerance\n",
-                       static_cast<int>(view), static_cast<int>(waves), compared, largest);
-            CHECK(largest < 1);
-            CHECK(compared > 4000);
         }
-    }
 }
 
 TEST_CASE("coverage is the share of a body's area, and what is not covered is 0", "[solid]") {
     const vulkan::Device device;
-    const SolidPicture picture{200, 300, SolidView::sphere};
-    const auto pixels = rendered(device, picture, {0, 0, 200, 300}, 300);
+    const Request request{.width = 200, .height = 300, .view = Body(), .filter = true};
+    const auto pixels = rendered(device, request, {0, 0, 200, 300}, 300);
     double area = 0;
     for (std::size_t i = 0; i < pixels.size(); i += 2) {
         area += pixels[i + 1];
@@ -226,35 +266,61 @@ TEST_CASE("coverage is the share of a body's area, and what is not covered is 0"
 
 TEST_CASE("regions and bands of a solid picture are parts of the whole", "[solid]") {
     const vulkan::Device device;
-    for (const SolidView view : {SolidView::slice, SolidView::sphere, SolidView::torus}) {
-        SolidPicture picture;
-        picture.view = view;
-        picture.width = 90;
-        picture.height = 80;
-        const auto whole = rendered(device, picture, {0, 0, 90, 80}, 80);
+    for (const render::View& view :
+         {render::View(Slice()), render::View(Body()), render::View(Body{Shape::torus})}) {
+        const Request request{.width = 90, .height = 80, .view = view, .filter = true};
+        const auto whole = rendered(device, request, {0, 0, 90, 80}, 80);
         const image::Window region{13, 21, 60, 37};
-        const auto part = rendered(device, picture, region, 10);
+        const auto part = rendered(device, request, region, 10);
         REQUIRE(part.size() == std::size_t{60} * 37 * 2);
         for (int y = 0; y < region.height; ++y)
             for (int i = 0; i < 2 * region.width; ++i)
                 REQUIRE(
                     part[static_cast<std::size_t>(y * 2 * region.width + i)] ==
-                    whole[static_cast<std::size_t>((y + region.y) * 2 * picture.width + 2 * region.x + i)]);
+                    whole[static_cast<std::size_t>((y + region.y) * 2 * request.width + 2 * region.x + i)]);
     }
 }
 
-TEST_CASE("solid pictures outside the ranges are refused", "[solid]") {
-    const auto refused = [](auto change) {
-        SolidPicture picture;
-        change(picture);
-        CHECK_THROWS_AS(render::check(picture), RequestError);
-    };
-    render::check(SolidPicture{});
-    refused([](SolidPicture& p) { p.width = 0; });
-    refused([](SolidPicture& p) { p.height = 65537; });
-    refused([](SolidPicture& p) { p.scale = 1.9; });
-    refused([](SolidPicture& p) { p.frequency = std::numeric_limits<double>::quiet_NaN(); });
-    refused([](SolidPicture& p) { p.depth = 1e7; });
-    refused([](SolidPicture& p) { p.direction = {0, 0, 0}; });
-    refused([](SolidPicture& p) { p.direction = {0, 0, 1e7}; });
+TEST_CASE("quadrature, gradient and phasor of a body stand beside its noise", "[solid]") {
+    const vulkan::Device device;
+    for (const render::View& view : {render::View(Slice{1.5}), render::View(Body{.yaw = 20})}) {
+        Request request{
+            .width = 120, .height = 90, .scale = 12, .lobes = {{1.5, 30}}, .seed = 3, .view = view};
+        const auto alone = rendered(device, request, {0, 0, 120, 90}, 90);
+        request.quadrature = request.gradient = request.phasor = true;
+        REQUIRE(render::channels(request) == std::vector<std::string>{"Y", "quadrature", "gradient.x",
+                                                                      "gradient.y", "phase", "intensity",
+                                                                      "A"});
+        const auto pixels = rendered(device, request, {0, 0, 120, 90}, 90);
+        double largest = 0;
+        int compared = 0;
+        for (std::size_t i = 0; i < 120 * 90; ++i) {
+            const float* at = &pixels[7 * i];
+            REQUIRE(at[0] == alone[2 * i]);
+            REQUIRE(at[6] == alone[2 * i + 1]);
+            if (at[6] < 1)
+                continue;
+            const double turn = 2 * std::numbers::pi * at[4];
+            largest = std::max({largest, std::abs(at[5] * std::sin(turn) - at[0]),
+                                std::abs(at[5] * std::cos(turn) - at[1])});
+            ++compared;
+        }
+        CHECK(largest < 1e-4);
+        CHECK(compared > 4000);
+        if (!std::holds_alternative<Slice>(view))
+            continue;
+        // The gradient of a slice is that of its pixels, rows growing downwards.
+        double slope = 0;
+        for (std::size_t y = 1; y < 89; ++y) {
+            for (std::size_t x = 1; x < 119; ++x) {
+                const auto value = [&](std::size_t column, std::size_t row) {
+                    return double{pixels[7 * (120 * row + column)]};
+                };
+                const float* at = &pixels[7 * (120 * y + x)];
+                slope = std::max({slope, std::abs(at[2] - 6 * (value(x + 1, y) - value(x - 1, y))),
+                                  std::abs(at[3] - 6 * (value(x, y + 1) - value(x, y - 1)))});
+            }
+        }
+        CHECK(slope < 0.15 * 2 * std::numbers::pi * 1.5 * 3);
+    }
 }

@@ -1,6 +1,7 @@
 """The drop-ins, each with what stands on it, pasted into shaders of every dialect, and the names and constructs that they
 may use."""
 
+import json
 import os
 import pathlib
 import re
@@ -19,13 +20,11 @@ FILES = {
 }
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
+LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
 RECIPES = {
     "gabor_noise": {
-        "default": {},
-        "paper": {"GABOR_IMPULSES": "2", "GABOR_WEIGHT_FLOOR": "1.0", "GABOR_PHASES": "2",
-                  "GABOR_WINDOW": "vec3(1.0, 0.0, 0.0)"},
+        **{recipe["name"]: recipe["macros"] for recipe in LISTED},
         "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
-        "wide": {"GABOR_RADIUS": "1.5", "GABOR_WEIGHT_FLOOR": "0.5", "GABOR_WINDOW": "vec3(1.0, -1.0, 1.0)"},
         "native sine": {"GABOR_NATIVE_SINE": "1"},
         "lobes": {"GABOR_LOBES": "6"},
     },

@@ -26,6 +26,29 @@ class Format(unittest.TestCase):
         self.assertEqual((off, result.returncode), ([], 0), result.stderr)
 
 
+class Comments(unittest.TestCase):
+    """Headers document functions and types with ///, a type at least through its members; other comments are //."""
+
+    def test_declarations_in_headers_are_documented(self):
+        missing = []
+        for path in sorted((ROOT / "host").rglob("*.hpp")):
+            before = ""
+            lines = path.read_text().splitlines()
+            for number, line in enumerate(lines, 1):
+                # What follows a documented declaration without an empty line is documented with it.
+                if not before and re.match(r"(?!namespace|using|extern)[A-Za-z][^=]*[({]", line):
+                    body = "\n".join(lines[number:]).split("\n}")[0]
+                    if not (re.match("struct|class|enum", line) and "///" in body):
+                        missing.append(f"{path.relative_to(ROOT)}:{number}: {line}")
+                before = line.strip()
+        self.assertEqual(missing, [])
+
+    def test_comments_on_declarations_have_three_strokes(self):
+        wrong = [f"{path.relative_to(ROOT)}: {comment}" for path in sorted((ROOT / "host").rglob("*.hpp"))
+                 for comment in re.findall(r"^// .*(?=\n[A-Za-z])", path.read_text(), re.MULTILINE)]
+        self.assertEqual(wrong, [])
+
+
 class Version(unittest.TestCase):
     def test_every_place_names_the_same(self):
         version = re.search(r"project\(gabor-noise VERSION (\d+\.\d+\.\d+)", text("CMakeLists.txt"))[1]

@@ -11,6 +11,8 @@ from viewer import ViewerTest  # noqa: I001 (it finds the next one)
 from atomic import can_hide_files, check_files, prepare
 
 PRESET = {"width": 2200, "height": 2200} # two bands
+# Enter: where there are older files, they are to be overwritten.
+SCRIPT = "export out/noise.exr\nkey enter\nsleep 60"
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 4))
 
 
@@ -20,11 +22,10 @@ class Export(ViewerTest):
         self.out = self.folder / "out"
         self.out.mkdir()
         (self.folder / "preset.json").write_text(json.dumps(PRESET))
-        self.write_script("export out/noise.exr\nsleep 60")
 
     def begin(self):
         """A viewer whose export has just begun: it has an unnamed file in the folder."""
-        process = self.start("--preset", "preset.json", "--script", "script.txt", "--window", "480x320")
+        process = self.start_script(SCRIPT, "--preset", "preset.json", "--window", "480x320")
         descriptors = pathlib.Path(f"/proc/{process.pid}/fd")
 
         def has_begun():

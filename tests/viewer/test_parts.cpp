@@ -1,6 +1,6 @@
-#include "viewer/camera.hpp"
 #include "viewer/document.hpp"
-#include "viewer/shaders.hpp"
+#include "viewer/noise_pass.hpp"
+#include "viewer/shader_compiler.hpp"
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
@@ -25,44 +25,44 @@ TEST_CASE("a camera is as precise far away as near by") {
     CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
 }
 
-TEST_CASE("places continue across the end of the world") {
+TEST_CASE("points continue across the end of the world") {
     for (const double radius : {1.0, 1.5}) {
         const Coordinate end{static_cast<std::int64_t>(2147483648.0 / radius) - 1, 0.25};
-        std::vector<AxisPlace> places;
-        add_places(places, end, 400, 32, 1, radius);
-        for (std::size_t i = 1; i < places.size(); ++i) {
+        std::vector<passes::Line> points;
+        add_points(points, end, 400, 32, 1, radius);
+        for (std::size_t i = 1; i < points.size(); ++i) {
             const auto cells =
-                static_cast<std::uint32_t>(places[i].cell) - static_cast<std::uint32_t>(places[i - 1].cell);
+                static_cast<std::uint32_t>(points[i].cell) - static_cast<std::uint32_t>(points[i - 1].cell);
             const double step = static_cast<double>(static_cast<std::int32_t>(cells)) +
-                                double{places[i].local} - double{places[i - 1].local};
+                                double{points[i].local} - double{points[i - 1].local};
             REQUIRE(step == Approx(radius / 32).margin(1e-6));
         }
-        CHECK(places.front().cell > 0);
-        CHECK(places.back().cell < 0);
+        CHECK(points.front().cell > 0);
+        CHECK(points.back().cell < 0);
     }
 }
 
 TEST_CASE("undo goes back step by step, and looking around is no step") {
     History history(document_of({}));
-    history.now.picture.frequency = 5;
-    history.settle();
+    history.now.request.lobes[0].frequency = 5;
+    history.commit();
     history.now.camera = history.now.camera.moved(3, 4);
-    history.settle();
-    history.now.picture.seed = 9;
-    history.settle();
+    history.commit();
+    history.now.request.seed = 9;
+    history.commit();
     history.undo();
-    CHECK(history.now.picture.seed == 0);
-    CHECK(history.now.picture.frequency == 5);
+    CHECK(history.now.request.seed == 0);
+    CHECK(history.now.request.lobes[0].frequency == 5);
     history.undo();
-    CHECK(history.now.picture.frequency == 4);
+    CHECK(history.now.request.lobes[0].frequency == 4);
     CHECK_FALSE(history.can_undo());
     history.redo();
     history.redo();
-    CHECK(history.now.picture.seed == 9);
+    CHECK(history.now.request.seed == 9);
     CHECK_FALSE(history.can_redo());
     history.undo();
-    history.now.picture.seed = 10;
-    history.settle();
+    history.now.request.seed = 10;
+    history.commit();
     CHECK_FALSE(history.can_redo());
 }
 
@@ -74,23 +74,23 @@ TEST_CASE("a shader's error names the file and the line") {
     write("pass.comp",
           "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
           "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
-    Shaders shaders(folder);
-    const Compiled broken = shaders.compile("pass.comp", Stage::compute);
+    ShaderCompiler shaders(folder);
+    const Compiled broken = shaders.compile("pass.comp", ShaderStage::compute);
     CHECK(broken.spirv.empty());
     CHECK_THAT(broken.error, Catch::StartsWith("gabor_noise.glsl:3:") && Catch::Contains("nothing"));
     CHECK_FALSE(shaders.changed());
     write("gabor_noise.glsl", "float one() { return 1.0; }\n");
     CHECK(shaders.changed());
-    const Compiled mended = shaders.compile("pass.comp", Stage::compute);
+    const Compiled mended = shaders.compile("pass.comp", ShaderStage::compute);
     CHECK(mended.error.empty());
     CHECK_FALSE(mended.spirv.empty());
     std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("every shader that is built in compiles") {
-    Shaders shaders{{}};
-    for (const char* path : {"passes/pixels.comp", "viewer/ingredients.comp", "viewer/solid.comp"}) {
-        const Compiled compiled = shaders.compile(path, Stage::compute);
+    ShaderCompiler shaders{{}};
+    for (const char* path : {"passes/pixels.comp", "passes/solid.comp", "viewer/ingredients.comp"}) {
+        const Compiled compiled = shaders.compile(path, ShaderStage::compute);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());
     }

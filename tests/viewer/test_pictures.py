@@ -57,6 +57,7 @@ class Pictures(ViewerTest):
         }.items():
             with self.subTest(name):
                 preset = self.preset("preset.json", **parameters)
+                (self.folder / "again.json").unlink(missing_ok=True)
                 self.play(f"""
                     open preset.json
                     save again.json
@@ -94,10 +95,10 @@ class Pictures(ViewerTest):
         preset = self.preset("preset.json", **PICTURES["spelled out"])
         self.play("""
             open preset.json
-            expect note opened
+            expect message opened
             save again.json
             open missing.json
-            expect note cannot read
+            expect message cannot read
             quit""")
         self.assertEqual({**json.loads((self.folder / "again.json").read_text()), **json.loads(preset.read_text())},
                          json.loads((self.folder / "again.json").read_text()))

@@ -23,8 +23,7 @@ def resident(process):
 
 class Random(ViewerTest):
     def test_anything_at_all(self):
-        script = self.write_script(f"random 7 {SECONDS}\nwait 3\nquit\n")
-        process = self.start("--script", script)
+        process = self.start_script(f"random 7 {SECONDS}\nwait 3\nquit\n")
         start, sizes = time.monotonic(), []
         while process.poll() is None and time.monotonic() - start < SECONDS + 120:
             size = resident(process)

@@ -1,14 +1,13 @@
-"""The viewer's window, by scripts and by real events: what it does without complaint, and what it refuses."""
+"""The viewer's window, by scripts: what it does without complaint, and what it refuses."""
 
 import json
 import shutil
-import subprocess
 import time
 import unittest
 
 import numpy as np
 
-from viewer import SHADERS, ViewerTest, read_colour_png
+from viewer import SCRIPTED_VIEWER, SHADERS, ViewerTest, read_colour_png
 
 
 class Window(ViewerTest):
@@ -50,7 +49,7 @@ class Window(ViewerTest):
             wait 3
             show
             wait 3
-            rival advice
+            compare advice
             settle
             window last.png
             quit""")
@@ -106,12 +105,30 @@ class Window(ViewerTest):
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)
 
+    def test_the_seminal_noise_continues_across_the_axes(self):
+        # A picture of 16 pixels: the origin of the plane is in the middle of each pane.
+        self.play("""
+            set width 16
+            set height 16
+            set scale 64
+            set frequency 1
+            compare seminal
+            settle
+            window seminal.png
+            quit""", "--window", "1280x800")
+        seminal = read_colour_png(self.folder / "seminal.png")[100:700, 480:900, 0].astype(float)
+        self.assertGreater(seminal.std(), 30)
+        for axis in (0, 1):
+            # The root mean square of a step, along each line between two rows or columns of pixels.
+            steps = np.sqrt((np.diff(seminal, axis=axis) ** 2).mean(axis=1 - axis))
+            self.assertLess(steps.max(), 3 * np.median(steps), f"at {steps.argmax()} along axis {axis}")
+
     def test_shaders_are_read_again(self):
         shaders = self.folder / "shaders"
         shutil.copytree(SHADERS, shaders)
         drop_in = shaders / "gabor_noise.glsl"
         good = drop_in.read_text()
-        script = self.write_script("""
+        process = self.start_script("""
             settle
             screenshot before.png
             expect error gabor_noise.glsl:
@@ -122,8 +139,7 @@ class Window(ViewerTest):
             screenshot other.png
             expect no error
             screenshot brighter.png
-            quit""")
-        process = self.start("--script", script, "--shaders", shaders)
+            quit""", "--shaders", shaders)
 
         def after(name, path, text):
             deadline = time.monotonic() + 60
@@ -147,45 +163,6 @@ class Window(ViewerTest):
         broken = read_colour_png(self.folder / "broken.png")
         self.assertGreater(broken[:, :900].std(), 30)
 
-    def test_real_events(self):
-        process = self.start("--window", "1000x700")
-
-        def xdotool(*words):
-            return subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True,
-                                  stdout=subprocess.PIPE, text=True).stdout
-
-        deadline = time.monotonic() + 60
-        window = ""
-        while not window and time.monotonic() < deadline:
-            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Gabor noise"],
-                                   env=self.environment(), stdout=subprocess.PIPE, text=True)
-            window = found.stdout.strip()
-            time.sleep(0.2)
-        xdotool("windowfocus", "--sync", window)
-        xdotool("mousemove", "--window", window, 200, 200)
-        xdotool("mousedown", 1)
-        for x in range(200, 400, 20):
-            xdotool("mousemove", "--window", window, x, 220)
-            time.sleep(0.02)
-        xdotool("mouseup", 1)
-        for button in (4, 4, 5):
-            xdotool("click", button)
-        xdotool("windowsize", "--sync", window, 900, 600)
-        xdotool("windowunmap", "--sync", window)
-        time.sleep(0.5)
-        xdotool("windowmap", "--sync", window)
-        time.sleep(0.5)
-        xdotool("windowfocus", "--sync", window)
-        for key in ("3", "Tab", "c", "F1", "F1"):
-            xdotool("key", key)
-            time.sleep(0.3)
-        xdotool("keydown", "ctrl")
-        time.sleep(0.3)
-        xdotool("key", "q")
-        self.finish(process)
-        remembered = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
-        self.assertEqual((remembered["width"], remembered["height"]), (900, 600))
-
     def test_without_a_display(self):
         self.assert_fails(1, ["no display"], "--screenshot", "picture.png", DISPLAY=None, WAYLAND_DISPLAY=None)
 
@@ -196,7 +173,7 @@ class Window(ViewerTest):
         self.assert_fails(2, ["missing.json", "JSON"], "--preset", "missing.json")
         self.assert_fails(2, ["--window", "480x320"], "--window", "10x10")
         self.assert_fails(2, ["gabor_noise.glsl"], "--shaders", self.folder)
-        self.assert_fails(2, ["dance", "drag"], "--script", "wrong.txt")
+        self.assert_fails(2, ["dance", "drag"], "wrong.txt", program=SCRIPTED_VIEWER)
         self.assert_fails(2, ["--help"], "--nonsense")
 
 

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from png import SIGNATURE, unfilter  # noqa: E402
 
 VIEWER = os.environ["GABOR_VIEWER"]
+SCRIPTED_VIEWER = os.environ["GABOR_SCRIPTED_VIEWER"] # the same with a script in the place of a user
 PROGRAM = os.environ["GABOR_PROGRAM"]
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 
@@ -44,7 +46,7 @@ class ViewerTest(unittest.TestCase):
     def setUpClass(cls):
         reading, writing = os.pipe()
         cls.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", "-noreset"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as pipe:
@@ -65,9 +67,16 @@ class ViewerTest(unittest.TestCase):
                   "XDG_CONFIG_HOME": str(self.folder / "config"), **changes}
         return {name: value for name, value in merged.items() if value is not None}
 
-    def start(self, *arguments, **changes):
-        return subprocess.Popen([VIEWER, *map(str, arguments)], cwd=self.folder, env=self.environment(**changes),
+    def start(self, *arguments, program=VIEWER, **changes):
+        return subprocess.Popen([program, *map(str, arguments)], cwd=self.folder, env=self.environment(**changes),
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def start_script(self, text, *arguments):
+        """A viewer without a memory, so that a script always finds the same window."""
+        shutil.rmtree(self.folder / "config", ignore_errors=True)
+        script = self.folder / "script.txt"
+        script.write_text(text)
+        return self.start(script, *arguments, program=SCRIPTED_VIEWER)
 
     def finish(self, process, timeout=300):
         try:
@@ -80,23 +89,18 @@ class ViewerTest(unittest.TestCase):
     def run_viewer(self, *arguments, timeout=300, **changes):
         self.finish(self.start(*arguments, **changes), timeout)
 
-    def write_script(self, text, name="script.txt"):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
     def play(self, text, *arguments, timeout=300):
-        self.run_viewer("--script", self.write_script(text), *arguments, timeout=timeout)
+        self.finish(self.start_script(text, *arguments), timeout)
 
     def gabor(self, *arguments):
         result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=self.environment(),
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=300)
         self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
 
-    def assert_fails(self, status, words, *arguments, **changes):
-        process = self.start(*arguments, **changes)
+    def assert_fails(self, status, words, *arguments, program=VIEWER, **changes):
+        process = self.start(*arguments, program=program, **changes)
         out, err = process.communicate(timeout=60)
         self.assertEqual((process.returncode, out), (status, ""), err)
-        self.assertRegex(err, r"\Agabor-viewer: [^\n]+\n\Z")
+        self.assertRegex(err, rf"\A{pathlib.Path(program).name}: [^\n]+\n\Z")
         for word in words:
             self.assertIn(word, err)

@@ -1,0 +1,65 @@
+// What there is to choose from: devices and recipes.
+
+#include "cli/commands.hpp"
+#include "noise/recipe.hpp"
+#include "vulkan/device.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace gabor::cli {
+
+namespace {
+
+void print_devices() {
+    for (const vulkan::DeviceInfo& device : vulkan::devices()) {
+        fmt::print("{}  {}\n", device.index, device.name);
+        fmt::print("   kind            {}\n", device.kind);
+        fmt::print("   driver          {}\n", device.driver);
+        fmt::print("   Vulkan          {}\n", device.api);
+        fmt::print("   memory          {} MiB\n", device.memory >> 20);
+        fmt::print("   storage buffer  {} MiB at most\n", device.storage_buffer >> 20);
+        fmt::print("   workgroup       {} invocations at most, {} to a subgroup\n", device.group_invocations,
+                   device.subgroup);
+        fmt::print("   GPU times       {}\n", device.timestamps ? "yes" : "no");
+    }
+}
+
+void print_recipes(bool as_json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        nlohmann::ordered_json macros = nlohmann::ordered_json::object();
+        for (const noise::Macro& macro : noise::macros(recipe))
+            macros[std::string(macro.name)] = macro.value;
+        list.push_back({{"name", recipe.name},
+                        {"is", recipe.is},
+                        {"visited", noise::visited_impulses(recipe)},
+                        {"macros", macros}});
+        if (as_json)
+            continue;
+        fmt::print("{:<8}{}; {} impulses visited\n", recipe.name, recipe.is, noise::visited_impulses(recipe));
+        for (const noise::Macro& macro : noise::macros(recipe))
+            fmt::print("        #define {} {}\n", macro.name, macro.value);
+    }
+    if (as_json)
+        fmt::print("{}\n", list.dump(2));
+}
+
+} // namespace
+
+void add_devices_command(CLI::App& app) {
+    app.add_subcommand("devices", "List the Vulkan devices, their drivers and the limits that matter here")
+        ->callback(print_devices);
+}
+
+void add_recipes_command(CLI::App& app) {
+    auto as_json = std::make_shared<bool>(false);
+    CLI::App* command =
+        app.add_subcommand("recipes", "List the recipes, and the macros to define for them in GLSL");
+    command->add_flag("--json", *as_json, "As JSON");
+    command->callback([as_json] { print_recipes(*as_json); });
+}
+
+} // namespace gabor::cli

@@ -1,0 +1,104 @@
+#include "render/load.hpp"
+
+#include "error.hpp"
+#include "render/parameters.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace gabor::render {
+
+namespace {
+
+// Of files that are small, so that a wrong name cannot fill the memory.
+std::string read_text(const std::string& path) {
+    constexpr std::size_t most = 1 << 20;
+    std::ifstream file(path, std::ios::binary);
+    std::string text(most + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (!file.is_open() || file.bad() || text.empty() || text.size() > most)
+        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of at most 1 MiB", path));
+    return text;
+}
+
+// Says of which file a message speaks.
+template <typename Read>
+auto of_file(const std::string& path, Read read) {
+    try {
+        return read();
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("'{}': {}", path, error.what()));
+    }
+}
+
+// One channel of a painted EXR, and its window.
+std::pair<std::vector<float>, image::Window> paint_channel(const std::string& path, const char* channel) {
+    constexpr std::size_t most = std::size_t{1} << 24;
+    image::ExrReader file(path, channel);
+    const auto width = static_cast<std::size_t>(file.window().width);
+    const auto height = static_cast<std::size_t>(file.window().height);
+    if (width * height > most)
+        throw RequestError(
+            fmt::format("paint '{}' has {} x {} pixels: it may have {} in all", path, width, height, most));
+    std::vector<float> values;
+    while (values.size() < width * height) {
+        const std::span<const float> rows = file.read_rows(256);
+        values.insert(values.end(), rows.begin(), rows.end());
+    }
+    if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); }))
+        throw RequestError(fmt::format("paint '{}': a value of channel {} is not finite", path, channel));
+    return {values, file.window()};
+}
+
+} // namespace
+
+Loaded load_request(const std::string& path) {
+    if (path.ends_with(".json")) {
+        const std::string text = read_text(path);
+        return {of_file(path, [&] { return from_json(text); }), {}};
+    }
+    const image::ExrReader file(path);
+    if (file.parameters().empty())
+        throw RequestError(fmt::format(
+            "'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
+    return {of_file(path, [&] { return from_json(file.parameters()); }), file.window()};
+}
+
+std::vector<noise::Lobe> load_lobes(const std::string& path) {
+    const std::string text = read_text(path);
+    return of_file(path, [&] { return lobes_from_json(text); });
+}
+
+std::vector<std::string_view> preset_names() {
+    std::vector<std::string_view> names;
+    std::ranges::transform(presets(), std::back_inserter(names), &Preset::name);
+    return names;
+}
+
+Request preset(std::string_view name) {
+    const auto found = std::ranges::find(presets(), name, &Preset::name);
+    if (found == presets().end())
+        throw RequestError(
+            fmt::format("unknown preset '{}': the presets are {}", name, fmt::join(preset_names(), ", ")));
+    return from_json(found->json);
+}
+
+Paint load_paint(const std::string& path) {
+    if (path.empty())
+        return {};
+    const auto [frequencies, window] = paint_channel(path, "frequency");
+    const auto [orientations, same] = paint_channel(path, "orientation");
+    Paint paint{window.width, window.height, {}};
+    for (std::size_t i = 0; i < frequencies.size(); ++i) {
+        paint.samples.push_back(frequencies[i]);
+        paint.samples.push_back(static_cast<float>(noise::radians(double{orientations[i]})));
+    }
+    return paint;
+}
+
+} // namespace gabor::render

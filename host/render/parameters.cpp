@@ -1,0 +1,594 @@
+#include "render/parameters.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace gabor::render {
+
+namespace {
+
+using Kind = Parameter::Kind;
+using noise::Lobe;
+
+constexpr Range none{};
+constexpr std::size_t most_lobes = 16;
+constexpr std::string_view one_lobe = "a single lobe";
+constexpr std::string_view bodies = "the views sphere and torus";
+
+// A view with its own values as by default, by its name.
+struct NamedView {
+    std::string_view name;
+    View view;
+};
+
+const std::array named_views{NamedView{"flat", Plane()}, NamedView{"horizon", Horizon()},
+                             NamedView{"slice", Slice()}, NamedView{"sphere", Body{Shape::sphere}},
+                             NamedView{"torus", Body{Shape::torus}}};
+
+std::string_view name_of(const View& view) {
+    const Body* body = std::get_if<Body>(&view);
+    return std::ranges::find_if(named_views,
+                                [&](const NamedView& named) {
+                                    const Body* other = std::get_if<Body>(&named.view);
+                                    return named.view.index() == view.index() &&
+                                           (!body || body->shape == other->shape);
+                                })
+        ->name;
+}
+
+// The view of that name; what it has in common with the one before stays.
+View view_of(std::string_view name, const View& before) {
+    const View& fresh = std::ranges::find(named_views, name, &NamedView::name)->view;
+    if (fresh.index() != before.index())
+        return fresh;
+    View view = before;
+    if (Body* body = std::get_if<Body>(&view))
+        body->shape = std::get<Body>(fresh).shape;
+    return view;
+}
+
+// ---- The table ----
+
+// A row by a function that finds the value in a request, const or not, or returns a null pointer.
+template <typename Find>
+Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
+              std::string_view of, std::string_view help, Find find) {
+    using T = std::remove_pointer_t<decltype(find(std::declval<Request&>()))>;
+    using Held = std::conditional_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, double, T>;
+    return {name,
+            kind,
+            unit,
+            range,
+            slider,
+            of,
+            help,
+            [find](const Request& request) {
+                const T* value = find(request);
+                return value ? std::optional<Value>(static_cast<Held>(*value)) : std::nullopt;
+            },
+            [find](Request& request, const Value& value) {
+                *find(request) = static_cast<T>(std::get<Held>(value));
+            }};
+}
+
+template <typename Find>
+Parameter flag(std::string_view name, std::string_view of, std::string_view help, Find find) {
+    return row(name, Kind::flag, "", none, none, of, help, find);
+}
+
+// A value that only one kind of view has.
+template <typename OneView, typename T>
+auto in_view(T OneView::*member) {
+    return [member](auto& request) {
+        auto* view = std::get_if<OneView>(&request.view);
+        return view ? &(view->*member) : nullptr;
+    };
+}
+
+constexpr std::array of_lobe{
+    LobeParameter{"frequency",
+                  Kind::number,
+                  "cycles per kernel radius",
+                  {0.001, 1024},
+                  {0.05, 64},
+                  "How many waves fit a kernel",
+                  &Lobe::frequency},
+    LobeParameter{"orientation",
+                  Kind::angle,
+                  "degrees",
+                  {-36000, 36000},
+                  {-180, 180},
+                  "Where the waves go, from right towards down",
+                  &Lobe::orientation},
+    LobeParameter{"frequency_spread",
+                  Kind::number,
+                  "a share of the frequency",
+                  {0, 1},
+                  {0, 1},
+                  "Waves of all frequencies as far from it as this",
+                  &Lobe::frequency_spread},
+    LobeParameter{"orientation_spread",
+                  Kind::angle,
+                  "degrees",
+                  {0, 90},
+                  {0, 90},
+                  "Waves of all orientations as far from it as this; 90 is isotropic",
+                  &Lobe::orientation_spread},
+    LobeParameter{"power",
+                  Kind::number,
+                  "in proportion to other lobes",
+                  {0, 1e9},
+                  {0, 1},
+                  "The lobe's share of the variance",
+                  &Lobe::power},
+};
+
+Parameter of_only_lobe(const LobeParameter& p) {
+    return row(p.name, p.kind, p.unit, p.range, p.slider, one_lobe, p.help,
+               [member = p.member](auto& request) {
+                   return request.lobes.size() == 1 ? &(request.lobes.front().*member) : nullptr;
+               });
+}
+
+std::vector<Parameter> make_table() {
+    return {
+        row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Columns of the picture",
+            [](auto& r) { return &r.width; }),
+        row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Rows of the picture",
+            [](auto& r) { return &r.height; }),
+        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
+            "How large the noise is", [](auto& r) { return &r.scale; }),
+        {"recipe", Kind::recipe, "", none, none, "", "How quality is bought",
+         [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
+         [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
+        of_only_lobe(of_lobe[0]),
+        of_only_lobe(of_lobe[1]),
+        of_only_lobe(of_lobe[2]),
+        of_only_lobe(of_lobe[3]),
+        {"lobes", Kind::lobes, "", none, none, "", "The spectrum as a list of lobes, one for each impulse",
+         [](const Request& r) { return Value(r.lobes); },
+         [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
+        flag("sum", "several lobes", "Let lobes be independent noises instead, at the cost of each",
+             [](auto& r) { return r.lobes.size() > 1 ? &r.sum : nullptr; }),
+        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Which instance of the noise",
+            [](auto& r) { return &r.seed; }),
+        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "",
+            "Moment of an animation in place that repeats when this goes by 1",
+            [](auto& r) { return &r.time; }),
+        {"view", Kind::choice, "", none, none, "",
+         "`horizon` is a plane in perspective, of the scale at its bottom row; `slice` one through noise in "
+         "space; `sphere` and `torus` carry noise on their surface",
+         [](const Request& r) { return Value(std::string(name_of(r.view))); },
+         [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
+        flag("tileable", "the view flat", "Let the picture continue from each edge at the opposite one",
+             in_view(&Plane::tileable)),
+        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the view slice",
+            "Where in space the slice is", in_view(&Slice::depth)),
+        flag("solid", bodies, "Cut the body out of noise in space instead", in_view(&Body::solid)),
+        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, bodies,
+            "From where the body is seen, around its axis", in_view(&Body::yaw)),
+        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, bodies,
+            "From where the body is seen, above its equator", in_view(&Body::pitch)),
+        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, bodies,
+            "How much larger than to fit the picture the body is", in_view(&Body::zoom)),
+        flag("filter", "",
+             "See pixels through a normal filter of half a pixel: no aliasing. In the plane adds a channel "
+             "`removed`, the share of the variance that this takes",
+             [](auto& r) { return &r.filter; }),
+        row("paint", Kind::text, "", none, none, "",
+            "An EXR with channels `frequency` and `orientation`, in degrees, to lay over the picture",
+            [](auto& r) { return &r.paint; }),
+        flag("quadrature", "", "Add a channel `quadrature`: cosines for sines",
+             [](auto& r) { return &r.quadrature; }),
+        flag("gradient", "",
+             "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
+             "radius",
+             [](auto& r) { return &r.gradient; }),
+        flag("phasor", "", "Add channels `phase`, in turns, and `intensity`",
+             [](auto& r) { return &r.phasor; }),
+        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Uncorrelated noises in each pixel",
+            [](auto& r) { return &r.values; }),
+    };
+}
+
+// ---- What excludes what ----
+
+struct Exclusion {
+    std::string_view parameter;
+    std::string_view other;
+    bool (*stands)(const Request&); // whether both are asked for
+    std::string_view because;
+};
+
+constexpr std::string_view unlike_filter = "a filtered noise is one value, and what the filter removed";
+constexpr std::string_view in_space_one = "noise in space has one frequency, and one orientation or all";
+
+const std::array exclusions{
+    Exclusion{"filter", "gradient", [](const Request& r) { return r.filter && r.gradient; }, unlike_filter},
+    Exclusion{"filter", "values", [](const Request& r) { return r.filter && r.values > 1; }, unlike_filter},
+    Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
+              "paint takes the place of the one lobe's frequency and orientation"},
+    Exclusion{"paint", "view",
+              [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
+              "paint is stretched over a picture of the view flat"},
+    Exclusion{"view", "lobes", [](const Request& r) { return in_space(r) && r.lobes.size() > 1; },
+              in_space_one},
+    Exclusion{"view", "frequency_spread",
+              [](const Request& r) { return in_space(r) && r.lobes.front().frequency_spread != 0; },
+              in_space_one},
+    Exclusion{"view", "orientation_spread",
+              [](const Request& r) {
+                  const Lobe& lobe = r.lobes.front();
+                  return in_space(r) && lobe.orientation_spread != 0 && !is_isotropic(lobe);
+              },
+              "noise in space has an orientation_spread of 0 or 90"},
+    Exclusion{"view", "recipe",
+              [](const Request& r) { return in_space(r) && r.recipe != noise::recipes().front(); },
+              "noise in space has a recipe of its own"},
+    Exclusion{"view", "values", [](const Request& r) { return in_space(r) && r.values > 1; },
+              "noise in space has one value"},
+};
+
+// ---- Values ----
+
+std::string number_text(double value) {
+    return fmt::format("{}", value);
+}
+
+std::string range_text(const Range& range) {
+    return fmt::format("{:.10g} to {:.10g}", range.low, range.high);
+}
+
+std::string accepted_number(Kind kind, const Range& range, std::string_view unit) {
+    std::string text =
+        fmt::format("{} from {}", kind == Kind::integer ? "a whole number" : "a number", range_text(range));
+    if (!unit.empty())
+        text += fmt::format(" ({}{})", unit, kind == Kind::angle ? ", or radians as in 0.7854rad" : "");
+    return text;
+}
+
+bool has_range(Kind kind) {
+    return kind == Kind::integer || kind == Kind::number || kind == Kind::angle;
+}
+
+[[noreturn]] void refuse(std::string_view text, std::string_view what_is_accepted) {
+    throw RequestError(fmt::format("'{}': it takes {}", text, what_is_accepted));
+}
+
+bool within(double value, const Range& range) {
+    return value >= range.low && value <= range.high;
+}
+
+void check_lobes(const std::vector<Lobe>& lobes) {
+    if (lobes.empty())
+        throw RequestError("the list of lobes is empty");
+    if (lobes.size() > most_lobes)
+        throw RequestError(fmt::format("a spectrum may have {} lobes", most_lobes));
+    for (const Lobe& lobe : lobes)
+        for (const LobeParameter& p : of_lobe)
+            if (!within(lobe.*p.member, p.range))
+                throw RequestError(fmt::format("{} of a lobe {}: it takes {}", p.name, lobe.*p.member,
+                                               accepted_number(p.kind, p.range, p.unit)));
+    if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
+        throw RequestError("no lobe has any power: at least one must");
+}
+
+void check_value(const Parameter& p, const Value& value) {
+    const auto refused = [&] { refuse(written(p, value), accepted(p)); };
+    if (has_range(p.kind)) {
+        const double number = std::get<double>(value);
+        if (!within(number, p.range) || (p.kind == Kind::integer && number != std::floor(number)))
+            refused();
+    } else if (p.kind == Kind::choice) {
+        const std::vector<std::string_view> all = choices(p);
+        if (std::ranges::find(all, std::get<std::string>(value)) == all.end())
+            refused();
+    } else if (p.kind == Kind::recipe) {
+        noise::find_recipe(std::get<std::string>(value));
+    } else if (p.kind == Kind::lobes) {
+        check_lobes(std::get<std::vector<Lobe>>(value));
+    }
+}
+
+// Says of which parameter a message speaks that begins with a value.
+template <typename Work>
+auto of_parameter(const Parameter& p, Work work) {
+    try {
+        return work();
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("{} {}", p.name, error.what()));
+    }
+}
+
+// ---- JSON ----
+
+std::vector<Lobe> lobes_of(const nlohmann::json& json) {
+    if (!json.is_array())
+        throw RequestError("the lobes must be a list");
+    std::vector<Lobe> lobes;
+    for (const nlohmann::json& entry : json) {
+        if (!entry.is_object())
+            throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
+        Lobe& lobe = lobes.emplace_back();
+        for (const auto& [name, value] : entry.items()) {
+            const auto found = std::ranges::find(of_lobe, name, &LobeParameter::name);
+            if (found == of_lobe.end()) {
+                std::vector<std::string_view> names;
+                std::ranges::transform(of_lobe, std::back_inserter(names), &LobeParameter::name);
+                throw RequestError(
+                    fmt::format("unknown '{}' in a lobe: a lobe has {}", name, fmt::join(names, ", ")));
+            }
+            if (!value.is_number())
+                throw RequestError(fmt::format("{} of a lobe must be a number", name));
+            lobe.*found->member = value.get<double>();
+        }
+        if (lobes.size() > most_lobes)
+            break;
+    }
+    return lobes;
+}
+
+Value value_of(const Parameter& p, const nlohmann::json& json) {
+    const auto must = [&](bool holds) {
+        if (!holds)
+            refuse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), accepted(p));
+    };
+    switch (p.kind) {
+    case Kind::flag:
+        must(json.is_boolean());
+        return json.get<bool>();
+    case Kind::integer:
+        must(json.is_number_integer());
+        return json.get<double>();
+    case Kind::number:
+    case Kind::angle:
+        must(json.is_number());
+        return json.get<double>();
+    case Kind::lobes:
+        return lobes_of(json);
+    default:
+        must(json.is_string());
+        return json.get<std::string>();
+    }
+}
+
+nlohmann::ordered_json json_of(const Parameter& p, const Value& value) {
+    if (p.kind == Kind::integer)
+        return static_cast<std::int64_t>(std::get<double>(value));
+    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&value)) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const Lobe& lobe : *lobes) {
+            nlohmann::ordered_json& entry = list.emplace_back();
+            for (const LobeParameter& value_of_lobe : of_lobe)
+                entry[std::string(value_of_lobe.name)] = lobe.*value_of_lobe.member;
+        }
+        return list;
+    }
+    if (const auto* text = std::get_if<std::string>(&value))
+        return *text;
+    if (const auto* number = std::get_if<double>(&value))
+        return *number;
+    return std::get<bool>(value);
+}
+
+} // namespace
+
+std::span<const Parameter> parameters() {
+    static const std::vector<Parameter> table = make_table();
+    return table;
+}
+
+std::span<const LobeParameter> lobe_parameters() {
+    return of_lobe;
+}
+
+const Parameter& parameter(std::string_view name) {
+    const auto found = std::ranges::find(parameters(), name, &Parameter::name);
+    if (found != parameters().end())
+        return *found;
+    std::vector<std::string_view> names;
+    std::ranges::transform(parameters(), std::back_inserter(names), &Parameter::name);
+    throw RequestError(
+        fmt::format("unknown parameter '{}': the parameters are {}", name, fmt::join(names, ", ")));
+}
+
+std::vector<std::string_view> choices(const Parameter& p) {
+    std::vector<std::string_view> names;
+    if (p.kind == Kind::choice)
+        std::ranges::transform(named_views, std::back_inserter(names), &NamedView::name);
+    else
+        std::ranges::transform(noise::recipes(), std::back_inserter(names), &noise::Recipe::name);
+    return names;
+}
+
+std::string accepted(const Parameter& p) {
+    switch (p.kind) {
+    case Kind::flag:
+        return "true or false";
+    case Kind::choice:
+        return fmt::format("{}", fmt::join(choices(p), ", "));
+    case Kind::recipe:
+        return noise::accepted_recipes();
+    case Kind::text:
+        return "a name";
+    case Kind::lobes:
+        return "a list like [{\"frequency\": 4, \"orientation\": 45, \"power\": 1}]";
+    default:
+        return accepted_number(p.kind, p.range, p.unit);
+    }
+}
+
+Value read(const Parameter& p, std::string_view text) {
+    Value value;
+    if (has_range(p.kind)) {
+        std::string_view digits = text;
+        bool in_radians = false;
+        if (p.kind == Kind::angle) {
+            in_radians = digits.ends_with("rad");
+            if (in_radians || digits.ends_with("deg"))
+                digits.remove_suffix(3);
+        }
+        double number = 0;
+        std::int64_t whole = 0;
+        const char* end = digits.data() + digits.size();
+        const auto [stop, error] = p.kind == Kind::integer ? std::from_chars(digits.data(), end, whole)
+                                                           : std::from_chars(digits.data(), end, number);
+        if (error != std::errc() || stop != end)
+            refuse(text, accepted(p));
+        if (p.kind == Kind::integer)
+            number = static_cast<double>(whole);
+        value = in_radians ? noise::degrees(number) : number;
+    } else if (p.kind == Kind::flag) {
+        if (text != "true" && text != "false")
+            refuse(text, accepted(p));
+        value = text == "true";
+    } else if (p.kind == Kind::lobes) {
+        value = lobes_from_json(text);
+    } else {
+        value = std::string(text);
+    }
+    check_value(p, value);
+    return value;
+}
+
+std::string written(const Parameter& p, const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value))
+        return *text;
+    if (const auto* number = std::get_if<double>(&value))
+        return number_text(*number);
+    return json_of(p, value).dump();
+}
+
+void set(Request& request, const Values& values) {
+    for (const bool deciding : {true, false}) {
+        for (const auto& [p, value] : values) {
+            if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
+                continue;
+            of_parameter(*p, [&] { check_value(*p, value); });
+            if (!p->get(request))
+                throw RequestError(fmt::format(
+                    "{}: it is for {}{}", p->name, p->of,
+                    p->of == one_lobe
+                        ? fmt::format(", and here are {}, each with its own", request.lobes.size())
+                        : ""));
+            p->put(request, value);
+        }
+    }
+}
+
+void set(Request& request, std::string_view name, const Value& value) {
+    set(request, Values{{&parameter(name), value}});
+}
+
+void set_text(Request& request, std::string_view name, std::string_view text) {
+    const Parameter& p = parameter(name);
+    set(request, name, of_parameter(p, [&] { return read(p, text); }));
+}
+
+bool is_set(const Request& request, std::string_view name) {
+    const Parameter& p = parameter(name);
+    const std::optional<Value> value = p.get(request);
+    std::optional<Value> by_default = p.get(Request());
+    if (!by_default) { // one that only some views or lobes have
+        Request fresh;
+        fresh.lobes = request.lobes;
+        fresh.view = view_of(name_of(request.view), fresh.view);
+        by_default = p.get(fresh);
+    }
+    return value && value != by_default;
+}
+
+void give_way(Request& request, std::string_view name) {
+    for (const Exclusion& exclusion : exclusions) {
+        if (!exclusion.stands(request) || (name != exclusion.parameter && name != exclusion.other))
+            continue;
+        const std::string_view loser = name == exclusion.parameter ? exclusion.other : exclusion.parameter;
+        if (loser == "lobes")
+            request.lobes.resize(1);
+        else
+            parameter(loser).put(request, *parameter(loser).get(Request()));
+    }
+}
+
+void check(const Request& request) {
+    for (const Parameter& p : parameters())
+        if (const std::optional<Value> value = p.get(request))
+            of_parameter(p, [&] { check_value(p, *value); });
+    for (const Exclusion& exclusion : exclusions)
+        if (exclusion.stands(request)) {
+            const auto described = [&](std::string_view name) {
+                return name == "view" ? fmt::format("view {}", name_of(request.view)) : std::string(name);
+            };
+            throw RequestError(fmt::format("{} and {} exclude each other: {}", described(exclusion.parameter),
+                                           described(exclusion.other), exclusion.because));
+        }
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    if (plane && plane->tileable && std::min(request.width, request.height) < 2 * request.scale)
+        throw RequestError(
+            fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
+                        "kernel radii, {} pixels",
+                        request.width, request.height, request.scale, std::ceil(2 * request.scale)));
+}
+
+std::string to_json(const Request& request) {
+    nlohmann::ordered_json json;
+    const bool plain = request.lobes.size() == 1 && request.lobes.front().power == 1;
+    for (const Parameter& p : parameters())
+        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && plain))
+            json[std::string(p.name)] = json_of(p, *value);
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Request from_json(std::string_view text) {
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object())
+        throw RequestError("the parameters are not a JSON object");
+    Values values;
+    Request with_view_and_lobes;
+    bool lobes_given = false;
+    for (const auto& [name, value] : json.items()) {
+        const Parameter& p = parameter(name);
+        values.emplace_back(&p, of_parameter(p, [&, &entry = value] { return value_of(p, entry); }));
+    }
+    // An empty list is the lobe of the other values; lobes that are given leave these aside.
+    std::erase_if(values, [&](const auto& each) {
+        if (each.first->kind != Kind::lobes)
+            return false;
+        lobes_given = !std::get<std::vector<Lobe>>(each.second).empty();
+        return !lobes_given;
+    });
+    for (const auto& [p, value] : values) {
+        of_parameter(*p, [&, &row = *p, &given = value] { check_value(row, given); });
+        if (p->kind == Kind::choice || p->kind == Kind::lobes)
+            p->put(with_view_and_lobes, value);
+    }
+    std::erase_if(values, [&](const auto& each) {
+        return !each.first->get(with_view_and_lobes) || (lobes_given && each.first->of == one_lobe);
+    });
+    Request request;
+    set(request, values);
+    check(request);
+    return request;
+}
+
+std::vector<Lobe> lobes_from_json(std::string_view text) {
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_object() && !json.contains("lobes"))
+        throw RequestError("the object has no 'lobes'");
+    if (!json.is_object() && !json.is_array())
+        throw RequestError("not a JSON list of lobes, nor an object with 'lobes'");
+    std::vector<Lobe> lobes = lobes_of(json.is_object() ? json["lobes"] : json);
+    check_lobes(lobes);
+    return lobes;
+}
+
+} // namespace gabor::render

@@ -1,0 +1,31 @@
+#include "render/request.hpp"
+
+#include <array>
+
+namespace gabor::render {
+
+bool in_space(const Request& request) {
+    return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
+}
+
+bool is_isotropic(const noise::Lobe& lobe) {
+    return lobe.orientation_spread == 90;
+}
+
+std::vector<std::string> channels(const Request& request) {
+    constexpr std::array noises{"Y", "second", "third", "fourth"};
+    std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.quadrature)
+        names.push_back("quadrature");
+    if (request.gradient)
+        names.insert(names.end(), {"gradient.x", "gradient.y"});
+    if (request.phasor)
+        names.insert(names.end(), {"phase", "intensity"});
+    if (in_space(request))
+        names.push_back("A");
+    else if (request.filter)
+        names.push_back("removed");
+    return names;
+}
+
+} // namespace gabor::render

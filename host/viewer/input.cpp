@@ -1,0 +1,218 @@
+#include "viewer/panels.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gabor::viewer {
+
+namespace {
+
+constexpr double wheel_step = 1.15;
+constexpr int colour_maps = 5;
+
+// The window's pixels in one of Dear ImGui's units.
+float pixels_per_unit() {
+    return ImGui::GetIO().DisplayFramebufferScale.x;
+}
+
+double within(std::string_view parameter, double value) {
+    const render::Range& range = render::parameter(parameter).range;
+    return std::clamp(value, range.low, range.high);
+}
+
+// What is under a point stays under it. The point in pixels from the middle of the view.
+void zoom(Document& document, double factor, double x, double y) {
+    render::Request& request = document.request;
+    if (auto* body = std::get_if<render::Body>(&request.view)) {
+        body->zoom = within("zoom", body->zoom * factor);
+        return;
+    }
+    const double before = request.scale;
+    request.scale = within("scale", before * factor);
+    document.camera = document.camera.moved(x / before - x / request.scale, y / before - y / request.scale);
+}
+
+// Moves a plane with the pointer, and turns a body.
+void drag(Document& document, double x, double y) {
+    if (auto* body = std::get_if<render::Body>(&document.request.view)) {
+        const double degrees_per_pixel = 0.4 / (body->zoom * double{pixels_per_unit()});
+        body->yaw = std::remainder(body->yaw - degrees_per_pixel * x, 360.0);
+        body->pitch = std::clamp(body->pitch + degrees_per_pixel * y, -89.0, 89.0);
+    } else {
+        document.camera = document.camera.moved(-x / document.request.scale, -y / document.request.scale);
+    }
+}
+
+// The value after this one in a choice of the table.
+void next_choice(Document& document, std::string_view name) {
+    const std::vector<std::string_view> all = render::choices(render::parameter(name));
+    const auto now = std::get<std::string>(*render::parameter(name).get(document.request));
+    const auto found = std::ranges::find(all, now);
+    const bool last = found == all.end() || found + 1 == all.end();
+    set_parameter(document, name, std::string(last ? all.front() : *(found + 1)));
+}
+
+bool pressed(int key) {
+    return ImGui::IsKeyPressed(key, false);
+}
+
+struct Shortcut {
+    const char* name;
+    const char* effect;
+    int key = 0; ///< with `control`, or by itself; 0 for what is handled elsewhere
+    bool control = false;
+    void (*act)(Session&) = nullptr;
+};
+
+constexpr std::array shortcuts{
+    Shortcut{"drag", "move the plane, endlessly, or turn the body"},
+    Shortcut{"wheel", "zoom about the pointer"},
+    Shortcut{"arrows, + and -", "the same from the keyboard"},
+    Shortcut{"double click, Home", "back to the view that gabor render shows", GLFW_KEY_HOME, false,
+             reset_camera},
+    Shortcut{"1 to 5", "show value, gradient, phase, intensity, variance"},
+    Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s.document(), "view"); }},
+    Shortcut{"F", "filtering on and off", GLFW_KEY_F, false,
+             [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); }},
+    Shortcut{"C", "the next colour map", GLFW_KEY_C, false,
+             [](Session& s) { s.document().colours = (s.document().colours + 1) % colour_maps; }},
+    Shortcut{"R", "the next recipe", GLFW_KEY_R, false,
+             [](Session& s) { next_choice(s.document(), "recipe"); }},
+    Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
+    Shortcut{"Tab", "split view; its divider can be dragged", GLFW_KEY_TAB, false,
+             [](Session& s) {
+                 std::optional<Comparison>& comparison = s.document().comparison;
+                 comparison = comparison ? std::nullopt : std::optional(Comparison());
+             }},
+    Shortcut{"Space", "play time, in a loop", GLFW_KEY_SPACE, false,
+             [](Session& s) { s.playing = !s.playing; }},
+    Shortcut{"Ctrl Z", "undo", GLFW_KEY_Z, true,
+             [](Session& s) { ImGui::GetIO().KeyShift ? s.history.redo() : s.history.undo(); }},
+    Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", GLFW_KEY_Y, true, [](Session& s) { s.history.redo(); }},
+    Shortcut{"Ctrl O", "open the preset", GLFW_KEY_O, true,
+             [](Session& s) { open_preset(s, s.preset_path); }},
+    Shortcut{"Ctrl S", "save the preset", GLFW_KEY_S, true, save_preset},
+    Shortcut{"Ctrl C", "copy the GLSL of this view", GLFW_KEY_C, true, copy_glsl},
+    Shortcut{"Ctrl E", "export EXR and PNG", GLFW_KEY_E, true, start_export},
+    Shortcut{"H, F11", "hide and show the panels", GLFW_KEY_H, false,
+             [](Session& s) { s.panels = !s.panels; }},
+    Shortcut{"F1", "this page"},
+    Shortcut{"Ctrl Q", "quit", GLFW_KEY_Q, true, [](Session& s) { s.closing = true; }},
+};
+
+// Those that repeat while they are held, and those of a row of keys.
+void held_keys(Document& document) {
+    for (int i = 0; i < 5; ++i)
+        if (pressed(GLFW_KEY_1 + i))
+            document.output = static_cast<Output>(i);
+    const double step = 40.0 * double{pixels_per_unit()};
+    const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1.0 : 0.0; };
+    const double x = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
+    const double y = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
+    if (x != 0 || y != 0)
+        drag(document, -step * x, -step * y);
+    if (ImGui::IsKeyPressed(GLFW_KEY_EQUAL) || ImGui::IsKeyPressed(GLFW_KEY_KP_ADD))
+        zoom(document, wheel_step, 0, 0);
+    if (ImGui::IsKeyPressed(GLFW_KEY_MINUS) || ImGui::IsKeyPressed(GLFW_KEY_KP_SUBTRACT))
+        zoom(document, 1 / wheel_step, 0, 0);
+}
+
+void keys(Session& session) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (session.question) {
+        if (pressed(GLFW_KEY_ENTER) || pressed(GLFW_KEY_KP_ENTER))
+            answer(session, true);
+        else if (pressed(GLFW_KEY_ESCAPE))
+            answer(session, false);
+        return;
+    }
+    if (pressed(GLFW_KEY_F1))
+        session.help = !session.help;
+    if (pressed(GLFW_KEY_F11))
+        session.panels = !session.panels;
+    if (pressed(GLFW_KEY_ESCAPE))
+        session.help = false;
+    if (io.WantTextInput)
+        return;
+    for (const Shortcut& shortcut : shortcuts)
+        if (shortcut.key && shortcut.control == io.KeyCtrl && pressed(shortcut.key))
+            shortcut.act(session);
+    if (!io.KeyCtrl)
+        held_keys(session.document());
+}
+
+void mouse(Session& session, float width, float height) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse)
+        return;
+    Document& document = session.document();
+    const float density = pixels_per_unit();
+    const bool split = session.panes.size() > 1;
+    const float divider = width * session.divider;
+    const bool at_divider = split && std::abs(io.MousePos.x - divider) < 6;
+    if (ImGui::IsMouseClicked(0))
+        session.dragging_divider = at_divider;
+    if (at_divider || (split && session.dragging_divider))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsMouseDragging(0, 0) && session.dragging_divider) {
+        session.divider = std::clamp(io.MousePos.x / width, 0.1f, 0.9f);
+        return;
+    }
+    if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
+        drag(document, double{io.MouseDelta.x * density}, double{io.MouseDelta.y * density});
+    const bool inside =
+        io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
+    if (!inside)
+        return;
+    if (ImGui::IsMouseDoubleClicked(0))
+        reset_camera(session);
+    if (io.MouseWheel != 0) {
+        const bool right = split && io.MousePos.x >= divider;
+        const float left = right ? divider : 0;
+        const float across = !split ? width : right ? width - divider : divider;
+        zoom(document, std::pow(wheel_step, io.MouseWheel),
+             double{(io.MousePos.x - left - across / 2) * density},
+             double{(io.MousePos.y - height / 2) * density});
+    }
+}
+
+} // namespace
+
+void handle_input(Session& session, float width, float height) {
+    mouse(session, width, height);
+    keys(session);
+}
+
+void help_window(Session& session) {
+    if (!session.help)
+        return;
+    const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    if (ImGui::Begin("Help", &session.help,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+            for (const Shortcut& shortcut : shortcuts) {
+                ImGui::TableNextColumn();
+                ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", shortcut.name);
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(shortcut.effect);
+            }
+            ImGui::EndTable();
+        }
+        ImGui::Separator();
+        ImGui::TextUnformatted(
+            "Ctrl and a click on a slider lets you type. Hold the pointer over anything to\n"
+            "read what it is. Drag a lobe in the drawing of the frequency plane.\n"
+            "Shaders are read again whenever one is saved; the last good picture stays.");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+} // namespace gabor::viewer

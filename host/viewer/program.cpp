@@ -1,0 +1,108 @@
+#include "viewer/app.hpp"
+
+#include "error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace gabor::viewer {
+
+namespace {
+
+// One line on stderr, whatever the message holds.
+int fail(int status, std::string message) {
+    std::ranges::replace(message, '\n', ' ');
+    fmt::print(stderr, "gabor-viewer: {}\n", message);
+    return status;
+}
+
+Extent parse_size(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    int length = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &length) != 2 ||
+        static_cast<std::size_t>(length) != text.size() || width < 480 || height < 320 || width > 16384 ||
+        height > 16384)
+        throw RequestError(
+            fmt::format("--window '{}': it takes WIDTHxHEIGHT, from 480x320 to 16384x16384", text));
+    return {width, height};
+}
+
+// A software driver compiles pipelines in memory that glibc keeps for each thread: after two minutes of
+// trying everything 288 MiB stayed in use, and 184 MiB so.
+void give_memory_back() {
+#ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_TRIM_THRESHOLD, 1 << 17);
+#endif
+}
+
+int run(int argc, char** argv, const App::FrameHook& hook) {
+    give_memory_back();
+    CLI::App app("Shows Gabor noise in a window, to be tried out and taken home.", "gabor-viewer");
+    app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
+    std::string preset;
+    std::string size;
+    std::string shaders;
+    std::string screenshot;
+    Options options;
+    app.add_option("--preset", preset,
+                   "Parameters to begin with: a JSON file, an EXR that gabor rendered, or a name that gabor "
+                   "render knows");
+    app.add_option("--screenshot", screenshot,
+                   "Save the picture as a PNG, of the preset's size, without a window around it, and end");
+    app.add_option("--window", size, "Size of the window, WIDTHxHEIGHT");
+    app.add_option("--shaders", shaders,
+                   "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']");
+    app.add_option("--device", options.device,
+                   "Vulkan device: its index, or a part of its name [the fastest kind]");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
+            return fail(2, fmt::format("{} (gabor-viewer --help lists what is accepted)", error.what()));
+        app.exit(error);
+        return 0;
+    }
+    options.document = document_of(preset.empty() ? render::Request{} : load_preset(preset));
+    if (!size.empty())
+        options.size = parse_size(size);
+    if (!screenshot.empty())
+        options.screenshot = screenshot;
+    if (!shaders.empty() && shaders != "built-in")
+        options.shaders = shaders;
+    else if (shaders.empty() && std::filesystem::exists(GABOR_SHADER_SOURCES "/gabor_noise.glsl"))
+        options.shaders = GABOR_SHADER_SOURCES;
+    {
+        App viewer(options);
+        if (options.screenshot)
+            viewer.save_picture(*options.screenshot);
+        else
+            viewer.run(hook);
+    }
+    if (const int messages = vulkan::validation_messages())
+        return fail(1, fmt::format("{} message(s) from the validation layers", messages));
+    return 0;
+}
+
+} // namespace
+
+int run_viewer(int argc, char** argv, const App::FrameHook& hook) {
+    try {
+        return run(argc, argv, hook);
+    } catch (const RequestError& error) {
+        return fail(2, error.what());
+    } catch (const std::exception& error) {
+        return fail(1, error.what());
+    }
+}
+
+} // namespace gabor::viewer

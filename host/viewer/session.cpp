@@ -1,0 +1,147 @@
+#include "viewer/session.hpp"
+#include "viewer/snippet.hpp"
+
+#include "error.hpp"
+#include "image/output_file.hpp"
+#include "render/load.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace gabor::viewer {
+
+namespace {
+
+constexpr double message_seconds = 5;
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+/// The name under which the parameters of what was opened from `path` are saved.
+std::filesystem::path json_path(std::filesystem::path path) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".json")
+        return path;
+    if (extension == ".exr")
+        return path.replace_extension(".json");
+    return path += ".json";
+}
+
+/// Does `write` at once where it replaces no file but those that this session wrote; else asks first.
+void overwrite(Session& session, const std::vector<std::filesystem::path>& paths,
+               std::function<void()> write) {
+    std::vector<std::string> foreign;
+    for (const std::filesystem::path& path : paths) {
+        std::error_code unknown;
+        if (!std::filesystem::exists(path, unknown))
+            continue;
+        const auto own = session.written.find(std::filesystem::absolute(path));
+        if (own == session.written.end() || own->second != file_stamp(path))
+            foreign.push_back(path.string());
+    }
+    if (foreign.empty())
+        return attempt(session, write);
+    session.question = Question{fmt::format("Overwrite {}? This session did not write {}.",
+                                            fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
+                                "Overwrite", [&session, write] { attempt(session, write); }};
+}
+
+} // namespace
+
+void notify(Session& session, std::string text, bool error) {
+    session.message = {std::move(text), error, ImGui::GetTime() + message_seconds};
+}
+
+void attempt(Session& session, const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::exception& error) {
+        notify(session, error.what(), true);
+    }
+}
+
+void answer(Session& session, bool accept) {
+    if (const std::optional<Question> question = std::exchange(session.question, {}); question && accept)
+        question->accepted();
+}
+
+render::Request load_preset(const std::string& path) {
+    const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
+    if (named != render::presets().end())
+        return render::from_json(named->json);
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown))
+        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
+                                       "gabor rendered, or a preset's name",
+                                       path));
+    return render::load_request(path).request;
+}
+
+void open_preset(Session& session, const std::string& path) {
+    attempt(session, [&] {
+        Document opened = document_of(load_preset(path));
+        const Document& now = session.history.now;
+        render::load_paint(opened.request.paint); // it must be there
+        opened.output = now.output;
+        opened.colours = now.colours;
+        opened.contrast = now.contrast;
+        opened.comparison = now.comparison;
+        session.history.now = opened;
+        session.preset_path = path;
+        notify(session, fmt::format("opened {}", path));
+    });
+}
+
+void save_preset(Session& session) {
+    const std::filesystem::path path = json_path(session.preset_path);
+    overwrite(session, {path}, [&session, path] {
+        const std::string text = render::to_json(session.document().request) + "\n";
+        image::OutputFile file(path);
+        file.write(std::as_bytes(std::span(text)));
+        file.commit();
+        session.written[std::filesystem::absolute(path)] = file_stamp(path);
+        session.preset_path = path.string();
+        notify(session, fmt::format("saved {}", path.string()));
+    });
+}
+
+void start_export(Session& session) {
+    if (session.exporter.running())
+        return;
+    const std::filesystem::path exr = session.export_target.path;
+    if (lower_extension(exr) != ".exr")
+        return notify(session, "an export takes a name that ends in .exr", true);
+    std::vector<std::filesystem::path> paths{exr};
+    if (session.export_target.png)
+        paths.push_back(std::filesystem::path(exr).replace_extension(".png"));
+    for (const auto& [path, stamp] : session.exporter.written())
+        session.written[path] = stamp;
+    overwrite(session, paths, [&session, paths] {
+        const Document& document = session.document();
+        session.exporter.start(with_output(document.request, document.output), paths[0],
+                               paths.size() > 1 ? std::optional(paths[1]) : std::nullopt);
+    });
+}
+
+void copy_glsl(Session& session) {
+    ImGui::SetClipboardText(snippet(session.document(), session.view).c_str());
+    notify(session, "the GLSL of this view is on the clipboard");
+}
+
+void reset_camera(Session& session) {
+    Document& document = session.document();
+    document.camera = default_camera(document);
+    if (auto* body = std::get_if<render::Body>(&document.request.view))
+        *body = {body->shape, body->solid};
+}
+
+} // namespace gabor::viewer

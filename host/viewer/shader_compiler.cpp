@@ -1,0 +1,129 @@
+#include "viewer/shader_compiler.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace gabor::viewer {
+
+/// Finds what a shader includes, beside it or from the top of the folder.
+class Includer : public glslang::TShader::Includer {
+  public:
+    explicit Includer(ShaderCompiler& shaders) : compiler_(shaders) {}
+
+    IncludeResult* includeLocal(const char* name, const char* from, std::size_t) override {
+        const std::filesystem::path beside = std::filesystem::path(from).parent_path() / name;
+        for (const std::string& path : {beside.lexically_normal().string(), std::string(name)}) {
+            auto text = std::make_unique<std::string>();
+            if (compiler_.read(path, *text)) {
+                const std::string& kept = *text;
+                return new IncludeResult(path, kept.data(), kept.size(), text.release());
+            }
+        }
+        return nullptr;
+    }
+
+    void releaseInclude(IncludeResult* result) override {
+        if (result)
+            delete static_cast<std::string*>(result->userData);
+        delete result;
+    }
+
+  private:
+    ShaderCompiler& compiler_;
+};
+
+namespace {
+
+EShLanguage language(ShaderStage stage) {
+    return stage == ShaderStage::vertex     ? EShLangVertex
+           : stage == ShaderStage::fragment ? EShLangFragment
+                                            : EShLangCompute;
+}
+
+// glslang says "ERROR: file:line: 'token' : message"; the first such line is the cause of the rest.
+std::string first_error(const std::string& log) {
+    constexpr std::string_view prefix = "ERROR: ";
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(prefix))
+            return line.substr(prefix.size());
+    return log.substr(0, log.find('\n'));
+}
+
+} // namespace
+
+ShaderCompiler::ShaderCompiler(std::filesystem::path folder) : folder_(std::move(folder)) {
+    if (!folder_.empty() && !std::filesystem::exists(folder_ / "gabor_noise.glsl"))
+        throw RequestError(fmt::format("--shaders '{}': it takes a folder with gabor_noise.glsl, such as the "
+                                       "folder shaders of the sources",
+                                       folder_.string()));
+    glslang::InitializeProcess();
+}
+
+ShaderCompiler::~ShaderCompiler() {
+    glslang::FinalizeProcess();
+}
+
+bool ShaderCompiler::read(const std::string& path, std::string& text) {
+    if (folder_.empty()) {
+        const auto found = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
+        if (found == embedded_shaders().end())
+            return false;
+        text = found->text;
+        return true;
+    }
+    std::ifstream file(folder_ / path, std::ios::binary);
+    if (!file)
+        return false;
+    read_[path] = file_stamp(folder_ / path);
+    text.assign(std::istreambuf_iterator<char>(file), {});
+    return true;
+}
+
+bool ShaderCompiler::changed() {
+    bool any = false;
+    for (auto& [path, known] : read_) {
+        const FileStamp now = file_stamp(folder_ / path);
+        any |= now != known;
+        known = now;
+    }
+    return any;
+}
+
+Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
+    const std::string name(path);
+    std::string text;
+    if (!read(name, text))
+        return {{}, fmt::format("{}: there is no such shader", name)};
+    const char* source = text.c_str();
+    const int length = static_cast<int>(text.size());
+    const char* label = name.c_str();
+    glslang::TShader shader(language(stage));
+    shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    Includer includer(*this);
+    constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer))
+        return {{}, first_error(shader.getInfoLog())};
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages))
+        return {{}, fmt::format("{}: {}", name, first_error(program.getInfoLog()))};
+    Compiled result;
+    glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv);
+    return result;
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "viewer/file_stamp.hpp"
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gabor::viewer {
+
+enum class ShaderStage { vertex, fragment, compute };
+
+/// What became of a shader: its SPIR-V, or the compiler's first complaint as "file:line: message".
+struct Compiled {
+    std::vector<std::uint32_t> spirv;
+    std::string error;
+};
+
+struct EmbeddedShader {
+    std::string_view path; ///< relative to shaders/
+    std::string_view text;
+};
+
+/// The shaders as they were when the program was built.
+std::span<const EmbeddedShader> embedded_shaders();
+
+/// Compiles shaders from a folder, or those that were built in, and notes which files they are made of.
+class ShaderCompiler {
+  public:
+    /// `folder`: empty for those built in. Throws RequestError where a folder has no gabor_noise.glsl.
+    explicit ShaderCompiler(std::filesystem::path folder);
+    ~ShaderCompiler();
+    ShaderCompiler(const ShaderCompiler&) = delete;
+    ShaderCompiler& operator=(const ShaderCompiler&) = delete;
+
+    /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it.
+    Compiled compile(std::string_view path, ShaderStage stage);
+
+    /// Whether any file that was read has another time or size than it had then. Asking takes note: the next
+    /// answer is about changes from here on.
+    bool changed();
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    friend class Includer;
+    bool read(const std::string& path, std::string& text);
+
+    std::filesystem::path folder_;
+    std::map<std::string, FileStamp> read_;
+};
+
+} // namespace gabor::viewer

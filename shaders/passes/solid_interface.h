@@ -1,0 +1,32 @@
+// For passes/solid.comp, host/render, and the viewer, which draws with it.
+
+#ifndef GABOR_SOLID_INTERFACE_H
+#define GABOR_SOLID_INTERFACE_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+const uint solid_group = 8; // pixels along x and y
+
+GABOR_PUSH_CONSTANTS(SolidPush) {
+    vec2 center;    // of the picture, in pixels from its corner
+    vec2 yaw;       // cosine and sine of the eye's angle around the axis z
+    vec2 pitch;     // and of its height above the plane z = 0
+    vec2 direction; // of the waves, in the plane z = 0, of length 1
+    float pixel; // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
+    float unit;  // kernel radii in the unit of bodies, the radius of the sphere
+    float depth; // z of the slice, kernel radii
+    float frequency;
+    float time;
+    uint seed;
+    int first_column; // of these pixels in the picture
+    int first_row;
+    int width;
+    int height;
+    int before; // pixels in the buffer before those of the band
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_SOLID_INTERFACE_H

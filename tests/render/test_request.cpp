@@ -1,0 +1,245 @@
+#include "error.hpp"
+#include "render/parameters.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <map>
+
+using namespace gabor;
+using render::Parameter;
+using render::Request;
+using render::Value;
+
+namespace {
+
+// Another value than by default, within the range.
+Value another(const Parameter& parameter, const Value& value) {
+    switch (parameter.kind) {
+    case Parameter::Kind::flag:
+        return !std::get<bool>(value);
+    case Parameter::Kind::choice:
+    case Parameter::Kind::recipe: {
+        const std::vector<std::string_view> all = render::choices(parameter);
+        return std::string(all.at(std::get<std::string>(value) == all[1] ? 2 : 1));
+    }
+    case Parameter::Kind::text:
+        return "a \"name\".exr";
+    case Parameter::Kind::lobes:
+        return std::vector<noise::Lobe>{{0.1, -33.3, 0.25, 12.345678901234567, 3}, {7, 90}};
+    case Parameter::Kind::integer:
+        return parameter.range.high;
+    default:
+        return (2 * parameter.range.low + parameter.range.high) / 3;
+    }
+}
+
+Request of_view(std::string_view name) {
+    Request request;
+    render::set_text(request, "view", name);
+    return request;
+}
+
+const std::vector<std::string_view> views = render::choices(render::parameter("view"));
+
+} // namespace
+
+TEST_CASE("every parameter survives JSON and text exactly, and makes another request", "[request]") {
+    std::map<std::string_view, int> seen;
+    for (const std::string_view view : views) {
+        Request several = of_view(view);
+        render::set(several, "lobes", std::vector<noise::Lobe>(3));
+        for (const Request& start : {of_view(view), several}) {
+            for (const Parameter& parameter : render::parameters()) {
+                INFO(view << ", " << start.lobes.size() << " lobes, " << parameter.name);
+                const std::optional<Value> before = parameter.get(start);
+                if (!before)
+                    continue;
+                Request changed = start;
+                const Value value = another(parameter, *before);
+                render::set(changed, parameter.name, value);
+                REQUIRE_FALSE(changed == start);
+                CHECK(*parameter.get(changed) == value);
+                const std::string text = render::written(parameter, value);
+                CHECK(render::read(parameter, text) == value);
+                Request by_text = start;
+                render::set_text(by_text, parameter.name, text);
+                CHECK(by_text == changed);
+                try {
+                    render::check(changed);
+                } catch (const RequestError&) { // excluded beside what it began with
+                    continue;
+                }
+                CHECK(render::from_json(render::to_json(changed)) == changed);
+                ++seen[parameter.name];
+            }
+        }
+    }
+    for (const Parameter& parameter : render::parameters()) {
+        INFO(parameter.name);
+        CHECK(seen[parameter.name] > 0);
+    }
+    CHECK(render::from_json("{}") == Request());
+}
+
+TEST_CASE("files of earlier versions load", "[request]") {
+    // Every value whatever the view, and lobes beside the values of one.
+    const Request plain = render::from_json(
+        R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
+            "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
+            "orientation_spread":5.0,"lobes":[],"sum":false,"filter":false,"view":"flat","paint":"","phasor":true,
+            "values":2,"solid":false,"depth":0.0})");
+    CHECK(plain == Request{.width = 64,
+                           .height = 48,
+                           .scale = 17,
+                           .recipe = noise::find_recipe("pure"),
+                           .lobes = {{3.5, -20, 0.1, 5}},
+                           .seed = 9,
+                           .time = 0.25,
+                           .quadrature = true,
+                           .phasor = true,
+                           .values = 2});
+    const Request lobes = render::from_json(
+        R"({"frequency":4.0,"orientation":0.0,"lobes":[{"frequency":9.0,"power":2}],"solid":true,"depth":1.0})");
+    CHECK(lobes == Request{.lobes = {{.frequency = 9, .power = 2}}});
+    const Request slice = render::from_json(R"({"view":"slice","solid":false,"depth":3.5,"tileable":false})");
+    CHECK(slice == Request{.view = render::Slice{3.5}});
+}
+
+TEST_CASE("bad parameters are named", "[request]") {
+    const auto refused = [](const char* json, const char* word) {
+        INFO(json);
+        CHECK_THROWS_AS(render::from_json(json), RequestError);
+        CHECK_THROWS_WITH(render::from_json(json), Catch::Contains(word));
+    };
+    refused("", "not a JSON object");
+    refused("[1]", "not a JSON object");
+    refused("{\"seed\": -1}", "seed");
+    refused("{\"seed\": 4294967296}", "seed");
+    refused("{\"seed\": 1.5}", "seed");
+    refused("{\"width\": 18446744073709551615}", "width");
+    refused("{\"width\": 65537}", "65536");
+    refused("{\"scale\": \"32\"}", "scale");
+    refused("{\"scale\": 1e400}", "JSON");
+    refused("{\"frequency\": 0}", "0.001");
+    refused("{\"recipe\": 1}", "recipe");
+    refused("{\"recipe\": \"best\"}", "one, pure, paper");
+    refused("{\"colour\": 1}", "colour");
+    Request request;
+    request.lobes[0].frequency = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(render::check(request), RequestError);
+    request.lobes[0].frequency = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(render::check(request), RequestError);
+    request.lobes.clear();
+    CHECK_THROWS_AS(render::check(request), RequestError);
+}
+
+TEST_CASE("values outside their range are refused, at both ends, whoever brings them", "[request]") {
+    int refused = 0;
+    for (const std::string_view view : views) {
+        for (const Parameter& parameter : render::parameters()) {
+            Request request = of_view(view);
+            if (parameter.range.low == parameter.range.high || !parameter.get(request))
+                continue;
+            INFO(view << ", " << parameter.name);
+            for (const double outside : {parameter.range.low - 1, parameter.range.high + 1,
+                                         std::numeric_limits<double>::quiet_NaN()}) {
+                CHECK_THROWS_WITH(render::set(request, parameter.name, outside),
+                                  Catch::Contains(std::string(parameter.name)));
+                parameter.put(request, outside == outside ? outside : 0.25); // as a program may
+                if (outside != outside && parameter.kind != Parameter::Kind::integer)
+                    parameter.put(request, outside);
+                if (parameter.kind != Parameter::Kind::integer)
+                    CHECK_THROWS_AS(render::check(request), RequestError);
+                ++refused;
+            }
+            for (const double end : {parameter.range.low, parameter.range.high}) {
+                render::set(request, parameter.name, end);
+                CHECK(std::get<double>(*parameter.get(request)) == end);
+            }
+        }
+    }
+    CHECK(refused > 100);
+}
+
+TEST_CASE("angles have units", "[request]") {
+    const Parameter& orientation = render::parameter("orientation");
+    CHECK(std::get<double>(render::read(orientation, "45")) == 45);
+    CHECK(std::get<double>(render::read(orientation, "-45.5deg")) == -45.5);
+    CHECK(std::get<double>(render::read(orientation, "0.7853981633974483rad")) == Approx(45).epsilon(1e-14));
+    for (const char* wrong : {"45 deg", "rad", "deg", "45turns", "45radrad", ""})
+        CHECK_THROWS_WITH(render::read(orientation, wrong), Catch::Contains("0.7854rad"));
+    CHECK_THROWS_AS(render::read(render::parameter("scale"), "45deg"), RequestError);
+}
+
+TEST_CASE("a request has what its view and lobes have", "[request]") {
+    const auto has = [](const Request& request, std::string_view name) {
+        return render::parameter(name).get(request).has_value();
+    };
+    CHECK(has(of_view("flat"), "tileable"));
+    CHECK_FALSE(has(of_view("horizon"), "tileable"));
+    CHECK(has(of_view("slice"), "depth"));
+    CHECK_FALSE(has(of_view("flat"), "depth"));
+    for (const char* body : {"sphere", "torus"})
+        for (const char* name : {"solid", "yaw", "pitch", "zoom"})
+            CHECK(has(of_view(body), name));
+    Request request = of_view("flat");
+    CHECK(has(request, "frequency"));
+    CHECK_FALSE(has(request, "sum"));
+    CHECK_THROWS_WITH(render::set_text(request, "depth", "1"), Catch::Contains("the view slice"));
+    CHECK_THROWS_WITH(render::set_text(request, "sum", "true"), Catch::Contains("several lobes"));
+    render::set_text(request, "lobes", "[{}, {}]");
+    CHECK(has(request, "sum"));
+    CHECK_FALSE(render::is_set(request, "sum"));
+    CHECK(render::is_set(request, "lobes"));
+    CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("2, each with its own"));
+
+    // A body keeps its pose as it changes its shape.
+    Request body = of_view("sphere");
+    render::set_text(body, "yaw", "30");
+    render::set_text(body, "view", "torus");
+    CHECK(std::get<render::Body>(body.view) == render::Body{.shape = render::Shape::torus, .yaw = 30});
+
+    // Whatever their order.
+    CHECK(render::from_json(R"({"depth": 2, "view": "slice"})").view == render::View(render::Slice{2}));
+}
+
+TEST_CASE("what excludes gives way, or is refused", "[request]") {
+    struct Pair {
+        Request start;
+        const char* first;
+        const char* first_value;
+        const char* second;
+        const char* second_value;
+    };
+    for (const Pair& pair : {Pair{of_view("flat"), "filter", "true", "gradient", "true"},
+                             Pair{of_view("flat"), "filter", "true", "values", "3"},
+                             Pair{of_view("flat"), "paint", "a.exr", "lobes", "[{}, {}]"},
+                             Pair{of_view("flat"), "paint", "a.exr", "view", "horizon"},
+                             Pair{of_view("flat"), "lobes", "[{}, {}]", "view", "slice"},
+                             Pair{of_view("flat"), "frequency_spread", "0.5", "view", "sphere"},
+                             Pair{of_view("flat"), "orientation_spread", "30", "view", "torus"},
+                             Pair{of_view("flat"), "recipe", "pure", "view", "sphere"},
+                             Pair{of_view("flat"), "values", "2", "view", "slice"}}) {
+        INFO(pair.first << ", " << pair.second);
+        Request both = pair.start;
+        render::set_text(both, pair.first, pair.first_value);
+        render::check(both);
+        CHECK(render::is_set(both, pair.first));
+        render::set_text(both, pair.second, pair.second_value);
+        CHECK_THROWS_WITH(render::check(both), Catch::Contains("exclude each other"));
+        Request first = both;
+        render::give_way(first, pair.first);
+        render::check(first);
+        CHECK(render::is_set(first, pair.first));
+        CHECK_FALSE(render::is_set(first, pair.second));
+        Request second = both;
+        render::give_way(second, pair.second);
+        render::check(second);
+        CHECK(render::is_set(second, pair.second));
+    }
+    Request tile = of_view("flat");
+    render::set_text(tile, "tileable", "true");
+    render::set_text(tile, "width", "63");
+    CHECK_THROWS_WITH(render::check(tile), Catch::Contains("two kernel radii"));
+}
