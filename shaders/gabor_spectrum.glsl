@@ -1,0 +1,437 @@
+// gabor_spectrum.glsl: Gabor noise of any power spectrum, and without aliasing. Include it after gabor_lattice.glsl.
+//
+//     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
+//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // the value, and the variance removed
+//
+// Functions to call, at the end of the file:
+//     gabor_noise_lobes, gabor_noise_lobes_gradient, gabor_noise_lobes_complex     a sum of lobes
+//     gabor_noise_spread, gabor_noise_spread_gradient, gabor_noise_spread_complex  a range of waves, up to isotropic
+//     gabor_noise_filtered, gabor_noise_lobes_filtered                             as a pixel sees it
+//     gabor_lobe, gabor_lobe_seed, gabor_footprint, gabor_field_filtered           their parts
+//
+// The unit of length is the kernel radius, as in gabor_lattice.glsl, and every function's variance is exactly 1.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_GLSL
+#error "Include gabor_lattice.glsl before gabor_spectrum.glsl"
+#endif
+#ifndef GABOR_SPECTRUM_GLSL
+#define GABOR_SPECTRUM_GLSL
+
+// The most lobes that a GaborLobes holds: an int, at least 1.
+#ifndef GABOR_LOBES
+#define GABOR_LOBES 4
+#endif
+
+// ---- Lobes ---------------------------------------------------------------------------------------------------------
+
+// Waves around one wave vector: see gabor_lobe.
+struct GaborLobe {
+    float frequency;
+    float orientation;
+    float radius;
+    float power;
+};
+
+// A power spectrum: the first `count` lobes.
+struct GaborLobes {
+    GaborLobe lobe[GABOR_LOBES];
+    int count;
+};
+
+// The seed of lobe `index` of a sum: the noises of different lobes are independent.
+uint gabor_lobe_seed(uint seed, int index)
+{
+    return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+}
+
+void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude, float slope)
+{
+    sum.value += amplitude * field.value;
+    sum.slope_x += slope * field.slope_x;
+    sum.slope_y += slope * field.slope_y;
+    sum.four += amplitude * field.four;
+}
+
+// The noise of a sum of lobes at p, with its quadrature and derivatives per unit of p.
+GaborField gabor_field_lobes(vec2 p, GaborLobes lobes, uint seed)
+{
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    float power = 0.0;
+    for (int i = 0; i < lobes.count; ++i) {
+        GaborLobe lobe = lobes.lobe[i];
+        GaborField field = gabor_field(gabor_place(ivec2(0), p * (GABOR_RADIUS / lobe.radius)),
+                                       gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
+                                       gabor_lobe_seed(seed, i));
+        gabor_impl_accumulate(sum, field, sqrt(lobe.power), sqrt(lobe.power) / lobe.radius);
+        power += lobe.power;
+    }
+    float scale = power > 0.0 ? inversesqrt(power) : 0.0;
+    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, scale * sum.four);
+}
+
+// ---- Spreads -------------------------------------------------------------------------------------------------------
+
+// A range of waves is a sum of lobes that stand so close that their sum is even: at most 0.7 cycles apart, for the
+// power of Hann's window falls off with a standard deviation of 1/sqrt(12) cycles. A range of `count` lobes, a real
+// number, has as many whole ones as fit and one of less power: so all of it is continuous in frequency and spread.
+
+// Lobes for waves within `frequency_spread` of the frequency, and for directions within `orientation_spread`.
+float gabor_impl_shells(float frequency, float frequency_spread)
+{
+    return clamp(2.857 * frequency_spread * frequency, 1.0, 16.0);
+}
+
+float gabor_impl_directions(float frequency, float orientation_spread)
+{
+    return clamp(0.63661977 * orientation_spread * (4.4 * frequency + 0.6), 1.0, 64.0);
+}
+
+// Lobe `index` of `count`: where in the range it stands, from -1 to 1, and its share of the power.
+vec2 gabor_impl_share(int index, float count)
+{
+    float share = min(count - float(index), 1.0);
+    return vec2((2.0 * float(index) + share) / count - 1.0, share / count);
+}
+
+// The noise of a range of waves at p, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float frequency_spread,
+                              float orientation_spread, uint seed)
+{
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    frequency = min(abs(frequency), 1.0e6);
+    float shells = gabor_impl_shells(frequency, clamp(frequency_spread, 0.0, 1.0));
+    int shell_count = int(ceil(shells));
+    for (int j = 0; j < shell_count; ++j) {
+        vec2 shell = gabor_impl_share(j, shells);
+        float magnitude = frequency * (1.0 + clamp(frequency_spread, 0.0, 1.0) * shell.x);
+        float directions = gabor_impl_directions(magnitude, clamp(orientation_spread, 0.0, 1.5707963));
+        int direction_count = int(ceil(directions));
+        for (int i = 0; i < direction_count; ++i) {
+            vec2 direction = gabor_impl_share(i, directions);
+            GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
+            GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, 64 * j + i));
+            float amplitude = sqrt(shell.y * direction.y);
+            gabor_impl_accumulate(sum, field, amplitude, amplitude);
+        }
+    }
+    return sum;
+}
+
+// ---- The filter ----------------------------------------------------------------------------------------------------
+//
+// A filter normal in shape and of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). What it makes of
+// one node's kernel h(x) h(y) e^(2 pi i F.d) is the integral of the kernel's spectrum, with k = F + q,
+//
+//     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d)   over q,
+//
+// H being the transform of h. Along each axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window
+// ends at +-w, which a taper sees to: for w = 1 with h itself, for it has these waves alone. Nodes up to w away take
+// part: 3, 4 or 5 along each axis, as the filter widens w from 1 to 5/3. The axes meet in one factor, of q_x q_y: around
+// the center m = -(S + v)^-1 S F of the filtered lobe, v = 1/3 - 2/pi^2 the variance of h, its series
+//
+//     exp(-c u_x u_y) = 1 - c u_x u_y + (c u_x u_y)^2 / 2 ...,   c = 4 pi^2 S_xy,  u = q - m
+//
+// is cut after three terms, which small changes to the last two make the best for all lobes.
+
+// What a pixel covers: see gabor_footprint.
+struct GaborFootprint {
+    vec3 covariance; // xx, yy, xy in kernel radii^2
+    vec3 resolved;   // the same with standard deviations of at most 1/2, for which the windows are made
+};
+
+// A symmetric matrix (xx, yy, xy) times a vector.
+vec2 gabor_impl_symmetric(vec3 matrix, vec2 v)
+{
+    return matrix.xy * v + matrix.z * v.yx;
+}
+
+// The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
+// normal, of variance 1/12 along each axis, as Hann's window has it,
+//     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+float gabor_impl_transmitted(vec2 wave, vec3 covariance)
+{
+    vec3 widened = vec3(1.0, 1.0, 0.0) + 6.5797363 * covariance;
+    float determinant = widened.x * widened.y - widened.z * widened.z;
+    vec2 through = gabor_impl_symmetric(vec3(widened.y, widened.x, -widened.z), wave) / determinant;
+    float exponent = 39.478418 * dot(wave, gabor_impl_symmetric(covariance, through));
+    return exp(-min(exponent, 80.0)) * inversesqrt(determinant);
+}
+
+// The filtered window of one axis: coefficients of its waves a = 0 (zero) and 1 to 3, the sums (even) and differences
+// (odd) of those of a and -a, for the factors 1, u and u^2.
+struct GaborBand {
+    float reach; // w, in kernel radii
+    float slope; // of the taper
+    vec3 zero;
+    vec3 even_0, odd_0, even_1, odd_1, even_2, odd_2;
+};
+
+//   variance  of the filter along the axis
+//   tilt      the coefficients' factor is e^(-tilt q)
+//   center    m
+GaborBand gabor_impl_band(float variance, float tilt, float center)
+{
+    GaborBand band;
+    float deviation = sqrt(variance);
+    float wide = clamp(25.0 * deviation - 2.0, 0.0, 1.0);
+    float widest = clamp(5.8823529 * deviation - 1.5882353, 0.0, 1.0);
+    float t = (wide + widest) / 3.0;
+    band.reach = 1.0 + t;
+    float taper = min(0.625 * deviation, 0.05) + 0.35 * wide - 0.3 * clamp(12.5 * deviation - 2.125, 0.0, 1.0)
+                + 0.1 * widest;
+    band.slope = 1.0 / max(taper, 0.001);
+
+    // H(a / 2w) / 2w for a = 1, 2, 3 by a polynomial in w - 1; 1 / 2w for 0.
+    vec3 c = vec3(0.1581287, -0.3374857, 0.6033444) * t + vec3(-0.4607931, 0.8628952, -1.266219);
+    c = c * t + vec3(0.6127236, -0.850095, 0.8539023);
+    c = c * t + vec3(-0.4679222, 0.271717, -0.05810602);
+    c = c * t + vec3(0.1246983, 0.1670957, -0.06381795);
+    c = c * t + vec3(0.25, 0.0, 0.0);
+    vec3 q = vec3(0.5, 1.0, 1.5) / band.reach;
+    c *= exp(-19.739209 * variance * q * q);
+    vec3 rise = exp(tilt * q);
+    vec3 fall = 1.0 / rise;
+
+    float zero = 0.5 / band.reach;
+    band.zero = zero * vec3(1.0, -center, center * center);
+    band.even_0 = c * (fall + rise);
+    band.odd_0 = c * (fall - rise);
+    band.even_1 = q * band.odd_0 - center * band.even_0;
+    band.odd_1 = q * band.even_0 - center * band.odd_0;
+    band.even_2 = q * band.odd_1 - center * band.even_1;
+    band.odd_2 = q * band.even_1 - center * band.odd_1;
+    return band;
+}
+
+// What a node's amplitude meets along one axis: its filtered windows, for the factors 1, u and u^2, times its wave.
+struct GaborFactors {
+    vec2 one;
+    vec2 u;
+    vec2 uu;
+};
+
+//   distance  from the node, in kernel radii
+//   turn      e^(pi i distance / w)
+//   wave      e^(2 pi i F (distance)), but for what is common to all nodes
+GaborFactors gabor_impl_factors(GaborBand band, float distance, vec2 turn, vec2 wave)
+{
+    vec2 second = gabor_impl_product(turn, turn);
+    vec2 third = gabor_impl_product(turn, second);
+    vec3 cosine = vec3(turn.x, second.x, third.x);
+    vec3 sine = vec3(turn.y, second.y, third.y);
+    float taper = clamp((band.reach - abs(distance)) * band.slope, 0.0, 1.0);
+    wave *= taper * taper * (3.0 - 2.0 * taper);
+    vec3 real = band.zero + vec3(dot(band.even_0, cosine), dot(band.even_1, cosine), dot(band.even_2, cosine));
+    vec3 imaginary = vec3(dot(band.odd_0, sine), dot(band.odd_1, sine), dot(band.odd_2, sine));
+    return GaborFactors(gabor_impl_product(wave, vec2(real.x, imaginary.x)),
+                        gabor_impl_product(wave, vec2(real.y, imaginary.y)),
+                        gabor_impl_product(wave, vec2(real.z, imaginary.z)));
+}
+
+void gabor_impl_add(inout GaborFactors row, uint lines, GaborFactors column, GaborPlace place, vec2 time)
+{
+    uint word = gabor_impl_node_word(lines);
+    vec2 amplitude = gabor_impl_amplitude(word);
+    if (place.animated)
+        amplitude = gabor_impl_amplitude_at(word, time);
+    row.one += gabor_impl_product(amplitude, column.one);
+    row.u += gabor_impl_product(amplitude, column.u);
+    row.uu += gabor_impl_product(amplitude, column.uu);
+}
+
+// ---- The functions to call -----------------------------------------------------------------------------------------
+
+// A lobe of waves around one wave vector.
+//   frequency, orientation  as for gabor_noise, whatever the radius: cycles per unit of p, radians
+//   radius                  of its kernel, positive: the lobe's bandwidth falls with it, as 1/sqrt(12) / radius cycles
+//                           (standard deviation along each axis)
+//   power                   in proportion to other lobes', not negative
+GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+{
+    return GaborLobe(frequency, orientation, radius, power);
+}
+
+// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At the
+// cost of gabor_noise for each lobe.
+//     #define GABOR_LOBES 2              // before the file
+//     GaborLobes lobes;
+//     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
+//     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
+//     lobes.count = 2;
+float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
+{
+    return gabor_field_lobes(p, lobes, seed).value.y;
+}
+
+// The same with its analytic gradient: (noise, d/dx, d/dy).
+vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
+{
+    GaborField field = gabor_field_lobes(p, lobes, seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The same with its quadrature, as gabor_noise_complex.
+vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
+{
+    return gabor_field_lobes(p, lobes, seed).value;
+}
+
+// Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
+// `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be. pi/2
+// radians are every direction: isotropic noise, whose power varies with direction by at most 5 %. Normal with all its
+// derivatives, mean 0, variance 1. Continuous where the arguments are.
+// Cost: that of gabor_noise for each lobe, of which there are
+//     (4.4 frequency + 0.6) orientation_spread / (pi/2)  times  2.9 frequency_spread frequency,
+// both rounded up, at least 1 and at most 64 and 16: 10 for isotropic noise of frequency 2.
+float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
+                         uint seed)
+{
+    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
+}
+
+// The same with its analytic gradient: (noise, d/dx, d/dy).
+vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
+                                 float orientation_spread, uint seed)
+{
+    GaborField field = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The same with its quadrature, as gabor_noise_complex.
+vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
+                                float orientation_spread, uint seed)
+{
+    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value;
+}
+
+// What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
+// filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
+GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
+{
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // or not a number: nothing is left of any wave
+        dx = vec2(1.0e3, 0.0);
+        dy = vec2(0.0, 1.0e3);
+    }
+    GaborFootprint footprint;
+    footprint.covariance = 0.25 * vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
+
+    // The eigenvalues are mean +- apart, the smaller one precisely the determinant over the larger one.
+    float mean = 0.5 * (footprint.covariance.x + footprint.covariance.y);
+    vec2 axis = vec2(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
+    float apart = length(axis);
+    float larger = mean + apart;
+    float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
+    float smaller = larger > 1.0e-12 ? min(side / larger * side, mean) : 0.0;
+    footprint.resolved = footprint.covariance;
+    if (larger > 0.25) {
+        smaller = min(smaller, 0.25);
+        axis *= apart > 0.0 ? 0.5 * (0.25 - smaller) / apart : 0.0;
+        footprint.resolved = vec3(0.5 * (0.25 + smaller) + vec2(axis.x, -axis.x), axis.y);
+    }
+    return footprint;
+}
+
+// The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
+// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
+vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed)
+{
+    vec2 wave = kernel.wave * (GABOR_RADIUS / place.radius);
+    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
+    if (transmitted < 1.0e-10)
+        return vec3(0.0, 0.0, 1.0);
+
+    vec3 s = footprint.resolved;
+    vec2 blurred = gabor_impl_symmetric(s, wave);
+    vec2 m = s.xy + 0.13069097; // S + v
+    vec2 center = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    vec2 tilt = 39.478418 * (blurred + s.z * center.yx);
+    GaborBand across = gabor_impl_band(s.x, tilt.x, center.x);
+    GaborBand along = gabor_impl_band(s.y, tilt.y, center.y);
+    float c = 39.478418 * s.z;
+    float weight_u = -c * (1.0 + 0.0035 * c * c);
+    float weight_uu = 0.5 * c * c * (1.0 + 0.0045 * c * c);
+
+    vec2 reach = vec2(across.reach, along.reach);
+    vec2 first = floor(place.local - GABOR_RADIUS * reach) + 1.0;
+    ivec2 count = ivec2(ceil(2.0 * GABOR_RADIUS * reach - 0.001)); // nodes within reach
+    vec2 x = place.local - first;
+    ivec2 node = place.cell + ivec2(first);
+    vec2 turns = 0.5 / (GABOR_RADIUS * reach);
+    vec2 time = gabor_impl_wave(place.time);
+
+    // Columns, of which three are always within reach.
+    uint salt = gabor_impl_salt(seed, 0u);
+    uint word[5];
+    GaborFactors column[5];
+    vec2 turn = gabor_impl_wave(turns.x * x.x);
+    vec2 step = gabor_impl_wave(-turns.x);
+    vec2 back = vec2(kernel.step_x.x, -kernel.step_x.y);
+    vec2 phase = vec2(1.0, 0.0);
+    for (int i = 0; i < 5; ++i) {
+        word[i] = gabor_impl_line_word(gabor_impl_wrap(node.x + i, place.period.x), salt);
+        column[i] = gabor_impl_factors(across, (x.x - float(i)) / GABOR_RADIUS, turn, phase);
+        turn = gabor_impl_product(turn, step);
+        phase = gabor_impl_product(phase, back);
+    }
+
+    salt = gabor_impl_salt(seed, 1u);
+    turn = gabor_impl_wave(turns.y * x.y);
+    step = gabor_impl_wave(-turns.y);
+    back = vec2(kernel.step_y.x, -kernel.step_y.y);
+    phase = gabor_impl_wave(dot(kernel.wave / place.radius, x));
+    vec2 sum = vec2(0.0);
+    for (int j = 0; j < count.y; ++j) {
+        uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt);
+        GaborFactors row = GaborFactors(vec2(0.0), vec2(0.0), vec2(0.0));
+        gabor_impl_add(row, word[0] ^ row_word, column[0], place, time);
+        gabor_impl_add(row, word[1] ^ row_word, column[1], place, time);
+        gabor_impl_add(row, word[2] ^ row_word, column[2], place, time);
+        for (int i = 3; i < count.x; ++i) {
+            if (i == 3)
+                gabor_impl_add(row, word[3] ^ row_word, column[3], place, time);
+            else
+                gabor_impl_add(row, word[4] ^ row_word, column[4], place, time);
+        }
+        GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn, phase);
+        sum += gabor_impl_product(row.one, factors.one) + weight_u * gabor_impl_product(row.u, factors.u)
+             + weight_uu * gabor_impl_product(row.uu, factors.uu);
+        turn = gabor_impl_product(turn, step);
+        phase = gabor_impl_product(phase, back);
+    }
+    float amplitude = exp(-19.739209 * (dot(wave, blurred) - 2.0 * s.z * center.x * center.y));
+    if (footprint.resolved != footprint.covariance)
+        amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
+    return vec3(amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * sum, 1.0 - transmitted);
+}
+
+// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
+// share of the variance that this removed: what a material lost in roughness, or a picture in contrast. Against the
+// noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
+// steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
+// in the place and in both steps.
+// Cost: up to steps of 0.16 kernel radii 1.8 times that of gabor_noise, for large ones up to 3 times.
+vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
+{
+    return gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
+                                gabor_footprint(dx, dy), seed).yz;
+}
+
+// The noise of several lobes at p, as gabor_noise_lobes, and filtered as gabor_noise_filtered.
+vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
+{
+    vec2 sum = vec2(0.0);
+    float power = 0.0;
+    for (int i = 0; i < lobes.count; ++i) {
+        GaborLobe lobe = lobes.lobe[i];
+        vec2 value = gabor_noise_filtered(p / lobe.radius, dx / lobe.radius, dy / lobe.radius,
+                                          lobe.frequency * lobe.radius, lobe.orientation, gabor_lobe_seed(seed, i));
+        sum += vec2(sqrt(lobe.power), lobe.power) * value;
+        power += lobe.power;
+    }
+    return power > 0.0 ? sum * vec2(inversesqrt(power), 1.0 / power) : vec2(0.0);
+}
+
+#endif // GABOR_SPECTRUM_GLSL
