@@ -122,19 +122,22 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
 
 // ---- The filter ----------------------------------------------------------------------------------------------------
 //
-// A filter normal in shape and of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). What it makes of
-// one node's kernel h(x) h(y) e^(2 pi i F.d) is the integral of the kernel's spectrum, with k = F + q,
+// A normal filter of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). What it leaves of one node's
+// kernel h(x) h(y) e^(2 pi i F.d) is, with H the transform of h, the integral over q of
 //
-//     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d)   over q,
+//     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
-// H being the transform of h. Along each axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window
-// ends at +-w, which a taper sees to: for w = 1 with h itself, for it has these waves alone. Nodes up to w away take
-// part: 3, 4 or 5 along each axis, as the filter widens w from 1 to 5/3. The axes meet in one factor, of q_x q_y: around
-// the center m = -(S + v)^-1 S F of the filtered lobe, v = 1/3 - 2/pi^2 the variance of h, its series
+// Along one axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window ends at +-w, which a taper sees
+// to: for w = 1 it is h itself, which has three of these waves. The filter widens w from 1 to 5/3, so that 3, 4 or 5
+// nodes along each axis take part. The axes meet in the factor exp(-4 pi^2 S_xy q_x q_y). With H as wide as a normal
+// curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28)
+// separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy),
+// r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
-//     exp(-c u_x u_y) = 1 - c u_x u_y + (c u_x u_y)^2 / 2 ...,   c = 4 pi^2 S_xy,  u = q - m
+//     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
+//                                      (1 - 2 lambda z_x z_y + lambda^2 / 2 (2 z_x^2 - 1) (2 z_y^2 - 1) - ...),
 //
-// is cut after three terms, which small changes to the last two make the best for all lobes.
+// of which these three terms are used; |lambda| is at most 0.26.
 
 // What a pixel covers: see gabor_footprint.
 struct GaborFootprint {
@@ -161,7 +164,7 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance)
 }
 
 // The filtered window of one axis: coefficients of its waves a = 0 (zero) and 1 to 3, the sums (even) and differences
-// (odd) of those of a and -a, for the factors 1, u and u^2.
+// (odd) of those of a and -a, for the factors 1, z and 2 z^2 - 1.
 struct GaborBand {
     float reach; // w, in kernel radii
     float slope; // of the taper
@@ -169,13 +172,11 @@ struct GaborBand {
     vec3 even_0, odd_0, even_1, odd_1, even_2, odd_2;
 };
 
-//   variance  of the filter along the axis
-//   tilt      the coefficients' factor is e^(-tilt q)
-//   center    m
-GaborBand gabor_impl_band(float variance, float tilt, float center)
+//   deviation  of the filter along the axis
+//   g, c       see above
+GaborBand gabor_impl_band(float deviation, float g, float c)
 {
     GaborBand band;
-    float deviation = sqrt(variance);
     float wide = clamp(25.0 * deviation - 2.0, 0.0, 1.0);
     float widest = clamp(5.8823529 * deviation - 1.5882353, 0.0, 1.0);
     float t = (wide + widest) / 3.0;
@@ -185,32 +186,38 @@ GaborBand gabor_impl_band(float variance, float tilt, float center)
     band.slope = 1.0 / max(taper, 0.001);
 
     // H(a / 2w) / 2w for a = 1, 2, 3 by a polynomial in w - 1; 1 / 2w for 0.
-    vec3 c = vec3(0.1581287, -0.3374857, 0.6033444) * t + vec3(-0.4607931, 0.8628952, -1.266219);
-    c = c * t + vec3(0.6127236, -0.850095, 0.8539023);
-    c = c * t + vec3(-0.4679222, 0.271717, -0.05810602);
-    c = c * t + vec3(0.1246983, 0.1670957, -0.06381795);
-    c = c * t + vec3(0.25, 0.0, 0.0);
-    vec3 q = vec3(0.5, 1.0, 1.5) / band.reach;
-    c *= exp(-19.739209 * variance * q * q);
-    vec3 rise = exp(tilt * q);
-    vec3 fall = 1.0 / rise;
+    vec3 h = vec3(0.1581287, -0.3374857, 0.6033444) * t + vec3(-0.4607931, 0.8628952, -1.266219);
+    h = h * t + vec3(0.6127236, -0.850095, 0.8539023);
+    h = h * t + vec3(-0.4679222, 0.271717, -0.05810602);
+    h = h * t + vec3(0.1246983, 0.1670957, -0.06381795);
+    h = h * t + vec3(0.25, 0.0, 0.0);
 
-    float zero = 0.5 / band.reach;
-    band.zero = zero * vec3(1.0, -center, center * center);
-    band.even_0 = c * (fall + rise);
-    band.odd_0 = c * (fall - rise);
-    band.even_1 = q * band.odd_0 - center * band.even_0;
-    band.odd_1 = q * band.even_0 - center * band.odd_0;
-    band.even_2 = q * band.odd_1 - center * band.even_1;
-    band.odd_2 = q * band.even_1 - center * band.odd_1;
+    // H e^(2 pi^2 v q^2 - g (q - c)^2).
+    float q = 0.5 / band.reach;
+    float center = exp(-g * c * c);
+    float curve = exp((2.5797363 - g) * q * q);
+    float rise = exp(2.0 * g * c * q);
+    vec3 rises = vec3(rise, rise * rise, rise * rise * rise);
+    float curve_4 = curve * curve * curve * curve;
+    h *= center * vec3(curve, curve_4, curve_4 * curve_4 * curve);
+    float scale = sqrt(2.0 * g);
+    vec3 z = scale * q * vec3(1.0, 2.0, 3.0);
+    c *= scale;
+    band.zero = center * q * vec3(1.0, -c, 2.0 * c * c - 1.0);
+    band.even_0 = h * (rises + 1.0 / rises);
+    band.odd_0 = h * (rises - 1.0 / rises);
+    band.even_1 = z * band.odd_0 - c * band.even_0;
+    band.odd_1 = z * band.even_0 - c * band.odd_0;
+    band.even_2 = 2.0 * (z * band.odd_1 - c * band.even_1) - band.even_0;
+    band.odd_2 = 2.0 * (z * band.even_1 - c * band.odd_1) - band.odd_0;
     return band;
 }
 
-// What a node's amplitude meets along one axis: its filtered windows, for the factors 1, u and u^2, times its wave.
+// What a node's amplitude meets along one axis: its filtered windows for the three factors, times its wave.
 struct GaborFactors {
-    vec2 one;
-    vec2 u;
-    vec2 uu;
+    vec2 zeroth;
+    vec2 first;
+    vec2 second;
 };
 
 //   distance  from the node, in kernel radii
@@ -237,9 +244,9 @@ void gabor_impl_add(inout GaborFactors row, uint lines, GaborFactors column, Gab
     vec2 amplitude = gabor_impl_amplitude(word);
     if (place.animated)
         amplitude = gabor_impl_amplitude_at(word, time);
-    row.one += gabor_impl_product(amplitude, column.one);
-    row.u += gabor_impl_product(amplitude, column.u);
-    row.uu += gabor_impl_product(amplitude, column.uu);
+    row.zeroth += gabor_impl_product(amplitude, column.zeroth);
+    row.first += gabor_impl_product(amplitude, column.first);
+    row.second += gabor_impl_product(amplitude, column.second);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -344,15 +351,15 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
         return vec3(0.0, 0.0, 1.0);
 
     vec3 s = footprint.resolved;
-    vec2 blurred = gabor_impl_symmetric(s, wave);
-    vec2 m = s.xy + 0.13069097; // S + v
-    vec2 center = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
-    vec2 tilt = 39.478418 * (blurred + s.z * center.yx);
-    GaborBand across = gabor_impl_band(s.x, tilt.x, center.x);
-    GaborBand along = gabor_impl_band(s.y, tilt.y, center.y);
-    float c = 39.478418 * s.z;
-    float weight_u = -c * (1.0 + 0.0035 * c * c);
-    float weight_uu = 0.5 * c * c * (1.0 + 0.0045 * c * c);
+    vec2 blurred = gabor_impl_symmetric(s, wave); // S F
+    vec2 m = s.xy + 0.13069097;
+    vec2 c = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    float rho = s.z * inversesqrt(m.x * m.y);
+    float r = sqrt(1.0 - rho * rho);
+    float lambda = rho / (1.0 + r);
+    vec2 g = 19.739209 * r * m;
+    GaborBand across = gabor_impl_band(sqrt(s.x), g.x, c.x);
+    GaborBand along = gabor_impl_band(sqrt(s.y), g.y, c.y);
 
     vec2 reach = vec2(across.reach, along.reach);
     vec2 first = floor(place.local - GABOR_RADIUS * reach) + 1.0;
@@ -396,12 +403,13 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
                 gabor_impl_add(row, word[4] ^ row_word, column[4], place, time);
         }
         GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn, phase);
-        sum += gabor_impl_product(row.one, factors.one) + weight_u * gabor_impl_product(row.u, factors.u)
-             + weight_uu * gabor_impl_product(row.uu, factors.uu);
+        sum += gabor_impl_product(row.zeroth, factors.zeroth)
+             - 2.0 * lambda * gabor_impl_product(row.first, factors.first)
+             + 0.5 * lambda * lambda * gabor_impl_product(row.second, factors.second);
         turn = gabor_impl_product(turn, step);
         phase = gabor_impl_product(phase, back);
     }
-    float amplitude = exp(-19.739209 * (dot(wave, blurred) - 2.0 * s.z * center.x * center.y));
+    float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
     if (footprint.resolved != footprint.covariance)
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     return vec3(amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * sum, 1.0 - transmitted);
