@@ -238,12 +238,13 @@ GaborFactors gabor_impl_factors(GaborBand band, float distance, vec2 turn, vec2 
                         gabor_impl_product(wave, vec2(real.z, imaginary.z)));
 }
 
-void gabor_impl_add(inout GaborFactors row, uint lines, GaborFactors column, GaborPlace place, vec2 time)
+void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors column, bool animated, vec2 time)
 {
-    uint word = gabor_impl_node_word(lines);
     vec2 amplitude = gabor_impl_amplitude(word);
-    if (place.animated)
-        amplitude = gabor_impl_amplitude_at(word, time);
+    uint second = gabor_impl_next_word(word);
+    if (animated)
+        amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
+                                  + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
     row.zeroth += gabor_impl_product(amplitude, column.zeroth);
     row.first += gabor_impl_product(amplitude, column.first);
     row.second += gabor_impl_product(amplitude, column.second);
@@ -370,7 +371,7 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
     vec2 time = gabor_impl_wave(place.time);
 
     // Columns, of which three are always within reach.
-    uint salt = gabor_impl_salt(seed, 0u);
+    uint salt = gabor_impl_salt(seed);
     uint word[5];
     GaborFactors column[5];
     vec2 turn = gabor_impl_wave(turns.x * x.x);
@@ -384,23 +385,22 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
         phase = gabor_impl_product(phase, back);
     }
 
-    salt = gabor_impl_salt(seed, 1u);
     turn = gabor_impl_wave(turns.y * x.y);
     step = gabor_impl_wave(-turns.y);
     back = vec2(kernel.step_y.x, -kernel.step_y.y);
     phase = gabor_impl_wave(dot(kernel.wave / place.radius, x));
     vec2 sum = vec2(0.0);
     for (int j = 0; j < count.y; ++j) {
-        uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt);
+        uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt ^ 0x5bd1e995u);
         GaborFactors row = GaborFactors(vec2(0.0), vec2(0.0), vec2(0.0));
-        gabor_impl_add(row, word[0] ^ row_word, column[0], place, time);
-        gabor_impl_add(row, word[1] ^ row_word, column[1], place, time);
-        gabor_impl_add(row, word[2] ^ row_word, column[2], place, time);
+        gabor_impl_add_filtered(row, gabor_impl_node_word(word[0], row_word), column[0], place.animated, time);
+        gabor_impl_add_filtered(row, gabor_impl_node_word(word[1], row_word), column[1], place.animated, time);
+        gabor_impl_add_filtered(row, gabor_impl_node_word(word[2], row_word), column[2], place.animated, time);
         for (int i = 3; i < count.x; ++i) {
             if (i == 3)
-                gabor_impl_add(row, word[3] ^ row_word, column[3], place, time);
+                gabor_impl_add_filtered(row, gabor_impl_node_word(word[3], row_word), column[3], place.animated, time);
             else
-                gabor_impl_add(row, word[4] ^ row_word, column[4], place, time);
+                gabor_impl_add_filtered(row, gabor_impl_node_word(word[4], row_word), column[4], place.animated, time);
         }
         GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn, phase);
         sum += gabor_impl_product(row.zeroth, factors.zeroth)

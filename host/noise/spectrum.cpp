@@ -18,24 +18,29 @@ std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
     return word ^ word >> 15;
 }
 
-std::uint32_t line_word(std::int64_t index, std::uint32_t seed, std::uint32_t axis) {
-    const std::uint32_t salt = mix(seed * 0x9e3779b1u + axis, 0x2545f491u);
-    return mix(static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt, salt);
+// The word of a column or, with `rows`, of a row of nodes.
+std::uint32_t line_word(std::int64_t index, std::uint32_t seed, std::uint32_t rows) {
+    const std::uint32_t salt = mix(seed * 0x9e3779b1u, 0x2545f491u) ^ rows;
+    std::uint32_t word = static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word >> 8 | 0x800001u;
 }
 
-// One part of an amplitude: the law's polynomial of a byte, scaled to variance 1 over the bytes' 256 values.
-double amplitude_part(std::uint32_t byte) {
-    const auto law = [](std::uint32_t b) {
-        const double u = (static_cast<std::int8_t>(b) + 0.5) / 128;
-        return u * (1 - 1.2373 * u * u + 1.7741 * u * u * u * u);
-    };
-    static const double deviation = [&] {
-        double sum = 0;
-        for (std::uint32_t b = 0; b < 256; ++b)
-            sum += law(b) * law(b);
-        return std::sqrt(sum / 256);
-    }();
-    return law(byte) / deviation;
+// The law of one part of an amplitude, of u in [-1, 1], scaled to variance 1 where u is uniform.
+double amplitude_part(double u) {
+    constexpr double slope = 0.79794583;
+    constexpr double edge = 1.7317979e9 / 2147483648.0;
+    // With s the slope and e the edge, the integral of (u - s min(u, e))^2 from 0 to 1.
+    const double inner = (1 - slope) * (1 - slope) * edge * edge * edge / 3;
+    const double outer = (std::pow(1 - slope * edge, 3) - std::pow(edge - slope * edge, 3)) / 3;
+    return (u - slope * std::clamp(u, -edge, edge)) / std::sqrt(inner + outer);
+}
+
+// The amplitude of a node: u is the word's high byte, in the middle of its step, and then the 24 bits below.
+std::complex<double> amplitude(std::int64_t column, std::int64_t row, std::uint32_t seed) {
+    const std::uint32_t word = line_word(column, seed, 0) * line_word(row, seed, 0x5bd1e995u);
+    return {amplitude_part((static_cast<std::int8_t>(word >> 24) + 0.5) / 128),
+            amplitude_part(static_cast<std::int32_t>(word << 8) / 2147483648.0)};
 }
 
 double hann(double x) {
@@ -149,9 +154,8 @@ Spectrum::Field Spectrum::field(double x, double y) const {
                 const double dx = px - static_cast<double>(i) / nodes_per_radius;
                 if (std::abs(dx) >= 1)
                     continue;
-                const std::uint32_t word = (line_word(i, lobe.seed, 0) ^ line_word(j, lobe.seed, 1)) * 0x85ebca6bu;
-                const std::complex<double> amplitude{amplitude_part(word >> 24), amplitude_part(word >> 16 & 255)};
-                const auto wave = scale * amplitude * std::exp(2i * pi * (fx * dx + fy * dy));
+                const auto wave =
+                    scale * amplitude(i, j, lobe.seed) * std::exp(2i * pi * (fx * dx + fy * dy));
                 sum.value += hann(dx) * hann(dy) * wave;
                 sum.slope_x += (hann_slope(dx) + 2i * pi * fx * hann(dx)) * hann(dy) * wave / lobe.radius;
                 sum.slope_y += (hann_slope(dy) + 2i * pi * fy * hann(dy)) * hann(dx) * wave / lobe.radius;
