@@ -73,26 +73,29 @@ GaborField gabor_field_lobes(vec2 p, GaborLobes lobes, uint seed)
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
 
-// A range of waves is a sum of lobes that stand so close that their sum is even: at most 0.7 cycles apart, for the
-// power of Hann's window falls off with a standard deviation of 1/sqrt(12) cycles. A range of `count` lobes, a real
-// number, has as many whole ones as fit and one of less power: so all of it is continuous in frequency and spread.
+// A range of waves is a sum of lobes in the middle of equal pieces of it, at most 0.7 cycles wide: the power of Hann's
+// window falls off with a standard deviation of 1/sqrt(12) cycles, so that the sum is even. There are as many pieces as
+// the whole part of a number c says. While the rest of c goes from 0.8 to 1 they fade out and one more fade in: the
+// noise is continuous in frequency and spread.
 
-// Lobes for waves within `frequency_spread` of the frequency, and for directions within `orientation_spread`.
-float gabor_impl_shells(float frequency, float frequency_spread)
+// Of `c`: how many lobes there are, of both numbers where one fades.
+int gabor_impl_pieces(float c)
 {
-    return clamp(2.857 * frequency_spread * frequency, 1.0, 16.0);
+    return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
-float gabor_impl_directions(float frequency, float orientation_spread)
+// Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+vec3 gabor_impl_piece(int i, float c)
 {
-    return clamp(0.63661977 * orientation_spread * (4.4 * frequency + 0.6), 1.0, 64.0);
-}
-
-// Lobe `index` of `count`: where in the range it stands, from -1 to 1, and its share of the power.
-vec2 gabor_impl_share(int index, float count)
-{
-    float share = min(count - float(index), 1.0);
-    return vec2((2.0 * float(index) + share) / count - 1.0, share / count);
+    int n = int(c);
+    float share = min(5.0 - 5.0 * fract(c), 1.0);
+    if (i >= n) {
+        i -= n;
+        n += 1;
+        share = 1.0 - share;
+    }
+    float width = 1.0 / float(n);
+    return vec3((2.0 * float(i) + 1.0) * width - 1.0, share * width, float(i + (n & 1) * 64));
 }
 
 // The noise of a range of waves at p, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
@@ -102,17 +105,19 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
     frequency = min(abs(frequency), 1.0e6);
-    float shells = gabor_impl_shells(frequency, clamp(frequency_spread, 0.0, 1.0));
-    int shell_count = int(ceil(shells));
+    frequency_spread = clamp(frequency_spread, 0.0, 1.0);
+    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
+    float shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
+    int shell_count = gabor_impl_pieces(shells);
     for (int j = 0; j < shell_count; ++j) {
-        vec2 shell = gabor_impl_share(j, shells);
-        float magnitude = frequency * (1.0 + clamp(frequency_spread, 0.0, 1.0) * shell.x);
-        float directions = gabor_impl_directions(magnitude, clamp(orientation_spread, 0.0, 1.5707963));
-        int direction_count = int(ceil(directions));
+        vec3 shell = gabor_impl_piece(j, shells);
+        float magnitude = frequency * (1.0 + frequency_spread * shell.x);
+        float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
+        int direction_count = gabor_impl_pieces(directions);
         for (int i = 0; i < direction_count; ++i) {
-            vec2 direction = gabor_impl_share(i, directions);
+            vec3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
-            GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, 64 * j + i));
+            GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
         }
@@ -291,9 +296,10 @@ vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
 // `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be. pi/2
 // radians are every direction: isotropic noise, whose power varies with direction by at most 5 %. Normal with all its
 // derivatives, mean 0, variance 1. Continuous where the arguments are.
-// Cost: that of gabor_noise for each lobe, of which there are
-//     (4.4 frequency + 0.6) orientation_spread / (pi/2)  times  2.9 frequency_spread frequency,
-// both rounded up, at least 1 and at most 64 and 16: 10 for isotropic noise of frequency 2.
+// Cost: that of gabor_noise for each lobe. Of directions there are, with o for the orientation_spread,
+//     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
+// 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up to
+// 16; at some arguments, a fifth of all, two such numbers next to each other together.
 float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          uint seed)
 {

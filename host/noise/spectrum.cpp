@@ -64,8 +64,8 @@ std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Ve
     return {{{c * longer, s * longer}, {-s * shorter, c * shorter}}};
 }
 
-// The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule over
-// six deviations each way: `step` is the longest allowed along an axis.
+// The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule
+// over six deviations each way: `step` is the longest allowed along an axis.
 double normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
                    const std::function<double(double, double)>& function) {
     std::array<int, 2> half{};
@@ -102,36 +102,40 @@ std::uint32_t lobe_seed_of(std::uint32_t seed, int index) {
     return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
-// A range of n lobes, n real, is cut into pieces, all but the last as long as each other, that of the last as its
-// part of one; a lobe stands in the middle of its piece and has its share of the power.
+// A range is cut into n pieces with a lobe in the middle of each, n the whole part of c. While the rest of c
+// goes from 0.8 to 1 these fade out and n + 1 others fade in.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed) {
     struct Piece {
         double middle; // of the range from -1 to 1
         double share;
+        int index;
     };
-    const auto pieces = [](double n) {
+    const auto pieces = [](double c) {
         std::vector<Piece> result;
-        for (double from = 0; from < n; from += 1) {
-            const double to = std::min(from + 1, n);
-            result.push_back({(from + to) / n - 1, (to - from) / n});
+        const int whole = static_cast<int>(c);
+        const double fade = std::max(0.0, (c - whole - 0.8) / 0.2);
+        for (const int n : {whole, whole + 1}) {
+            const double share = n == whole ? 1 - fade : fade;
+            for (int i = 0; i < n && share > 0; ++i)
+                result.push_back({(2 * i + 1.0) / n - 1, share / n, i + n % 2 * 64});
         }
         return result;
     };
     std::vector<SpectrumLobe> lobes;
-    int shell = 0;
-    for (const Piece& along : pieces(std::clamp(2.857 * frequency_spread * frequency, 1.0, 16.0))) {
+    for (const Piece& along : pieces(std::clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0))) {
         const double magnitude = frequency * (1 + frequency_spread * along.middle);
-        int index = 64 * shell++;
-        for (const Piece& around : pieces(std::clamp(orientation_spread * 2 / pi * (4.4 * magnitude + 0.6), 1.0, 64.0)))
+        const double count = orientation_spread * 2 / pi * (4.44 * magnitude + 0.6) + 0.8;
+        for (const Piece& around : pieces(std::clamp(count, 1.0, 64.0)))
             lobes.push_back({magnitude, orientation + orientation_spread * around.middle, 1,
-                             along.share * around.share, lobe_seed_of(seed, index++)});
+                             along.share * around.share,
+                             lobe_seed_of(seed, 128 * along.index + around.index)});
     }
     return lobes;
 }
 
-// n(p) = sum over lobes of sqrt(power) K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)), and at every
-// place sum_i h(x - x_i)^2 = 9/8 with three nodes in reach, E|A|^2 = 2.
+// n(p) = sum over lobes of sqrt(power) K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)), and
+// at every place sum_i h(x - x_i)^2 = 9/8 with three nodes in reach, E|A|^2 = 2.
 Spectrum::Field Spectrum::field(double x, double y) const {
     using namespace std::complex_literals;
     double power = 0;
