@@ -396,25 +396,32 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
     back = vec2(kernel.step_y.x, -kernel.step_y.y);
     phase = gabor_impl_wave(dot(kernel.wave / place.radius, x));
     vec2 sum = vec2(0.0);
-    for (int j = 0; j < count.y; ++j) {
+    // Loops that end at their ends: compilers for CPUs run a loop once more than its condition at the beginning says.
+    int j = 0;
+    do {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt ^ 0x5bd1e995u);
         GaborFactors row = GaborFactors(vec2(0.0), vec2(0.0), vec2(0.0));
         gabor_impl_add_filtered(row, gabor_impl_node_word(word[0], row_word), column[0], place.animated, time);
-        gabor_impl_add_filtered(row, gabor_impl_node_word(word[1], row_word), column[1], place.animated, time);
-        gabor_impl_add_filtered(row, gabor_impl_node_word(word[2], row_word), column[2], place.animated, time);
-        for (int i = 3; i < count.x; ++i) {
-            if (i == 3)
-                gabor_impl_add_filtered(row, gabor_impl_node_word(word[3], row_word), column[3], place.animated, time);
-            else
-                gabor_impl_add_filtered(row, gabor_impl_node_word(word[4], row_word), column[4], place.animated, time);
-        }
+        uvec2 words = uvec2(word[1], word[2]);
+        GaborFactors left = column[1];
+        GaborFactors right = column[2];
+        int i = 3;
+        do {
+            gabor_impl_add_filtered(row, gabor_impl_node_word(words.x, row_word), left, place.animated, time);
+            gabor_impl_add_filtered(row, gabor_impl_node_word(words.y, row_word), right, place.animated, time);
+            words = uvec2(word[3], word[4]);
+            left = column[3];
+            right = column[4];
+            i += 2;
+        } while (i < count.x + 2);
         GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn, phase);
         sum += gabor_impl_product(row.zeroth, factors.zeroth)
              - 2.0 * lambda * gabor_impl_product(row.first, factors.first)
              + 0.5 * lambda * lambda * gabor_impl_product(row.second, factors.second);
         turn = gabor_impl_product(turn, step);
         phase = gabor_impl_product(phase, back);
-    }
+        ++j;
+    } while (j < count.y);
     float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
     if (footprint.resolved != footprint.covariance)
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
