@@ -109,19 +109,23 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
     orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
     float shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
     int shell_count = gabor_impl_pieces(shells);
-    for (int j = 0; j < shell_count; ++j) {
+    int j = 0;
+    do { // loops that end at their ends: software drivers go once more through those that end at their beginnings
         vec3 shell = gabor_impl_piece(j, shells);
         float magnitude = frequency * (1.0 + frequency_spread * shell.x);
         float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
         int direction_count = gabor_impl_pieces(directions);
-        for (int i = 0; i < direction_count; ++i) {
+        int i = 0;
+        do {
             vec3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
-        }
-    }
+            ++i;
+        } while (i < direction_count);
+        ++j;
+    } while (j < shell_count);
     return sum;
 }
 
@@ -168,13 +172,13 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance)
     return exp(-min(exponent, 80.0)) * inversesqrt(determinant);
 }
 
-// The filtered window of one axis: coefficients of its waves a = 0 (zero) and 1 to 3, the sums (even) and differences
-// (odd) of those of a and -a, for the factors 1, z and 2 z^2 - 1.
+// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine and
+// sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
 struct GaborBand {
     float reach; // w, in kernel radii
     float slope; // of the taper
-    vec3 zero;
-    vec3 even_0, odd_0, even_1, odd_1, even_2, odd_2;
+    vec3 real_0, real_1, real_2, real_3;
+    vec3 imaginary_0, imaginary_1, imaginary_2;
 };
 
 //   deviation  of the filter along the axis
@@ -208,39 +212,45 @@ GaborBand gabor_impl_band(float deviation, float g, float c)
     float scale = sqrt(2.0 * g);
     vec3 z = scale * q * vec3(1.0, 2.0, 3.0);
     c *= scale;
-    band.zero = center * q * vec3(1.0, -c, 2.0 * c * c - 1.0);
-    band.even_0 = h * (rises + 1.0 / rises);
-    band.odd_0 = h * (rises - 1.0 / rises);
-    band.even_1 = z * band.odd_0 - c * band.even_0;
-    band.odd_1 = z * band.even_0 - c * band.odd_0;
-    band.even_2 = 2.0 * (z * band.odd_1 - c * band.even_1) - band.even_0;
-    band.odd_2 = 2.0 * (z * band.even_1 - c * band.odd_1) - band.odd_0;
+
+    // Sums and differences of the waves a and -a, a = 1 to 3, for each factor; then Chebyshev's polynomials.
+    vec3 even = h * (rises + 1.0 / rises);
+    vec3 odd = h * (rises - 1.0 / rises);
+    vec3 even_z = z * odd - c * even;
+    vec3 odd_z = z * even - c * odd;
+    vec3 even_zz = 2.0 * (z * odd_z - c * even_z) - even;
+    vec3 odd_zz = 2.0 * (z * even_z - c * odd_z) - odd;
+    vec3 first = vec3(even.x, even_z.x, even_zz.x);
+    vec3 second = vec3(even.y, even_z.y, even_zz.y);
+    vec3 third = vec3(even.z, even_z.z, even_zz.z);
+    band.real_0 = center * q * vec3(1.0, -c, 2.0 * c * c - 1.0) - second;
+    band.real_1 = first - 3.0 * third;
+    band.real_2 = 2.0 * second;
+    band.real_3 = 4.0 * third;
+    first = vec3(odd.x, odd_z.x, odd_zz.x);
+    second = vec3(odd.y, odd_z.y, odd_zz.y);
+    third = vec3(odd.z, odd_z.z, odd_zz.z);
+    band.imaginary_0 = first - third;
+    band.imaginary_1 = 2.0 * second;
+    band.imaginary_2 = 4.0 * third;
     return band;
 }
 
-// What a node's amplitude meets along one axis: its filtered windows for the three factors, times its wave.
+// The windows of a node at a distance, in kernel radii, as complex numbers, and their sums over the nodes of a row.
 struct GaborFactors {
-    vec2 zeroth;
-    vec2 first;
-    vec2 second;
+    vec3 real;
+    vec3 imaginary;
 };
 
-//   distance  from the node, in kernel radii
-//   turn      e^(pi i distance / w)
-//   wave      e^(2 pi i F (distance)), but for what is common to all nodes
-GaborFactors gabor_impl_factors(GaborBand band, float distance, vec2 turn, vec2 wave)
+//   turn  e^(pi i distance / w)
+GaborFactors gabor_impl_factors(GaborBand band, float distance, vec2 turn)
 {
-    vec2 second = gabor_impl_product(turn, turn);
-    vec2 third = gabor_impl_product(turn, second);
-    vec3 cosine = vec3(turn.x, second.x, third.x);
-    vec3 sine = vec3(turn.y, second.y, third.y);
     float taper = clamp((band.reach - abs(distance)) * band.slope, 0.0, 1.0);
-    wave *= taper * taper * (3.0 - 2.0 * taper);
-    vec3 real = band.zero + vec3(dot(band.even_0, cosine), dot(band.even_1, cosine), dot(band.even_2, cosine));
-    vec3 imaginary = vec3(dot(band.odd_0, sine), dot(band.odd_1, sine), dot(band.odd_2, sine));
-    return GaborFactors(gabor_impl_product(wave, vec2(real.x, imaginary.x)),
-                        gabor_impl_product(wave, vec2(real.y, imaginary.y)),
-                        gabor_impl_product(wave, vec2(real.z, imaginary.z)));
+    taper *= taper * (3.0 - 2.0 * taper);
+    float c = turn.x;
+    vec3 real = ((band.real_3 * c + band.real_2) * c + band.real_1) * c + band.real_0;
+    vec3 imaginary = (band.imaginary_2 * c + band.imaginary_1) * c + band.imaginary_0;
+    return GaborFactors(taper * real, taper * turn.y * imaginary);
 }
 
 void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors column, bool animated, vec2 time)
@@ -250,9 +260,8 @@ void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors col
     if (animated)
         amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
                                   + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
-    row.zeroth += gabor_impl_product(amplitude, column.zeroth);
-    row.first += gabor_impl_product(amplitude, column.first);
-    row.second += gabor_impl_product(amplitude, column.second);
+    row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
+    row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -364,6 +373,7 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
     float rho = s.z * inversesqrt(m.x * m.y);
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
+    vec3 weights = vec3(1.0, -2.0 * lambda, 0.5 * lambda * lambda);
     vec2 g = 19.739209 * r * m;
     GaborBand across = gabor_impl_band(sqrt(s.x), g.x, c.x);
     GaborBand along = gabor_impl_band(sqrt(s.y), g.y, c.y);
@@ -386,7 +396,9 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
     vec2 phase = vec2(1.0, 0.0);
     for (int i = 0; i < 5; ++i) {
         word[i] = gabor_impl_line_word(gabor_impl_wrap(node.x + i, place.period.x), salt);
-        column[i] = gabor_impl_factors(across, (x.x - float(i)) / GABOR_RADIUS, turn, phase);
+        GaborFactors factors = gabor_impl_factors(across, (x.x - float(i)) / GABOR_RADIUS, turn);
+        column[i] = GaborFactors(phase.x * factors.real - phase.y * factors.imaginary,
+                                 phase.x * factors.imaginary + phase.y * factors.real);
         turn = gabor_impl_product(turn, step);
         phase = gabor_impl_product(phase, back);
     }
@@ -396,11 +408,10 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
     back = vec2(kernel.step_y.x, -kernel.step_y.y);
     phase = gabor_impl_wave(dot(kernel.wave / place.radius, x));
     vec2 sum = vec2(0.0);
-    // Loops that end at their ends: compilers for CPUs run a loop once more than its condition at the beginning says.
     int j = 0;
     do {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt ^ 0x5bd1e995u);
-        GaborFactors row = GaborFactors(vec2(0.0), vec2(0.0), vec2(0.0));
+        GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
         gabor_impl_add_filtered(row, gabor_impl_node_word(word[0], row_word), column[0], place.animated, time);
         uvec2 words = uvec2(word[1], word[2]);
         GaborFactors left = column[1];
@@ -414,10 +425,10 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
             right = column[4];
             i += 2;
         } while (i < count.x + 2);
-        GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn, phase);
-        sum += gabor_impl_product(row.zeroth, factors.zeroth)
-             - 2.0 * lambda * gabor_impl_product(row.first, factors.first)
-             + 0.5 * lambda * lambda * gabor_impl_product(row.second, factors.second);
+        GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn);
+        vec2 part = vec2(dot(weights, factors.real * row.real - factors.imaginary * row.imaginary),
+                         dot(weights, factors.real * row.imaginary + factors.imaginary * row.real));
+        sum += gabor_impl_product(part, phase);
         turn = gabor_impl_product(turn, step);
         phase = gabor_impl_product(phase, back);
         ++j;
