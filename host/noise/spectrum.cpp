@@ -1,5 +1,7 @@
 #include "noise/spectrum.hpp"
 
+#include "noise/lattice.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,46 +12,7 @@ namespace gabor::noise {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double nodes_per_radius = 1.5;
-
-std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
-
-// The word of a column or, with `rows`, of a row of nodes.
-std::uint32_t line_word(std::int64_t index, std::uint32_t seed, std::uint32_t rows) {
-    const std::uint32_t salt = mix(seed * 0x9e3779b1u, 0x2545f491u) ^ rows;
-    std::uint32_t word = static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word >> 8 | 0x800001u;
-}
-
-// The law of one part of an amplitude, of u in [-1, 1], scaled to variance 1 where u is uniform.
-double amplitude_part(double u) {
-    constexpr double slope = 0.79794583;
-    constexpr double edge = 1.7317979e9 / 2147483648.0;
-    // With s the slope and e the edge, the integral of (u - s min(u, e))^2 from 0 to 1.
-    const double inner = (1 - slope) * (1 - slope) * edge * edge * edge / 3;
-    const double outer = (std::pow(1 - slope * edge, 3) - std::pow(edge - slope * edge, 3)) / 3;
-    return (u - slope * std::clamp(u, -edge, edge)) / std::sqrt(inner + outer);
-}
-
-// The amplitude of a node: u is the word's high byte, in the middle of its step, and then the 24 bits below.
-std::complex<double> amplitude(std::int64_t column, std::int64_t row, std::uint32_t seed) {
-    const std::uint32_t word = line_word(column, seed, 0) * line_word(row, seed, 0x5bd1e995u);
-    return {amplitude_part((static_cast<std::int8_t>(word >> 24) + 0.5) / 128),
-            amplitude_part(static_cast<std::int32_t>(word << 8) / 2147483648.0)};
-}
-
-double hann(double x) {
-    return std::abs(x) < 1 ? 0.5 + 0.5 * std::cos(pi * x) : 0;
-}
-
-double hann_slope(double x) {
-    return std::abs(x) < 1 ? -0.5 * pi * std::sin(pi * x) : 0;
-}
+constexpr int taps = 3;
 
 // Of a normal filter: its two principal axes, as long as its standard deviations.
 std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Vector dy) {
@@ -98,8 +61,11 @@ double hann_correlation(double x) {
 
 } // namespace
 
-std::uint32_t lobe_seed_of(std::uint32_t seed, int index) {
-    return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, 0x9e3779b1u);
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
+    std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
+    word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
 }
 
 // A range is cut into n pieces with a lobe in the middle of each, n the whole part of c. While the rest of c
@@ -129,42 +95,27 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
         for (const Piece& around : pieces(std::clamp(count, 1.0, 64.0)))
             lobes.push_back({magnitude, orientation + orientation_spread * around.middle, 1,
                              along.share * around.share,
-                             lobe_seed_of(seed, 128 * along.index + around.index)});
+                             lattice_lobe_seed(seed, 128 * along.index + around.index)});
     }
     return lobes;
 }
 
-// n(p) = sum over lobes of sqrt(power) K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)), and
-// at every place sum_i h(x - x_i)^2 = 9/8 with three nodes in reach, E|A|^2 = 2.
+// Each lobe is a noise of its own, in units of its own kernel radius.
 Spectrum::Field Spectrum::field(double x, double y) const {
-    using namespace std::complex_literals;
     double power = 0;
     for (const SpectrumLobe& lobe : lobes_)
         power += lobe.power;
     Field sum{};
     for (const SpectrumLobe& lobe : lobes_) {
-        const double scale = std::sqrt(lobe.power / power) * 8 / 9;
-        const double px = x / lobe.radius;
-        const double py = y / lobe.radius;
-        const double fx = lobe.frequency * lobe.radius * std::cos(lobe.orientation);
-        const double fy = lobe.frequency * lobe.radius * std::sin(lobe.orientation);
-        const auto nearest_x = static_cast<std::int64_t>(std::llround(px * nodes_per_radius));
-        const auto nearest_y = static_cast<std::int64_t>(std::llround(py * nodes_per_radius));
-        for (std::int64_t j = nearest_y - 2; j <= nearest_y + 2; ++j) {
-            const double dy = py - static_cast<double>(j) / nodes_per_radius;
-            if (std::abs(dy) >= 1)
-                continue;
-            for (std::int64_t i = nearest_x - 2; i <= nearest_x + 2; ++i) {
-                const double dx = px - static_cast<double>(i) / nodes_per_radius;
-                if (std::abs(dx) >= 1)
-                    continue;
-                const auto wave =
-                    scale * amplitude(i, j, lobe.seed) * std::exp(2i * pi * (fx * dx + fy * dy));
-                sum.value += hann(dx) * hann(dy) * wave;
-                sum.slope_x += (hann_slope(dx) + 2i * pi * fx * hann(dx)) * hann(dy) * wave / lobe.radius;
-                sum.slope_y += (hann_slope(dy) + 2i * pi * fy * hann(dy)) * hann(dx) * wave / lobe.radius;
-            }
-        }
+        const Lattice lattice(taps, lobe.frequency * lobe.radius, lobe.orientation, lobe.seed);
+        LatticePlace place;
+        place.local_x = x / lobe.radius * place.radius_x;
+        place.local_y = y / lobe.radius * place.radius_y;
+        const Lattice::Field field = lattice.field(place);
+        const double scale = std::sqrt(lobe.power / power);
+        sum.value += scale * field.value;
+        sum.slope_x += scale / lobe.radius * field.slope_x;
+        sum.slope_y += scale / lobe.radius * field.slope_y;
     }
     return sum;
 }

@@ -17,7 +17,7 @@ struct SpectrumLobe {
 };
 
 /// The seed of lobe `index` in a sum of independent noises.
-std::uint32_t lobe_seed_of(std::uint32_t seed, int index);
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
 
 /// The lobes whose sum has waves within `orientation_spread` radians of the orientation and within the share
 /// `frequency_spread` of the frequency.

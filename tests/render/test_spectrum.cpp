@@ -67,7 +67,7 @@ std::vector<noise::SpectrumLobe> lobes_of(const Sample& s) {
     std::vector<noise::SpectrumLobe> lobes;
     for (int i = 0; i < 3; ++i) {
         const float* l = s.lobes + 4 * i;
-        lobes.push_back({l[0], l[1], l[2], l[3], noise::lobe_seed_of(s.seed, i)});
+        lobes.push_back({l[0], l[1], l[2], l[3], noise::lattice_lobe_seed(s.seed, i)});
     }
     return lobes;
 }
@@ -142,7 +142,77 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
     lobes_slope.check("  its gradient");
 }
 
+namespace {
+
+// Footprints of all kinds, round, thin, diagonal and degenerate, with deviations from 1/256 to 2^largest.
+void draw_footprint(Sample& s, Draw& draw, float largest) {
+    const double deviation = std::exp2(draw.uniform(-8, largest));
+    const double ratio = draw.word() % 3 == 0 ? 0 : std::exp2(draw.uniform(-6, 0));
+    const double angle = draw.word() % 3 == 0 ? draw.word() % 8 * pi / 4 : draw.uniform(-4, 4);
+    set_footprint(s, deviation, ratio, angle);
+    if (draw.word() % 4 == 0) // nearly parallel steps
+        for (int k = 0; k < 2; ++k)
+            s.dy[k] = s.dx[k] * 0.1f * (1 + draw.uniform(-1e-3f, 1e-3f));
+}
+
+} // namespace
+
 TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 600;
+    Sampler sampler(device, count);
+    Draw draw(36);
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        s.p[0] = draw.uniform(-50, 50);
+        s.p[1] = draw.uniform(-50, 50);
+        s.frequency = draw.word() % 4 ? draw.uniform(0, 2) : 0;
+        s.orientation = draw.uniform(-3, 3);
+        s.seed = draw.word();
+        draw_footprint(s, draw, -1);
+        for (int i = 0; i < 3; ++i) {
+            s.lobes[4 * i] = draw.uniform(0, 2);
+            s.lobes[4 * i + 1] = draw.uniform(-3, 3);
+            s.lobes[4 * i + 2] = draw.uniform(1, 2); // so that its filter is no larger
+            s.lobes[4 * i + 3] = draw.uniform(0, 1);
+        }
+    }
+    struct Error {
+        double squares = 0;
+        int count = 0;
+        Largest removed;
+        void see(const float* answer, const noise::Spectrum& exact, const Sample& s) {
+            const noise::Spectrum::Vector dx{s.dx[0], s.dx[1]};
+            const noise::Spectrum::Vector dy{s.dy[0], s.dy[1]};
+            const double error = answer[0] - exact.filtered(s.p[0], s.p[1], dx, dy);
+            squares += error * error;
+            ++count;
+            removed.see(answer[1], exact.removed(dx, dy), 0.0105, s);
+        }
+        void check(const char* name, double bound) const {
+            const double rmse = std::sqrt(squares / count);
+            fmt::print("  {}: RMSE {:.2f} % of the deviation in {} places\n", name, 100 * rmse, count);
+            CHECK(count > 50);
+            CHECK(rmse <= bound);
+            removed.check("  removed variance");
+        }
+    };
+    Error small, large, lobes;
+    const auto answers = sampler.answers(count, everything);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& s = sampler.samples()[i];
+        const double length = std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1]));
+        (length < 1.0 / 3 ? small : large).see(answers[i].filtered, one_wave(s), s);
+        if (i % 4 == 0)
+            lobes.see(answers[i].lobes_filtered, noise::Spectrum(lobes_of(s)), s);
+    }
+    small.check("deviations up to 1/6", 0.005);
+    large.check("deviations up to 1/2", 0.01);
+    lobes.check("three lobes", 0.01);
+}
+
+TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
+          "[filter][law]") {
     const vulkan::Device device;
     constexpr std::size_t count = 40;
     Sampler sampler(device, count);
@@ -192,21 +262,6 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
     }
 }
 
-namespace {
-
-// Footprints of all kinds: up to 4 kernel radii, round, thin, diagonal and degenerate.
-void draw_footprint(Sample& s, Draw& draw) {
-    const double deviation = std::exp2(draw.uniform(-8, 1));
-    const double ratio = draw.word() % 3 == 0 ? 0 : std::exp2(draw.uniform(-6, 0));
-    const double angle = draw.word() % 3 == 0 ? draw.word() % 8 * pi / 4 : draw.uniform(-4, 4);
-    set_footprint(s, deviation, ratio, angle);
-    if (draw.word() % 4 == 0) // nearly parallel steps
-        for (int k = 0; k < 2; ++k)
-            s.dy[k] = s.dx[k] * draw.uniform(-1, 1) * (1 + draw.uniform(-1e-3f, 1e-3f));
-}
-
-} // namespace
-
 // Along a path the filtered noise changes between neighbours by about its slope times the step. Where paths
 // are as dense as the numbers that single precision has, what is left is rounding, or a jump.
 TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of the footprint", "[filter]") {
@@ -223,7 +278,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
         s.frequency = path % 3 == 0 ? draw.uniform(0, 1) : draw.uniform(0, 5);
         s.orientation = draw.uniform(-4, 4);
         s.seed = draw.word();
-        draw_footprint(s, draw);
+        draw_footprint(s, draw, 1);
         const double deviation = std::exp2(draw.uniform(-6, 0));
         const double ratio = path % 2 ? draw.uniform(0, 1) : 0;
         const double direction = draw.uniform(-4, 4);
@@ -233,8 +288,8 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
             if (path % 3 == 0) { // 2 kernel radii
                 here.p[0] += static_cast<float>(2 * t * std::cos(direction));
                 here.p[1] += static_cast<float>(2 * t * std::sin(direction));
-            } else if (path % 3 == 1) { // all sizes
-                set_footprint(here, 2 * t * t, ratio, direction);
+            } else if (path % 3 == 1) { // all paths together, all sizes from 1/256 to 2
+                set_footprint(here, std::exp2(-8 + 9 * (path / 3 + t) / 30), ratio, direction);
             } else {
                 set_footprint(here, deviation, ratio, pi * t);
             }
