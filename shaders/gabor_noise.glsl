@@ -31,7 +31,7 @@
 #ifndef GABOR_NOISE_GLSL
 #define GABOR_NOISE_GLSL
 
-#define GABOR_NOISE_VERSION 100 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 10000 // 10000 major + 100 minor + patch
 
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
 // Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.

@@ -33,7 +33,8 @@ Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::
                     std::abs(*std::ranges::max_element(means, {}, [](double m) { return std::abs(m); }));
                 constexpr double percent = 100.0 / 4; // of the range of four standard deviations
                 return {percent * statistics::quantile(means, 0.5),
-                        percent * (statistics::quantile(means, 0.9) - statistics::quantile(means, 0.1)), percent * largest};
+                        percent * (statistics::quantile(means, 0.9) - statistics::quantile(means, 0.1)),
+                        percent * largest};
             }};
 }
 

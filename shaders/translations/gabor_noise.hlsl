@@ -28,7 +28,7 @@
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
 
-#define GABOR_NOISE_VERSION 100
+#define GABOR_NOISE_VERSION 10000
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
 // the hash-prospector project), the salt entering between them too, so that no two sequences share a run.

@@ -28,7 +28,7 @@
 #ifndef GABOR_NOISE_METAL
 #define GABOR_NOISE_METAL
 
-#define GABOR_NOISE_VERSION 100
+#define GABOR_NOISE_VERSION 10000
 
 #include <metal_stdlib>
 

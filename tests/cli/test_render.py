@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from exr import Exr
+from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest, gabor
 
@@ -126,6 +126,27 @@ class Like(RenderTest):
         again = self.render(like="made.exr")
         self.assert_same_bits(again.pixels, made.pixels)
         self.assertEqual(again.attributes, made.attributes)
+
+    def test_it_takes_every_parameter(self):
+        """All that can stand together, each unlike its default."""
+        write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
+                                              "orientation": np.full((2, 2), 40, "<f4")})
+        every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
+                 ["--frequency-spread=0.25", "--orientation-spread=30", "--values=3"], ["--filter"],
+                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid"], ["--paint=paint.exr"], ["--sum", "--preset=fabric"]]
+        unlike = set()
+        for flags in every:
+            options = [f"--{name}={value}" for name, value in SMALL.items()]
+            if "--preset=fabric" in flags or "--paint=paint.exr" in flags:
+                options = ["--size=61x47", "--scale=24"]
+            self.succeed("render", "-o", "made.exr", "--compression=none", *options, *flags)
+            made = Exr(self.folder / "made.exr")
+            again = self.render(like="made.exr")
+            self.assertEqual(again.attributes, made.attributes)
+            for channel, values in made.channels.items():
+                self.assert_same_bits(again.channels[channel], values)
+            unlike |= {name for name, value in made.parameters.items() if value != DEFAULTS[name]}
+        self.assertEqual(unlike, set(DEFAULTS))
 
     def test_options_override_it(self):
         self.render(output="made.exr", **SMALL)

@@ -104,6 +104,25 @@ class Spectra(SpectraTest):
         mean = np.mean(np.cos(angle)) * np.mean(frequency)
         self.assertAlmostEqual((weight * along).sum() / mean, 1, delta=0.01)
 
+    def test_a_sum_of_equal_lobes_has_variance_1(self):
+        # Were any two of the noises one, the variance would be 1.67 of three and 1.5 of four.
+        for count in (3, 4):
+            lobes = self.write_lobes([{"frequency": 3, "orientation": 30, "power": 2}] * count)
+            pixels = self.render("--sum", lobes=lobes, size="1024x1024", scale=8).pixels
+            self.assertAlmostEqual(pixels.var(), 1, delta=0.05)
+            self.assertAlmostEqual(pixels.mean(), 0, delta=0.01)
+
+    def test_header_keeps_every_field_of_lobes(self):
+        lobes = [{"frequency": 3.25, "orientation": -12.5, "frequency_spread": 0.125, "orientation_spread": 7.5,
+                  "power": 2.75},
+                 {"frequency": 1.75, "orientation": 210.25, "frequency_spread": 0.375, "orientation_spread": 80.5,
+                  "power": 0.3}]
+        first = self.render(output="a.exr", lobes=self.write_lobes(lobes), size="64x48", scale=16)
+        self.assertEqual(first.parameters["lobes"], lobes)
+        again = self.render(output="b.exr", like="a.exr")
+        self.assertEqual(again.parameters, first.parameters)
+        self.assertEqual(again.pixels.tobytes(), first.pixels.tobytes())
+
     def test_header_keeps_lobes_and_like_takes_them(self):
         name = self.write_lobes({"lobes": LOBES[:2]})
         first = self.render(output="a.exr", lobes=name, size="64x48", scale=16)
@@ -231,6 +250,26 @@ class Channels(SpectraTest):
                 turn = 2 * np.pi * pixels.channels["phase"]
                 np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
 
+    def assert_blocks_are_pixels(self, **options):
+        """Whole blocks and single pixels are two ways to the same picture: --phasor takes the second."""
+        blocks = self.render(output="a.exr", **options).pixels
+        pixels = self.render("--phasor", output="b.exr", **options).pixels
+        self.assertGreater(np.ptp(blocks), 0.1)
+        np.testing.assert_allclose(pixels, blocks, atol=4e-5, err_msg=str(options))
+
+    def test_blocks_are_pixels_on_both_sides_of_a_cell_at_large_scales(self):
+        for scale in (999.5, 1507, 4096):
+            for recipe, cell in (("one", scale), ("paper", scale), ("pure", scale / 1.5)):
+                x, y = int(2 * cell) - 40, int(cell) - 21
+                self.assert_blocks_are_pixels(recipe=recipe, scale=scale, size="16384x16384", frequency=6,
+                                              orientation=25, region=f"{x},{y},83,61")
+
+    def test_blocks_are_pixels_in_every_corner_of_the_largest_picture(self):
+        for x in (0, 65536 - 37):
+            for y in (0, 65536 - 45):
+                self.assert_blocks_are_pixels(scale=7.7, size="65536x65536", frequency=2, orientation=25,
+                                              region=f"{x},{y},37,45")
+
     def test_several_values_do_not_correlate(self):
         exr = self.render(size="1024x1024", scale=4, frequency=1, values=4)
         self.assertEqual(set(exr.channels), {"Y", "second", "third", "fourth"})
@@ -252,6 +291,13 @@ class Channels(SpectraTest):
         right = self.render(output="d.exr", size="400x200", scale=40, frequency=5, orientation=45).pixels
         np.testing.assert_allclose(ramp[:, :149], left[:, :149], atol=1e-4)
         np.testing.assert_allclose(ramp[:, 251:], right[:, 251:], atol=1e-4)
+        # The same from top to bottom, in a picture that is higher than wide.
+        write_exr(self.folder / "down.exr", {"frequency": frequency.T, "orientation": 9 * frequency.T})
+        down = self.render("--paint=down.exr", output="f.exr", size="200x400", scale=40).pixels
+        top = self.render(output="g.exr", size="200x400", scale=40, frequency=2, orientation=18).pixels
+        bottom = self.render(output="h.exr", size="200x400", scale=40, frequency=5, orientation=45).pixels
+        np.testing.assert_allclose(down[:149], top[:149], atol=1e-4)
+        np.testing.assert_allclose(down[251:], bottom[251:], atol=1e-4)
         bend = np.abs(np.diff(ramp, n=2, axis=1)).max()
         self.assertLess(bend, (2 * np.pi * 6 / 40) ** 2 * 5)
         part = self.render("--paint=ramp.exr", output="e.exr", size="400x200", scale=40, region="140,30,90,80").pixels

@@ -82,6 +82,18 @@ class Rendered(StatsTest):
                 self.assertAlmostEqual(error, 0, delta=3)
                 self.assertTrue(0 <= spectrum["peak_orientation"] < 180)
 
+    def test_figures_per_kernel_radius_are_those_per_pixel_times_the_scale(self):
+        for scale in (8, 21.5):
+            self.render("--size=512x512", f"--scale={scale}", "--frequency=3", "--orientation=30")
+            spectrum = self.stats()["spectrum"]
+            for name in ("peak_frequency", "bandwidth"):
+                self.assertAlmostEqual(spectrum[f"{name}_per_radius"], scale * spectrum[name], places=12)
+            self.assertAlmostEqual(spectrum["peak_frequency_per_radius"], 3, delta=0.1)
+            text = self.succeed("stats", "in.exr")
+            for name, value in (("peak frequency", spectrum["peak_frequency_per_radius"]),
+                                ("bandwidth", spectrum["bandwidth_per_radius"])):
+                self.assertRegex(text, rf"(?m)^ +{name} .*, {value:.4g} per kernel radius$")
+
     def test_text(self):
         self.render("--size=512x512", "--scale=8")
         text, stats = self.succeed("stats", "in.exr"), self.stats()

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -30,6 +31,22 @@ double window_squared(const noise::Recipe& recipe, double x) {
     const double u = 1 - x * x;
     const double q = u * u * (recipe.window[0] + recipe.window[1] * u + recipe.window[2] * u * u);
     return q * q;
+}
+
+// The largest sidelobe of the window's spectrum, in decibels: beyond its first zero.
+double sidelobe(const noise::Recipe& recipe) {
+    const auto spectrum = [&](double a) {
+        return integrate([&](double x) { return std::sqrt(window_squared(recipe, x)) * std::cos(a * x); }, -1,
+                         1, 100);
+    };
+    const double peak = spectrum(0);
+    double a = 0;
+    while (spectrum(a) > 0)
+        a += 0.02;
+    double largest = 0;
+    for (; a < 40; a += 0.02)
+        largest = std::max(largest, std::abs(spectrum(a)));
+    return 20 * std::log10(largest / peak);
 }
 
 const noise::Recipe sines{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
@@ -77,6 +94,32 @@ TEST_CASE("the variance agrees with Campbell's theorem by quadrature in the plan
                       Approx(density * magnitude_squared * energy).epsilon(1e-9));
             }
         }
+    }
+}
+
+// The values on which README, the published figures and everybody's pixels rest.
+TEST_CASE("recipes are what they were published as", "[noise]") {
+    struct Published {
+        const char* name;
+        int impulses;
+        float radius;
+        float weight_floor;
+        int phases;
+        std::array<float, 3> window;
+        double sidelobe; // of the window along an axis, decibels
+    };
+    const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}, -29.00},
+                                   {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, -41.45},
+                                   {"paper", 2, 1, 1, 2, {1, 0, 0}, -27.72}};
+    for (const Published& expected : published) {
+        const noise::Recipe recipe = noise::find_recipe(expected.name);
+        INFO(expected.name);
+        CHECK(recipe.impulses == expected.impulses);
+        CHECK(recipe.radius == expected.radius);
+        CHECK(recipe.weight_floor == expected.weight_floor);
+        CHECK(recipe.phases == expected.phases);
+        CHECK(recipe.window == expected.window);
+        CHECK(sidelobe(recipe) == Approx(expected.sidelobe).margin(0.01));
     }
 }
 

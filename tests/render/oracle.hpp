@@ -24,6 +24,7 @@ class Largest {
     /// `sample` is described by a function to_string.
     template <typename Sample>
     void see(double value, double expected, double tolerance, const Sample& sample) {
+        ++points_;
         const double scaled = std::abs(value - expected) / tolerance;
         if (scaled <= difference_) // a NaN is seen
             return;
@@ -32,11 +33,14 @@ class Largest {
     }
 
     void check(std::string_view name) const {
-        fmt::print("  {:<22} {:.3f}: {}\n", name, difference_, where_);
+        fmt::print("  {:<22} {:.3f} in {} points: {}\n", name, difference_, points_, where_);
+        INFO(name);
+        CHECK(points_ > 0);
         CHECK(difference_ <= 1);
     }
 
   private:
+    std::size_t points_ = 0;
     double difference_ = 0;
     std::string where_ = "nowhere";
 };

@@ -9,6 +9,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,21 @@ struct Sample {
     float period_x = 4;
     float period_y = 4;
     std::uint32_t padding = 0;
+    float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
+    float y = place.local_y / place.radius_y;
+
+    /// There, by cell and by position.
+    void move_to(float local_x, float local_y) {
+        place.local_x = local_x;
+        place.local_y = local_y;
+        x = local_x / place.radius_x;
+        y = local_y / place.radius_y;
+    }
+
+    /// Where those functions evaluate: in cells, in single precision as they do.
+    noise::Place here(const noise::Recipe& recipe) const {
+        return noise::place_at(recipe, 0, 0, x * recipe.radius, y * recipe.radius);
+    }
 };
 
 inline std::string to_string(const Sample& s) {
@@ -57,6 +73,21 @@ struct SpectraSample {
     float dy[2];
     float lobes[15];
     float padding = 0;
+    float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
+    float y = place.local_y / place.radius_y;
+
+    /// There, by cell and by position.
+    void move_to(float local_x, float local_y) {
+        place.local_x = local_x;
+        place.local_y = local_y;
+        x = local_x / place.radius_x;
+        y = local_y / place.radius_y;
+    }
+
+    /// Where those functions evaluate: in cells, in single precision as they do.
+    noise::Place here(const noise::Recipe& recipe) const {
+        return noise::place_at(recipe, 0, 0, x * recipe.radius, y * recipe.radius);
+    }
 
     noise::Lobe lobe(std::size_t i) const {
         const float* l = lobes + 5 * i;
@@ -117,9 +148,20 @@ class Probe {
     vulkan::Job job_;
 };
 
+enum class Sine : std::uint32_t { polynomial, native };
+
 struct Sampler : Probe<Sample, Answer> {
-    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : Probe(device, capacity, sample_spirv, render::recipe_constants(recipe)) {}
+    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity,
+            Sine sine = Sine::polynomial)
+        : Probe(device, capacity, sample_spirv, constants_of(recipe, sine)) {}
+
+  private:
+    static std::array<std::uint32_t, 21> constants_of(const noise::Recipe& recipe, Sine sine) {
+        std::array<std::uint32_t, 21> constants{};
+        std::ranges::copy(render::recipe_constants(recipe), constants.begin());
+        constants[20] = static_cast<std::uint32_t>(sine); // native_sine in passes/recipe.glsl
+        return constants;
+    }
 };
 
 struct SpectraSampler : Probe<SpectraSample, SpectraAnswer> {

@@ -23,6 +23,8 @@ struct Sample3d {
     std::array<float, 3> dx{};
     std::array<float, 3> dy{};
     std::array<float, 3> tile{4, 4, 4};
+    std::array<float, 3> position{place.local[0] / place.radius[0], place.local[1] / place.radius[1],
+                                  place.local[2] / place.radius[2]}; ///< of the functions of a position
     std::uint32_t seed = 0;
     Kind kind = Kind::oriented;
     std::int32_t index = 0;

@@ -68,6 +68,7 @@ TEST_CASE("spreads and lobes agree with the reference", "[oracle]") {
             for (test::SpectraSample& sample : sampler.samples()) {
                 sample = common;
                 sample.place = draw.place(recipe);
+                sample.move_to(sample.place.local_x, sample.place.local_y);
                 sample.place.time = draw.uniform(-1, 1);
             }
             const noise::Reference reference(recipe, all_lobes(common), common.seed);
@@ -87,10 +88,7 @@ TEST_CASE("spreads and lobes agree with the reference", "[oracle]") {
                 value.see(answers[i].value[0], field.value.real(), tight, sample);
                 slope.see(answers[i].slope_x[1], field.slope_x.imag(), 2 * test::slope_tolerance(12), sample);
                 slope.see(answers[i].slope_y[1], field.slope_y.imag(), 2 * test::slope_tolerance(12), sample);
-                if (recipe.radius != 1) // else the shader's division and product round
-                    continue;
-                const noise::Place here =
-                    noise::place_at(recipe, 0, 0, sample.place.local_x, sample.place.local_y);
+                const noise::Place here = sample.here(recipe);
                 spread.see(answers[i].spread, first(here), tight, sample);
                 chosen.see(answers[i].chosen, reference(here), tight, sample);
                 double expected = 0;
@@ -167,7 +165,9 @@ TEST_CASE("the filtered noise is the noise through the filter", "[oracle]") {
             common.lobes[1] = round % 2 ? angle + pi / 2 + draw.uniform(-0.2, 0.2) : draw.uniform(0, pi);
             for (test::SpectraSample& sample : sampler.samples()) {
                 sample = common;
-                sample.place = noise::place_at(recipe, 0, 0, draw.uniform(0, 99), draw.uniform(0, 99));
+                sample.place = noise::place_at(recipe, 0, 0, 0, 0);
+                const float x = draw.uniform(0, 99);
+                sample.move_to(x, draw.uniform(0, 99));
             }
             const noise::Reference single(recipe, common.lobes[0], common.lobes[1], common.seed);
             const noise::Reference lobes(recipe, all_lobes(common), common.seed);
@@ -177,12 +177,10 @@ TEST_CASE("the filtered noise is the noise through the filter", "[oracle]") {
             double squares_lobes = 0;
             const double highest = 1.5 * std::max({common.lobes[0], common.lobes[5], common.lobes[10], 0.0f});
             for (std::size_t i = 0; i < places; ++i) {
-                test::SpectraSample sample = sampler.samples()[i];
+                const test::SpectraSample& sample = sampler.samples()[i];
                 if (i % 8 == 0)
                     squares_lobes += std::pow(
                         answers[i].value_filtered[1] - supersampled(lobes, sample, samples_for(highest)), 2);
-                sample.place.cell_x = 0;
-                sample.place.cell_y = 0;
                 squares += std::pow(
                     answers[i].filtered[0] - supersampled(single, sample, samples_for(common.lobes[0])), 2);
             }
@@ -223,7 +221,9 @@ TEST_CASE("the filter says what variance it took", "[instances]") {
             for (test::SpectraSample& sample : sampler.samples()) {
                 sample = common;
                 sample.seed = draw.word();
-                sample.place = noise::place_at(recipe, 0, 0, draw.uniform(0, 1), draw.uniform(0, 1));
+                sample.place = noise::place_at(recipe, 0, 0, 0, 0);
+                const float x = draw.uniform(0, 1);
+                sample.move_to(x, draw.uniform(0, 1));
             }
             const auto answers = sampler.answers(batch);
             for (const test::SpectraAnswer& answer : answers) {

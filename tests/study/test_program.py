@@ -34,6 +34,20 @@ class StudyTest(ProgramTest):
         self.assertAlmostEqual(float(seminal[10]["n_star"]), 10, places=4)
         self.assertEqual(set(self.files()), {"figure3.csv"})
 
+    def test_the_frontier_is_what_no_stationary_row_beats(self):
+        self.succeed("study", "frontier", "--quick", "-o", ".")
+        rows = self.table("frontier")
+        def figures(row):
+            return [float(row[name]) for name in ("visited", "cvm_high", "sidelobe_db")]
+        def stationary(row):
+            return float(row["places_interdecile"]) < 0.05 + float(row["places_chance"])
+        def beats(a, b):
+            return all(x <= y for x, y in zip(a, b)) and a != b
+        best = [figures(row) for row in rows if stationary(row)]
+        front = [row for row in rows if stationary(row) and not any(beats(a, figures(row)) for a in best)]
+        self.assertTrue(1 < len(front) < len(rows))
+        self.assertEqual([row for row in rows if row["pareto"] == "1"], front)
+
     def test_pictures_and_plots(self):
         for name in ("figure1", "figure6"):
             self.succeed("study", name, "--quick", "-o", ".")

@@ -20,6 +20,7 @@ struct Sample {
     float dx[3];
     float dy[3];
     float tile[3]; // periods of gabor_noise_3d_tiled, kernel radii
+    float p[3];    // of the functions of a position, kernel radii
     uint seed;
     int kind;  // of the kernel: 0 oriented, 1 isotropic, 2 surface, 3 isotropic on the surface
     int index; // of the impulse whose word is wanted
@@ -31,7 +32,7 @@ struct Answer {
     float slope_y[2];
     float slope_z[2];
     float at; // gabor_noise_3d_at(cell, local)
-    float noise; // the functions of a position see p = local / R
+    float noise; // this and those below but for `word`: of p
     float isotropic;
     float gradient[4];
     float complex[2];
@@ -85,7 +86,7 @@ void main()
     GaborPlace3d place = GaborPlace3d(cell, local, vec3(s.radius[0], s.radius[1], s.radius[2]),
                                       ivec3(s.period[0], s.period[1], s.period[2]), s.time);
     GaborField3d field = gabor_field_3d(place, kernel, s.seed);
-    vec3 p = local / GABOR_3D_RADIUS;
+    vec3 p = vec3(s.p[0], s.p[1], s.p[2]);
     vec4 gradient = gabor_noise_3d_gradient(p, s.frequency, direction, s.seed);
     vec2 complex = gabor_noise_3d_complex(p, s.frequency, direction, s.seed);
     vec3 tile = vec3(s.tile[0], s.tile[1], s.tile[2]);

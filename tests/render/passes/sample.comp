@@ -20,13 +20,14 @@ struct Sample {
     float period_x; // of gabor_noise_tiled, kernel radii
     float period_y;
     uint padding;
+    vec2 p;         // of the functions of a position, kernel radii
 };
 
 struct Answer {
     vec2 value; // gabor_field
     vec2 slope_x;
     vec2 slope_y;
-    vec2 complex; // the functions of a position see p = local / R
+    vec2 complex; // this and those below but for `at`: of p
     vec3 gradient;
     float noise;
     float tiled;
@@ -54,7 +55,7 @@ void main()
         return;
     Sample s = samples[i];
     GaborKernel kernel = gabor_kernel(s.frequency, s.orientation);
-    vec2 p = s.local / GABOR_RADIUS;
+    vec2 p = s.p;
     bool all = wanted == 0;
     if (all || wanted == 1)
         answers[i].at = gabor_noise_at(s.cell, s.local, kernel, s.seed);

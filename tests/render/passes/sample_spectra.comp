@@ -20,6 +20,7 @@ struct Sample {
     vec2 dy;
     float lobes[15]; // frequency, orientation, frequency_spread, orientation_spread, power of each
     float padding;
+    vec2 p; // of the functions of a position, kernel radii
 };
 
 struct Answer {
@@ -28,7 +29,7 @@ struct Answer {
     vec2 slope_y;
     vec2 value_filtered; // gabor_field_filtered
     float removed;
-    float spread; // the functions of a position see p = local / R; this and the next have the first lobe alone
+    float spread; // the functions of a position; this and the next have the first lobe alone
     vec2 filtered;
     float chosen; // gabor_noise_lobes
     float sum;
@@ -55,7 +56,7 @@ void main()
     GaborKernel kernel = gabor_kernel_lobes(lobes);
     GaborPlace place = GaborPlace(s.cell, s.local, s.radius, s.period, s.time);
     GaborField field = gabor_field(place, kernel, s.seed);
-    vec2 p = s.local / GABOR_RADIUS;
+    vec2 p = s.p;
 
     Answer answer;
     answer.value = field.value;
