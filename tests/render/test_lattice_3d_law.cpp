@@ -1,0 +1,1 @@
+// The law of gabor_lattice_3d.glsl over independent instances.
