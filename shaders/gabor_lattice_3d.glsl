@@ -79,73 +79,97 @@ GaborVector gabor_impl_column(GaborMatrix m, int i, vec2 factor)
     return GaborVector(factor.x * m.real[i] - factor.y * m.imaginary[i], factor.x * m.imaginary[i] + factor.y * m.real[i]);
 }
 
-// Each column's sum with the factors of an axis' nodes.
-GaborVector gabor_impl_sums(vec4 real, vec4 imaginary, GaborMatrix m)
+// Each column's sum with three complex factors.
+GaborVector gabor_impl_sums(vec3 window, GaborVector wave, GaborMatrix m)
 {
-    return GaborVector(real.xyz * m.real - imaginary.xyz * m.imaginary, real.xyz * m.imaginary + imaginary.xyz * m.real);
+    vec3 real = window * wave.real;
+    vec3 imaginary = window * wave.imaginary;
+    return GaborVector(real * m.real - imaginary * m.imaginary, real * m.imaginary + imaginary * m.real);
 }
 
-vec2 gabor_impl_sum(vec4 real, vec4 imaginary, GaborVector v, vec2 factor)
+vec2 gabor_impl_sum(vec3 window, GaborVector wave, GaborVector v, vec2 factor)
 {
-    return gabor_impl_product(factor, vec2(dot(real.xyz, v.real) - dot(imaginary.xyz, v.imaginary),
-                                           dot(real.xyz, v.imaginary) + dot(imaginary.xyz, v.real)));
+    vec3 real = window * wave.real;
+    vec3 imaginary = window * wave.imaginary;
+    return gabor_impl_product(factor, vec2(dot(real, v.real) - dot(imaginary, v.imaginary),
+                                           dot(real, v.imaginary) + dot(imaginary, v.real)));
 }
 
-// The lines of nodes along each axis, and the amplitudes where they meet, slice by slice: a column for each row.
-struct GaborNodes3d {
-    GaborAxis x;
-    GaborAxis y;
-    GaborAxis z;
-    vec2 step_x; // e^(2 pi i F.x / R), what the wave turns from one node to the next along x
-    vec2 step_y; // along y
-    vec2 step_z; // along z
-    vec3 offset; // of the place from the middle node, in node spacings
-    vec2 base;   // K times the wave there: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
-    GaborMatrix a;
-    GaborMatrix b;
-    GaborMatrix c;
+// The three lines of nodes along an axis.
+struct GaborLines {
+    uvec4 word;
+    vec3 window;
+    vec3 slope;
+    GaborVector wave; // relative to the middle node's
+    float offset;     // of the place from that node, in node spacings
 };
 
-// The amplitude of a node given the xor of its lines' words. `channel` is 0, or that of another, independent noise.
-vec2 gabor_impl_amplitude_3d(uint lines, GaborPlace3d place, int channel)
+GaborLines gabor_impl_lines(int first, float offset, int period, uint salt, float turns)
 {
-    uint word = gabor_impl_node_word(lines);
-    for (int i = 0; i < channel; ++i)
-        word = gabor_impl_next_word(word);
-    return place.animated ? gabor_impl_amplitude_at(word, gabor_impl_wave(place.time)) : gabor_impl_amplitude(word);
+    GaborWindows windows = gabor_impl_windows(offset);
+    vec4 cosines;
+    vec4 sines;
+    gabor_impl_node_waves(gabor_impl_wave(turns), cosines, sines);
+    return GaborLines(gabor_impl_line_words(first, period, salt), windows.value.xyz, windows.slope.xyz,
+                      GaborVector(cosines.xyz, sines.xyz), offset);
 }
 
-GaborVector gabor_impl_row_3d(uvec4 columns, uint row, GaborPlace3d place, int channel)
+// The amplitude of a node. `channel` is 0, or that of another, independent noise.
+vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place, int channel)
 {
-    vec2 a = gabor_impl_amplitude_3d(columns.x ^ row, place, channel);
-    vec2 b = gabor_impl_amplitude_3d(columns.y ^ row, place, channel);
-    vec2 c = gabor_impl_amplitude_3d(columns.z ^ row, place, channel);
+    for (int i = 0; i < channel; ++i)
+        word = gabor_impl_next_word(word);
+    vec2 amplitude = gabor_impl_amplitude(word);
+    if (place.animated) {
+        uint second = gabor_impl_next_word(word);
+        vec2 time = gabor_impl_wave(place.time);
+        amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
+                                  + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
+    }
+    return amplitude;
+}
+
+// A row of nodes: its word, made of those of a row and a slice, is odd and of 24 bits as theirs are.
+GaborVector gabor_impl_row_3d(uvec4 columns, uint lines, GaborPlace3d place, int channel)
+{
+    uint row = (lines >> 8u) | 0x800001u;
+    vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place, channel);
+    vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place, channel);
+    vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place, channel);
     return GaborVector(vec3(a.x, b.x, c.x), vec3(a.y, b.y, c.y));
 }
 
 GaborMatrix gabor_impl_slice_3d(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place, int channel)
 {
-    return gabor_impl_matrix(gabor_impl_row_3d(columns, rows.x ^ slice, place, channel),
-                             gabor_impl_row_3d(columns, rows.y ^ slice, place, channel),
-                             gabor_impl_row_3d(columns, rows.z ^ slice, place, channel));
+    return gabor_impl_matrix(gabor_impl_row_3d(columns, rows.x * slice, place, channel),
+                             gabor_impl_row_3d(columns, rows.y * slice, place, channel),
+                             gabor_impl_row_3d(columns, rows.z * slice, place, channel));
 }
+
+// All that reach a place: the lines, and the amplitudes where they meet, slice by slice, a column for each row.
+struct GaborNodes3d {
+    GaborLines x;
+    GaborLines y;
+    GaborLines z;
+    vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+    GaborMatrix a;
+    GaborMatrix b;
+    GaborMatrix c;
+};
 
 GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed, int channel)
 {
     vec3 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    vec3 x = place.local - first;
+    vec3 offset = place.local - first - 1.0;
     ivec3 node = place.cell + ivec3(first);
     vec3 turns = wave / place.radius;
+    uint salt = gabor_impl_salt(seed);
     GaborNodes3d n;
-    n.step_x = gabor_impl_wave(turns.x);
-    n.step_y = gabor_impl_wave(turns.y);
-    n.step_z = gabor_impl_wave(turns.z);
-    n.x = gabor_impl_axis(node.x, x.x, place.period.x, gabor_impl_salt(seed, 0u), n.step_x);
-    n.y = gabor_impl_axis(node.y, x.y, place.period.y, gabor_impl_salt(seed, 1u), n.step_y);
-    n.z = gabor_impl_axis(node.z, x.z, place.period.z, gabor_impl_salt(seed, 2u), n.step_z);
-    n.offset = x - 1.0;
+    n.x = gabor_impl_lines(node.x, offset.x, place.period.x, salt, turns.x);
+    n.y = gabor_impl_lines(node.y, offset.y, place.period.y, salt ^ 0x5bd1e995u, turns.y);
+    n.z = gabor_impl_lines(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, turns.z);
     float scale = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    n.base = scale * gabor_impl_wave(dot(turns, n.offset));
+    n.base = scale * gabor_impl_wave(dot(turns, offset));
     n.a = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.x, place, channel);
     n.b = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.y, place, channel);
     n.c = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.z, place, channel);
@@ -155,19 +179,18 @@ GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed, int c
 GaborField3d gabor_impl_field_3d(GaborPlace3d place, vec3 wave, uint seed, int channel)
 {
     GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed, channel);
-    GaborAxis x = n.x;
-    GaborAxis y = n.y;
-    GaborAxis z = n.z;
-    GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x.real, x.imaginary, n.a), gabor_impl_sums(x.real, x.imaginary, n.b),
-                                         gabor_impl_sums(x.real, x.imaginary, n.c));
-    GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(x.slope_real, x.slope_imaginary, n.a),
-                                           gabor_impl_sums(x.slope_real, x.slope_imaginary, n.b),
-                                           gabor_impl_sums(x.slope_real, x.slope_imaginary, n.c));
-    GaborVector values = gabor_impl_sums(y.real, y.imaginary, sums);
-    vec2 value = gabor_impl_sum(z.real, z.imaginary, values, n.base);
-    vec2 slope_x = gabor_impl_sum(z.real, z.imaginary, gabor_impl_sums(y.real, y.imaginary, slopes), n.base);
-    vec2 slope_y = gabor_impl_sum(z.real, z.imaginary, gabor_impl_sums(y.slope_real, y.slope_imaginary, sums), n.base);
-    vec2 slope_z = gabor_impl_sum(z.slope_real, z.slope_imaginary, values, n.base);
+    GaborLines x = n.x;
+    GaborLines y = n.y;
+    GaborLines z = n.z;
+    GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x.window, x.wave, n.a), gabor_impl_sums(x.window, x.wave, n.b),
+                                         gabor_impl_sums(x.window, x.wave, n.c));
+    GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(x.slope, x.wave, n.a), gabor_impl_sums(x.slope, x.wave, n.b),
+                                           gabor_impl_sums(x.slope, x.wave, n.c));
+    GaborVector values = gabor_impl_sums(y.window, y.wave, sums);
+    vec2 value = gabor_impl_sum(z.window, z.wave, values, n.base);
+    vec2 slope_x = gabor_impl_sum(z.window, z.wave, gabor_impl_sums(y.window, y.wave, slopes), n.base);
+    vec2 slope_y = gabor_impl_sum(z.window, z.wave, gabor_impl_sums(y.slope, y.wave, sums), n.base);
+    vec2 slope_z = gabor_impl_sum(z.slope, z.wave, values, n.base);
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
     vec3 stretch = place.radius / GABOR_RADIUS;
     return GaborField3d(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
@@ -178,16 +201,16 @@ GaborField3d gabor_impl_field_3d(GaborPlace3d place, vec3 wave, uint seed, int c
 
 // From what an axis' three nodes have, the matrix' columns, to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4,
-// by a Fourier transform of three points, turned to the place: `x` is its offset from the middle node. Within half a
+// by a Fourier transform of three points, turned to the place. Within half a
 // deviation of the filter from its window's end a node fades, so that nothing jumps. The result is transposed.
-GaborMatrix gabor_impl_waves(GaborMatrix m, float x, vec2 step, float deviation)
+GaborMatrix gabor_impl_waves(GaborMatrix m, GaborLines lines, float deviation)
 {
-    vec3 to_end = 1.0 - abs(vec3(x + 1.0, x, x - 1.0)) / GABOR_RADIUS;
+    vec3 to_end = 1.0 - abs(lines.offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
     vec3 reach = clamp(to_end / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
     reach *= reach * (3.0 - 2.0 * reach);
-    GaborVector a = gabor_impl_column(m, 0, reach.x * step);
+    GaborVector a = gabor_impl_column(m, 0, reach.x * vec2(lines.wave.real.x, lines.wave.imaginary.x));
     GaborVector b = gabor_impl_column(m, 1, vec2(reach.y, 0.0));
-    GaborVector c = gabor_impl_column(m, 2, reach.z * vec2(step.x, -step.y));
+    GaborVector c = gabor_impl_column(m, 2, reach.z * vec2(lines.wave.real.z, lines.wave.imaginary.z));
     vec3 even_real = 0.25 * b.real - 0.125 * (a.real + c.real);
     vec3 even_imaginary = 0.25 * b.imaginary - 0.125 * (a.imaginary + c.imaginary);
     vec3 odd_real = 0.21650635 * (c.imaginary - a.imaginary);
@@ -195,7 +218,7 @@ GaborMatrix gabor_impl_waves(GaborMatrix m, float x, vec2 step, float deviation)
     m.real = mat3(even_real - odd_real, 0.5 * (a.real + b.real + c.real), even_real + odd_real);
     m.imaginary = mat3(even_imaginary - odd_imaginary, 0.5 * (a.imaginary + b.imaginary + c.imaginary),
                        even_imaginary + odd_imaginary);
-    vec2 turn = gabor_impl_wave(0.5 * x / GABOR_RADIUS);
+    vec2 turn = gabor_impl_wave(0.5 * lines.offset / GABOR_RADIUS);
     m = gabor_impl_matrix(gabor_impl_column(m, 0, vec2(turn.x, -turn.y)), gabor_impl_column(m, 1, vec2(1.0, 0.0)),
                           gabor_impl_column(m, 2, turn));
     return GaborMatrix(transpose(m.real), transpose(m.imaginary));
@@ -211,16 +234,16 @@ vec2 gabor_impl_filtered_3d(GaborPlace3d place, vec3 wave, uint seed)
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
     GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed, 0);
-    n.a = gabor_impl_waves(gabor_impl_waves(n.a, n.offset.y, n.step_y, deviation.y), n.offset.x, n.step_x, deviation.x);
-    n.b = gabor_impl_waves(gabor_impl_waves(n.b, n.offset.y, n.step_y, deviation.y), n.offset.x, n.step_x, deviation.x);
-    n.c = gabor_impl_waves(gabor_impl_waves(n.c, n.offset.y, n.step_y, deviation.y), n.offset.x, n.step_x, deviation.x);
+    n.a = gabor_impl_waves(gabor_impl_waves(n.a, n.y, deviation.y), n.x, deviation.x);
+    n.b = gabor_impl_waves(gabor_impl_waves(n.b, n.y, deviation.y), n.x, deviation.x);
+    n.c = gabor_impl_waves(gabor_impl_waves(n.c, n.y, deviation.y), n.x, deviation.x);
     vec2 one = vec2(1.0, 0.0);
     vec2 sum = vec2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
         GaborMatrix m = gabor_impl_matrix(gabor_impl_column(n.a, b, one), gabor_impl_column(n.b, b, one),
                                           gabor_impl_column(n.c, b, one));
-        m = gabor_impl_waves(m, n.offset.z, n.step_z, deviation.z);
+        m = gabor_impl_waves(m, n.z, deviation.z);
         for (int a = 0; a < 3; ++a) {
             for (int c = 0; c < 3; ++c) {
                 vec3 aside = vec3(float(a - 1), float(b - 1), float(c - 1));
