@@ -19,34 +19,48 @@ std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
     return word ^ word >> 15;
 }
 
-// The word of a line of nodes that are the same along one axis.
-std::uint32_t line_word(std::int32_t index, std::uint32_t axis, std::uint32_t seed) {
-    const std::uint32_t salt = mix(seed * 0x9e3779b1u + axis, 0x2545f491u);
-    return mix(static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt, salt);
+// The word of a line of nodes that are the same along one axis: odd, of 24 bits.
+std::uint32_t line_word(std::int32_t index, std::size_t axis, std::uint32_t seed) {
+    constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
+    const std::uint32_t salt = mix(seed * 0x9e3779b1u, 0x2545f491u) ^ axes[axis];
+    std::uint32_t word = static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word >> 8 | 0x800001u;
+}
+
+std::uint32_t node_word(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return x * (y * z >> 8 | 0x800001u);
 }
 
 std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
-// Before normalization: nearly normal for a byte, read as signed.
-double nearly_normal(int byte) {
-    const double u = (byte + 0.5) / 128;
-    return u - 1.2373 * std::pow(u, 3) + 1.7741 * std::pow(u, 5);
+// Nearly normal for u uniform in [-1, 1]: the slope of its quantiles is cut within the limit.
+constexpr double limit = 1.7317979e9 / 0x1p31;
+constexpr double cut = 0.79794583;
+
+double nearly_normal(double u) {
+    return u - cut * std::clamp(u, -limit, limit);
 }
 
-double deviation() {
-    double sum = 0;
-    for (int byte = -128; byte < 128; ++byte)
-        sum += std::pow(nearly_normal(byte), 2);
-    return std::sqrt(sum / 256);
+// E|A|^2 / 2: of a byte, read as signed and in the middle of its interval, by its sum, and of 24 bits by the
+// integral of nearly_normal(u)^2 over [0, 1].
+double variance() {
+    double byte = 0;
+    for (int i = 0; i < 128; ++i)
+        byte += std::pow(nearly_normal((i + 0.5) / 128), 2) / 128;
+    const double within = std::pow((1 - cut) * limit, 2) * limit / 3;
+    const double beyond = (1 - std::pow(limit, 3)) / 3 - cut * limit * (1 - limit * limit) +
+                          std::pow(cut * limit, 2) * (1 - limit);
+    return (byte + within + beyond) / 2;
 }
 
-// Of variance 1 in each part.
 std::complex<double> amplitude(std::uint32_t word) {
-    static const double scale = 1 / deviation();
-    const auto byte = [&](int shift) { return static_cast<std::int8_t>(word >> shift & 0xff); };
-    return scale * std::complex<double>(nearly_normal(byte(24)), nearly_normal(byte(16)));
+    static const double scale = 1 / std::sqrt(variance());
+    const double u = (static_cast<std::int8_t>(word >> 24) + 0.5) / 128;
+    const double v = static_cast<std::int32_t>(word << 8) / 0x1p31;
+    return scale * std::complex<double>(nearly_normal(u), nearly_normal(v));
 }
 
 double dot(const Vector& a, const Vector& b) {
@@ -87,8 +101,8 @@ std::array<double, 2> share(int index, double count) {
 
 } // namespace
 
-Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, int channel)
-    : wave_(wave), seed_(seed), channel_(channel) {}
+Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, int channel, bool animated)
+    : wave_(wave), seed_(seed), channel_(channel), animated_(animated) {}
 
 std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
     struct Line {
@@ -103,19 +117,19 @@ std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
             auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
             if (const std::int32_t period = place.period[axis])
                 index = (index % period + period) % period;
-            lines[axis].push_back({line_word(index, static_cast<std::uint32_t>(axis), seed_),
-                                   place.local[axis] - static_cast<double>(i)});
+            lines[axis].push_back(
+                {line_word(index, axis, seed_), place.local[axis] - static_cast<double>(i)});
         }
     }
     std::vector<Node> nodes;
     for (const Line& z : lines[2]) {
         for (const Line& y : lines[1]) {
             for (const Line& x : lines[0]) {
-                std::uint32_t word = (x.word ^ y.word ^ z.word) * 0x85ebca6bu;
+                std::uint32_t word = node_word(x.word, y.word, z.word);
                 for (int i = 0; i < channel_; ++i)
                     word = next_word(word);
                 std::complex<double> value = amplitude(word);
-                if (place.animated) {
+                if (animated_) {
                     const std::uint32_t second = next_word(word);
                     const double angle = 2 * pi * place.time;
                     value = (value + std::cos(angle) * amplitude(second) +
@@ -143,8 +157,7 @@ Lattice3d::Field Lattice3d::field(const Place& place) const {
             slope[axis] = -pi / 2 * std::sin(pi * x) * place.radius[axis] / nodes_per_radius;
         }
         // E[n^2] = E[|A|^2] / 2 (sum h^2)^3, sum h^2 = 9/8.
-        const std::complex<double> wave =
-            std::pow(8.0 / 9, 1.5) * node.amplitude * std::exp(2i * pi * turns);
+        const std::complex<double> wave = std::pow(8.0 / 9, 1.5) * node.amplitude * std::exp(2i * pi * turns);
         const double all = window[0] * window[1] * window[2];
         field.value += all * wave;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -159,14 +172,15 @@ Lattice3d::Filtered Lattice3d::filtered(const Place& place, const Vector& dx, co
     using namespace std::complex_literals;
     // Far footprints average all out: (det(1 + S^2))^(-1/4), by the traces of S and S^2.
     const double trace = (dot(dx, dx) + dot(dy, dy)) / 4;
-    const double square = (std::pow(dot(dx, dx), 2) + std::pow(dot(dy, dy), 2) + 2 * std::pow(dot(dx, dy), 2)) / 16;
+    const double square =
+        (std::pow(dot(dx, dx), 2) + std::pow(dot(dy, dy), 2) + 2 * std::pow(dot(dx, dy), 2)) / 16;
     const double determinant = (trace * trace - square) / 2;
     const double fade = std::pow(1 + square + determinant * determinant, -0.25);
 
     std::complex<double> value = 0;
     double kept = 0;
     const std::vector<Node> all = nodes(place);
-    constexpr std::array share{0.25, 0.5, 0.25};       // of the window
+    constexpr std::array share{0.25, 0.5, 0.25};           // of the window
     constexpr std::array power{1.0 / 6, 2.0 / 3, 1.0 / 6}; // of the variance
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
@@ -174,7 +188,8 @@ Lattice3d::Filtered Lattice3d::filtered(const Place& place, const Vector& dx, co
                 const std::array<std::size_t, 3> wave{a, b, c};
                 Vector k = wave_;
                 for (std::size_t axis = 0; axis < 3; ++axis)
-                    k[axis] += (static_cast<double>(wave[axis]) - 1) / 2 * place.radius[axis] / nodes_per_radius;
+                    k[axis] +=
+                        (static_cast<double>(wave[axis]) - 1) / 2 * place.radius[axis] / nodes_per_radius;
                 const double blurred = (std::pow(dot(k, dx), 2) + std::pow(dot(k, dy), 2)) / 4;
                 const double damped = fade * std::exp(-2 * pi * pi * blurred);
                 kept += power[a] * power[b] * power[c] * damped * damped;
@@ -226,7 +241,8 @@ std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, 
     return waves;
 }
 
-std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double frequency, std::uint32_t seed) {
+std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double frequency,
+                                                  std::uint32_t seed) {
     const double count = 2 + 4 * std::min(frequency, 32.0);
     const double first = smoothstep(0.25, 0.5, 1 - normal[2] * normal[2]);
     const double length = std::hypot(first, 1 - first);

@@ -19,8 +19,7 @@ class Lattice3d {
         std::array<float, 3> local{};
         std::array<float, 3> radius{1.5f, 1.5f, 1.5f}; ///< nodes per kernel radius
         std::array<std::int32_t, 3> period{};          ///< in nodes, 0 for none
-        std::int32_t animated = 0;
-        float time = 0; ///< in periods of time; counts where `animated` is not 0
+        float time = 0;                                ///< in periods of time, for animated noise
     };
 
     /// The noise as a complex number, whose imaginary part is the noise itself, and its gradient per kernel
@@ -36,7 +35,7 @@ class Lattice3d {
     };
 
     /// `wave` in cycles per kernel radius; `channel`, 0 to 3, is one of the four independent noises.
-    Lattice3d(const Vector& wave, std::uint32_t seed, int channel = 0);
+    Lattice3d(const Vector& wave, std::uint32_t seed, int channel = 0, bool animated = false);
 
     Field field(const Place& place) const;
 
@@ -55,6 +54,7 @@ class Lattice3d {
     Vector wave_;
     std::uint32_t seed_;
     int channel_;
+    bool animated_;
 };
 
 /// One noise of a sum of independent ones.

@@ -27,39 +27,37 @@ struct LatticeSample3d {
 inline std::string to_string(const LatticeSample3d& s) {
     return fmt::format("cell {} + {}, radius {}, period {}, time {}, frequency {}, direction {}, normal {}, "
                        "footprint {}, {}, position {}, tile {}, seed {}",
-                       s.place.cell, s.place.local, s.place.radius, s.place.period,
-                       s.place.animated ? fmt::format("{}", s.place.time) : "none", s.frequency, s.direction,
-                       s.normal, s.dx, s.dy, s.p, s.tile, s.seed);
+                       s.place.cell, s.place.local, s.place.radius, s.place.period, s.place.time, s.frequency,
+                       s.direction, s.normal, s.dx, s.dy, s.p, s.tile, s.seed);
 }
 
 struct LatticeAnswer3d {
-    float field[4][2]; ///< the value and its slopes, real and imaginary
-    float value[2];    ///< and the variance removed, here and below
-    float isotropic[2];
-    float surface[2];
-    float surface_isotropic[2];
-    float noise;
-    float gradient[4];
-    float complex[2];
-    float four[4];
-    float tiled;
-    float animated;
-    float filtered[2];
-    float noise_isotropic;
-    float noise_surface;
-    float noise_surface_isotropic;
+    float value[8];
+};
+
+/// As in passes/sample_lattice_3d.comp: the functions by place and of a position.
+enum class Entry3d : std::int32_t {
+    field,
+    value,
+    isotropic,
+    surface,
+    surface_isotropic,
+    gradient,
+    four,
+    tiled,
+    animated,
+    filtered,
+    noise_isotropic,
+    noise_surface,
+    noise_surface_isotropic
 };
 
 struct LatticeSampler3d : Probe<LatticeSample3d, LatticeAnswer3d> {
-    LatticeSampler3d(const vulkan::Device& device, std::size_t capacity)
-        : Probe(device, capacity, sample_lattice_3d_spirv, {}) {}
-
-    /// As in passes/sample_lattice_3d.comp.
-    enum { all, field, value, sums, four };
-
-    std::span<const LatticeAnswer3d> ask(std::size_t count, int wanted) {
-        return answers(count, static_cast<Wanted>(wanted));
-    }
+    LatticeSampler3d(const vulkan::Device& device, std::size_t capacity, Entry3d entry, bool filtered = false,
+                     bool animated = false)
+        : Probe(device, capacity, sample_lattice_3d_spirv,
+                std::array{static_cast<std::uint32_t>(entry), std::uint32_t{filtered},
+                           std::uint32_t{animated}}) {}
 };
 
 inline noise::Lattice3d::Vector wide(const std::array<float, 3>& v) {

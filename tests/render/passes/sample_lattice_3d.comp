@@ -8,13 +8,17 @@
 
 layout(local_size_x = 64) in;
 
+// One function for each pipeline, for all of them in one take minutes to compile. As in sampler_lattice_3d.hpp.
+layout(constant_id = 0) const int entry = 0;
+layout(constant_id = 1) const int filtered = 0; // the functions by place
+layout(constant_id = 2) const int animated = 0;
+
 // In scalars, for a vec3 would be padded.
 struct Sample {
     int cell[3];
     float local[3];
     float radius[3];
     int period[3];
-    int animated;
     float time;
     float frequency;
     float direction[3];
@@ -27,22 +31,7 @@ struct Sample {
 };
 
 struct Answer {
-    float field[8]; // gabor_field_3d
-    float value; // the functions by place, with the footprint
-    float removed;
-    float isotropic[2];
-    float surface[2];
-    float surface_isotropic[2];
-    float noise; // the functions of a position
-    float gradient[4];
-    float complex[2];
-    float four[4];
-    float tiled;
-    float animated;
-    float filtered[2];
-    float noise_isotropic;
-    float noise_surface;
-    float noise_surface_isotropic;
+    float value[8];
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -50,7 +39,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int wanted; // 0: all; 1: the field; 2: the value; 3: sums by place; 4: gabor_noise_3d_four
+    int wanted; // not used
 };
 
 vec3 vector(float v[3])
@@ -64,60 +53,62 @@ void main()
     if (i >= count)
         return;
     Sample s = samples[i];
+    float f = s.frequency;
     vec3 direction = vector(s.direction);
     vec3 normal = vector(s.normal);
-    vec3 dx = vector(s.dx);
-    vec3 dy = vector(s.dy);
     vec3 p = vector(s.p);
-    vec3 wave = gabor_wave_3d(s.frequency, direction);
-    bool filtered = dx != vec3(0.0) || dy != vec3(0.0);
+    vec3 wave = gabor_wave_3d(f, direction);
     GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
-                                      ivec3(s.period[0], s.period[1], s.period[2]), s.animated != 0, s.time, filtered,
-                                      dx, dy);
-    if (wanted <= 1) {
+                                      ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
+                                      filtered != 0, vector(s.dx), vector(s.dy));
+    vec4 first = vec4(0.0);
+    vec4 second = vec4(0.0);
+    switch (entry) {
+    case 0:
         GaborField3d field = gabor_field_3d(place, wave, s.seed);
-        for (int c = 0; c < 2; ++c) {
-            answers[i].field[c] = field.value[c];
-            answers[i].field[2 + c] = field.slope_x[c];
-            answers[i].field[4 + c] = field.slope_y[c];
-            answers[i].field[6 + c] = field.slope_z[c];
-        }
+        first = vec4(field.value, field.slope_x);
+        second = vec4(field.slope_y, field.slope_z);
+        break;
+    case 1:
+        first.xy = gabor_value_3d(place, wave, s.seed);
+        break;
+    case 2:
+        first.xy = gabor_isotropic_3d(place, f, s.seed);
+        break;
+    case 3:
+        first.xy = gabor_surface_3d(place, normal, f, direction, s.seed);
+        break;
+    case 4:
+        first.xy = gabor_surface_isotropic_3d(place, normal, f, s.seed);
+        break;
+    case 5:
+        first = gabor_noise_3d_gradient(p, f, direction, s.seed);
+        second = vec4(gabor_noise_3d(p, f, direction, s.seed), gabor_noise_3d_complex(p, f, direction, s.seed), 0.0);
+        break;
+    case 6:
+        first = gabor_noise_3d_four(p, f, direction, s.seed);
+        break;
+    case 7:
+        first.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
+        break;
+    case 8:
+        first.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
+        break;
+    case 9:
+        first.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
+        break;
+    case 10:
+        first.x = gabor_noise_3d_isotropic(p, f, s.seed);
+        break;
+    case 11:
+        first.x = gabor_noise_surface(p, normal, f, direction, s.seed);
+        break;
+    default:
+        first.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
+        break;
     }
-    if (wanted == 0 || wanted == 2) {
-        vec2 value = gabor_value_3d(place, wave, s.seed);
-        answers[i].value = value.x;
-        answers[i].removed = value.y;
+    for (int c = 0; c < 4; ++c) {
+        answers[i].value[c] = first[c];
+        answers[i].value[4 + c] = second[c];
     }
-    if (wanted == 0 || wanted == 3) {
-        vec2 isotropic = gabor_isotropic_3d(place, s.frequency, s.seed);
-        vec2 surface = gabor_surface_3d(place, normal, s.frequency, direction, s.seed);
-        vec2 surface_isotropic = gabor_surface_isotropic_3d(place, normal, s.frequency, s.seed);
-        for (int c = 0; c < 2; ++c) {
-            answers[i].isotropic[c] = isotropic[c];
-            answers[i].surface[c] = surface[c];
-            answers[i].surface_isotropic[c] = surface_isotropic[c];
-        }
-    }
-    if (wanted == 0 || wanted == 4) {
-        vec4 four = gabor_noise_3d_four(p, s.frequency, direction, s.seed);
-        for (int c = 0; c < 4; ++c)
-            answers[i].four[c] = four[c];
-    }
-    if (wanted != 0)
-        return;
-    vec4 gradient = gabor_noise_3d_gradient(p, s.frequency, direction, s.seed);
-    vec2 complex = gabor_noise_3d_complex(p, s.frequency, direction, s.seed);
-    vec2 average = gabor_noise_3d_filtered(p, dx, dy, s.frequency, direction, s.seed);
-    for (int c = 0; c < 4; ++c)
-        answers[i].gradient[c] = gradient[c];
-    for (int c = 0; c < 2; ++c) {
-        answers[i].complex[c] = complex[c];
-        answers[i].filtered[c] = average[c];
-    }
-    answers[i].noise = gabor_noise_3d(p, s.frequency, direction, s.seed);
-    answers[i].tiled = gabor_noise_3d_tiled(p, vector(s.tile), s.frequency, direction, s.seed);
-    answers[i].animated = gabor_noise_3d_animated(p, s.time, s.frequency, direction, s.seed);
-    answers[i].noise_isotropic = gabor_noise_3d_isotropic(p, s.frequency, s.seed);
-    answers[i].noise_surface = gabor_noise_surface(p, normal, s.frequency, direction, s.seed);
-    answers[i].noise_surface_isotropic = gabor_noise_surface_isotropic(p, normal, s.frequency, s.seed);
 }
