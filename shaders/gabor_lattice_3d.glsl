@@ -291,7 +291,7 @@ vec3 gabor_wave_3d(float frequency, vec3 direction)
 // power: so all of it is continuous in frequency.
 vec2 gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 {
-    float count = 6.0 + 8.0 * min(frequency * frequency, 64.0);
+    float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
     vec2 sum = vec2(0.0);
     for (int i = 0; i < int(ceil(count)); ++i) {
         float share = min(count - float(i), 1.0);
@@ -323,7 +323,7 @@ vec2 gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 dir
 // Directions evenly over half a turn from that of the circle around `axis` on which the normal lies.
 vec2 gabor_impl_tangents(GaborPlace3d place, vec3 normal, vec3 axis, float frequency, uint seed, int first, float power)
 {
-    float count = 2.0 + 4.0 * min(abs(frequency), 32.0);
+    float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
     vec3 along = gabor_impl_unit(cross(axis, normal));
     vec2 sum = vec2(0.0);
     for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
@@ -416,8 +416,8 @@ float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 directio
 
 // The noise averaged over a pixel, and the variance that this removes.
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// The filter is normal, with a standard deviation of half a pixel. Off by 0.2 % of the noise's deviation where a pixel is
-// a tenth of a radius, by 2 % at a third; beyond, at frequencies below 1, by up to 20 %.
+// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel is
+// a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
 {
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
@@ -427,7 +427,7 @@ vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 dir
     return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
 }
 
-// Solid noise along all directions, a sum of 6 + 8 F^2 of them.
+// Solid noise along all directions, a sum of 8 + 8 F^2 of them.
 float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 {
     return gabor_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed).x;
@@ -441,7 +441,7 @@ float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, 
     return gabor_surface_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).x;
 }
 
-// Noise on a surface along all directions of its tangent plane alike: a sum of 2 + 4 F, between axes of twice as many.
+// Noise on a surface along all directions of its tangent plane alike: a sum of 2 + 4.5 F, of twice as many between two axes.
 float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 {
     return gabor_surface_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).x;

@@ -212,7 +212,7 @@ Lattice3d::Filtered Lattice3d::filtered(const Place& place, const Vector& dx, co
 }
 
 std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed) {
-    const double count = 6 + 8 * std::pow(std::min(frequency, 8.0), 2);
+    const double count = 8 + 8 * std::pow(std::min(frequency, 8.0), 2);
     std::vector<WeightedWave> waves;
     for (int i = 0; i < count; ++i) {
         const auto [height, power] = share(i, count);
@@ -243,7 +243,7 @@ std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, 
 
 std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double frequency,
                                                   std::uint32_t seed) {
-    const double count = 2 + 4 * std::min(frequency, 32.0);
+    const double count = 2 + 4.5 * std::min(frequency, 32.0);
     const double first = smoothstep(0.25, 0.5, 1 - normal[2] * normal[2]);
     const double length = std::hypot(first, 1 - first);
     std::vector<WeightedWave> waves;
