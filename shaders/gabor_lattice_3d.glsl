@@ -4,14 +4,9 @@
 //     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Functions to call, at the end of the file:
-//     gabor_noise_3d, gabor_noise_3d_isotropic                 solid noise along one direction, or along all
-//     gabor_noise_3d_gradient, _complex, _four                 with its gradient or quadrature; four independent ones
-//     gabor_noise_3d_tiled, _animated                          with exact periods in space, and in time
-//     gabor_noise_surface, gabor_noise_surface_isotropic       waves that lie in the tangent plane
-//     gabor_noise_3d_filtered                                  averaged over a pixel
-//     gabor_place_3d, gabor_wave_3d, gabor_field_3d, gabor_value_3d, gabor_isotropic_3d, gabor_surface_3d,
-//     gabor_surface_isotropic_3d                               all of it, by integer cell and offset and for a pixel
+// Functions to call, at the end of the file: gabor_noise_3d, its forms _gradient, _complex, _four, _tiled, _animated,
+// _filtered and _isotropic, gabor_noise_surface and gabor_noise_surface_isotropic. Before them the same by place, that
+// is by integer cell and offset, and averaged over a pixel.
 //
 // As in the plane, the nodes c of a cubic lattice, R = 3/2 to the kernel radius, have independent normal amplitudes A,
 // and each sends out a wave under a product of Hann windows h(x) = (1 + cos pi x) / 2 that ends one kernel radius away:
@@ -26,15 +21,13 @@
 
 #ifndef GABOR_LATTICE_3D_GLSL
 #define GABOR_LATTICE_3D_GLSL
-
 #ifndef GABOR_LATTICE_GLSL
 #error "Include gabor_lattice.glsl before gabor_lattice_3d.glsl"
-#endif
-#if GABOR_TAPS != 3
+#elif GABOR_TAPS != 3
 #error "gabor_lattice_3d.glsl needs GABOR_TAPS 3"
 #endif
 
-// Where to evaluate, and how space and time close upon themselves: see GaborPlace. And what a pixel covers there.
+// Where to evaluate, and how space and time close upon themselves: see GaborPlace.
 struct GaborPlace3d {
     ivec3 cell;
     vec3 local;
@@ -42,9 +35,10 @@ struct GaborPlace3d {
     ivec3 period;
     bool animated;
     float time;
-    bool filtered; // whether to average over the pixel: see gabor_noise_3d_filtered
+    bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
     vec3 dx;
     vec3 dy;
+    int channel; // 0, or 1 to 3 for another noise of the same seed, independent of it
 };
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
@@ -74,123 +68,108 @@ GaborMatrix gabor_impl_matrix(GaborVector a, GaborVector b, GaborVector c)
     return GaborMatrix(mat3(a.real, b.real, c.real), mat3(a.imaginary, b.imaginary, c.imaginary));
 }
 
-GaborVector gabor_impl_column(GaborMatrix m, int i, vec2 factor)
+// Each column times a vector.
+GaborVector gabor_impl_sums(GaborVector v, GaborMatrix m)
 {
-    return GaborVector(factor.x * m.real[i] - factor.y * m.imaginary[i], factor.x * m.imaginary[i] + factor.y * m.real[i]);
+    return GaborVector(v.real * m.real - v.imaginary * m.imaginary, v.real * m.imaginary + v.imaginary * m.real);
 }
 
-// Each column's sum with three complex factors.
-GaborVector gabor_impl_sums(vec3 window, GaborVector wave, GaborMatrix m)
+vec2 gabor_impl_sum(GaborVector v, GaborVector w)
 {
-    vec3 real = window * wave.real;
-    vec3 imaginary = window * wave.imaginary;
-    return GaborVector(real * m.real - imaginary * m.imaginary, real * m.imaginary + imaginary * m.real);
+    return vec2(dot(v.real, w.real) - dot(v.imaginary, w.imaginary),
+                dot(v.real, w.imaginary) + dot(v.imaginary, w.real));
 }
 
-vec2 gabor_impl_sum(vec3 window, GaborVector wave, GaborVector v, vec2 factor)
-{
-    vec3 real = window * wave.real;
-    vec3 imaginary = window * wave.imaginary;
-    return gabor_impl_product(factor, vec2(dot(real, v.real) - dot(imaginary, v.imaginary),
-                                           dot(real, v.imaginary) + dot(imaginary, v.real)));
-}
-
-// The three lines of nodes along an axis.
+// The three lines of nodes along an axis: their words, waves relative to the middle one's, and these under the windows.
 struct GaborLines {
     uvec4 word;
-    vec3 window;
-    vec3 slope;
-    GaborVector wave; // relative to the middle node's
-    float offset;     // of the place from that node, in node spacings
+    GaborVector wave;
+    GaborVector value;
+    GaborVector slope;
+    float offset; // of the place from the middle line, in node spacings
 };
 
 GaborLines gabor_impl_lines(int first, float offset, int period, uint salt, float turns)
 {
-    GaborWindows windows = gabor_impl_windows(offset);
-    vec4 cosines;
-    vec4 sines;
-    gabor_impl_node_waves(gabor_impl_wave(turns), cosines, sines);
-    return GaborLines(gabor_impl_line_words(first, period, salt), windows.value.xyz, windows.slope.xyz,
-                      GaborVector(cosines.xyz, sines.xyz), offset);
+    GaborWindows w = gabor_impl_windows(offset);
+    vec4 c;
+    vec4 s;
+    gabor_impl_node_waves(gabor_impl_wave(turns), c, s);
+    return GaborLines(gabor_impl_line_words(first, period, salt), GaborVector(c.xyz, s.xyz),
+                      GaborVector(w.value.xyz * c.xyz, w.value.xyz * s.xyz),
+                      GaborVector(w.slope.xyz * c.xyz, w.slope.xyz * s.xyz), offset);
 }
 
-// The amplitude of a node. `channel` is 0, or that of another, independent noise.
-vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place, int channel)
+vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
 {
-    for (int i = 0; i < channel; ++i)
+    for (int i = 0; i < place.channel; ++i)
         word = gabor_impl_next_word(word);
-    vec2 amplitude = gabor_impl_amplitude(word);
-    if (place.animated) {
-        uint second = gabor_impl_next_word(word);
-        vec2 time = gabor_impl_wave(place.time);
-        amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
-                                  + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
-    }
-    return amplitude;
+    if (!place.animated)
+        return gabor_impl_amplitude(word);
+    uint second = gabor_impl_next_word(word);
+    vec2 time = gabor_impl_wave(place.time);
+    return 0.70710678 * (gabor_impl_amplitude(word) + time.x * gabor_impl_amplitude(second)
+                         + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
 }
 
-// A row of nodes: its word, made of those of a row and a slice, is odd and of 24 bits as theirs are.
-GaborVector gabor_impl_row_3d(uvec4 columns, uint lines, GaborPlace3d place, int channel)
+// The amplitudes of a row of nodes. Its word, from those of a row and a slice, is odd and of 24 bits as theirs are.
+GaborVector gabor_impl_row_3d(uvec4 columns, uint lines, GaborPlace3d place)
 {
     uint row = (lines >> 8u) | 0x800001u;
-    vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place, channel);
-    vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place, channel);
-    vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place, channel);
+    vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
+    vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
+    vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
     return GaborVector(vec3(a.x, b.x, c.x), vec3(a.y, b.y, c.y));
 }
 
-GaborMatrix gabor_impl_slice_3d(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place, int channel)
+// Those of a slice, a column for each row.
+GaborMatrix gabor_impl_slice_3d(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place)
 {
-    return gabor_impl_matrix(gabor_impl_row_3d(columns, rows.x * slice, place, channel),
-                             gabor_impl_row_3d(columns, rows.y * slice, place, channel),
-                             gabor_impl_row_3d(columns, rows.z * slice, place, channel));
+    return gabor_impl_matrix(gabor_impl_row_3d(columns, rows.x * slice, place),
+                             gabor_impl_row_3d(columns, rows.y * slice, place),
+                             gabor_impl_row_3d(columns, rows.z * slice, place));
 }
 
-// All that reach a place: the lines, and the amplitudes where they meet, slice by slice, a column for each row.
+// All that reach a place.
 struct GaborNodes3d {
     GaborLines x;
     GaborLines y;
     GaborLines z;
-    vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
     GaborMatrix a;
     GaborMatrix b;
     GaborMatrix c;
+    vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
 };
 
-GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed, int channel)
+GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed)
 {
     vec3 first = floor(place.local - GABOR_RADIUS) + 1.0;
     vec3 offset = place.local - first - 1.0;
     ivec3 node = place.cell + ivec3(first);
     vec3 turns = wave / place.radius;
     uint salt = gabor_impl_salt(seed);
-    GaborNodes3d n;
-    n.x = gabor_impl_lines(node.x, offset.x, place.period.x, salt, turns.x);
-    n.y = gabor_impl_lines(node.y, offset.y, place.period.y, salt ^ 0x5bd1e995u, turns.y);
-    n.z = gabor_impl_lines(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, turns.z);
-    float scale = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    n.base = scale * gabor_impl_wave(dot(turns, offset));
-    n.a = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.x, place, channel);
-    n.b = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.y, place, channel);
-    n.c = gabor_impl_slice_3d(n.x.word, n.y.word, n.z.word.z, place, channel);
-    return n;
+    GaborLines x = gabor_impl_lines(node.x, offset.x, place.period.x, salt, turns.x);
+    GaborLines y = gabor_impl_lines(node.y, offset.y, place.period.y, salt ^ 0x5bd1e995u, turns.y);
+    GaborLines z = gabor_impl_lines(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, turns.z);
+    vec2 base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+              * gabor_impl_wave(dot(turns, offset));
+    return GaborNodes3d(x, y, z, gabor_impl_slice_3d(x.word, y.word, z.word.x, place),
+                        gabor_impl_slice_3d(x.word, y.word, z.word.y, place),
+                        gabor_impl_slice_3d(x.word, y.word, z.word.z, place), base);
 }
 
-GaborField3d gabor_impl_field_3d(GaborPlace3d place, vec3 wave, uint seed, int channel)
+GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
 {
-    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed, channel);
-    GaborLines x = n.x;
-    GaborLines y = n.y;
-    GaborLines z = n.z;
-    GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x.window, x.wave, n.a), gabor_impl_sums(x.window, x.wave, n.b),
-                                         gabor_impl_sums(x.window, x.wave, n.c));
-    GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(x.slope, x.wave, n.a), gabor_impl_sums(x.slope, x.wave, n.b),
-                                           gabor_impl_sums(x.slope, x.wave, n.c));
-    GaborVector values = gabor_impl_sums(y.window, y.wave, sums);
-    vec2 value = gabor_impl_sum(z.window, z.wave, values, n.base);
-    vec2 slope_x = gabor_impl_sum(z.window, z.wave, gabor_impl_sums(y.window, y.wave, slopes), n.base);
-    vec2 slope_y = gabor_impl_sum(z.window, z.wave, gabor_impl_sums(y.slope, y.wave, sums), n.base);
-    vec2 slope_z = gabor_impl_sum(z.slope, z.wave, values, n.base);
+    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
+    GaborVector x = n.x.value;
+    GaborVector d = n.x.slope;
+    GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x, n.a), gabor_impl_sums(x, n.b), gabor_impl_sums(x, n.c));
+    GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(d, n.a), gabor_impl_sums(d, n.b), gabor_impl_sums(d, n.c));
+    GaborVector rows = gabor_impl_sums(n.y.value, sums);
+    vec2 value = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, rows));
+    vec2 slope_x = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, gabor_impl_sums(n.y.value, slopes)));
+    vec2 slope_y = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, gabor_impl_sums(n.y.slope, sums)));
+    vec2 slope_z = gabor_impl_product(n.base, gabor_impl_sum(n.z.slope, rows));
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
     vec3 stretch = place.radius / GABOR_RADIUS;
     return GaborField3d(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
@@ -199,29 +178,26 @@ GaborField3d gabor_impl_field_3d(GaborPlace3d place, vec3 wave, uint seed, int c
 
 // ---- Filtering -----------------------------------------------------------------------------------------------------
 
-// From what an axis' three nodes have, the matrix' columns, to the three waves that they are together between nodes:
-//     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4,
-// by a Fourier transform of three points, turned to the place. Within half a
-// deviation of the filter from its window's end a node fades, so that nothing jumps. The result is transposed.
-GaborMatrix gabor_impl_waves(GaborMatrix m, GaborLines lines, float deviation)
+GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
-    vec3 to_end = 1.0 - abs(lines.offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
-    vec3 reach = clamp(to_end / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
-    reach *= reach * (3.0 - 2.0 * reach);
-    GaborVector a = gabor_impl_column(m, 0, reach.x * vec2(lines.wave.real.x, lines.wave.imaginary.x));
-    GaborVector b = gabor_impl_column(m, 1, vec2(reach.y, 0.0));
-    GaborVector c = gabor_impl_column(m, 2, reach.z * vec2(lines.wave.real.z, lines.wave.imaginary.z));
-    vec3 even_real = 0.25 * b.real - 0.125 * (a.real + c.real);
-    vec3 even_imaginary = 0.25 * b.imaginary - 0.125 * (a.imaginary + c.imaginary);
-    vec3 odd_real = 0.21650635 * (c.imaginary - a.imaginary);
-    vec3 odd_imaginary = 0.21650635 * (a.real - c.real);
-    m.real = mat3(even_real - odd_real, 0.5 * (a.real + b.real + c.real), even_real + odd_real);
-    m.imaginary = mat3(even_imaginary - odd_imaginary, 0.5 * (a.imaginary + b.imaginary + c.imaginary),
-                       even_imaginary + odd_imaginary);
-    vec2 turn = gabor_impl_wave(0.5 * lines.offset / GABOR_RADIUS);
-    m = gabor_impl_matrix(gabor_impl_column(m, 0, vec2(turn.x, -turn.y)), gabor_impl_column(m, 1, vec2(1.0, 0.0)),
-                          gabor_impl_column(m, 2, turn));
-    return GaborMatrix(transpose(m.real), transpose(m.imaginary));
+    return GaborMatrix(m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real);
+}
+
+// What an axis' three nodes, along columns, add to the three waves that they are together between nodes:
+//     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
+// Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
+GaborMatrix gabor_impl_waves(GaborLines lines, float deviation)
+{
+    vec3 d = (lines.offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    vec3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
+    reach *= 0.5 * reach * (3.0 - 2.0 * reach);
+    vec3 real = reach * lines.wave.real;
+    vec3 imaginary = reach * lines.wave.imaginary;
+    vec2 turn = 0.5 * gabor_impl_wave(0.5 * d.y);
+    vec3 c = turn.x * vec3(-0.5, 1.0, -0.5) + turn.y * vec3(-0.8660254, 0.0, 0.8660254); // half of cos(pi d)
+    vec3 s = turn.y * vec3(-0.5, 1.0, -0.5) - turn.x * vec3(-0.8660254, 0.0, 0.8660254);
+    return GaborMatrix(mat3(real * c + imaginary * s, real, real * c - imaginary * s),
+                       mat3(imaginary * c - real * s, imaginary, imaginary * c + real * s));
 }
 
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
@@ -233,46 +209,42 @@ vec2 gabor_impl_filtered_3d(GaborPlace3d place, vec3 wave, uint seed)
     vec3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
-    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed, 0);
-    n.a = gabor_impl_waves(gabor_impl_waves(n.a, n.y, deviation.y), n.x, deviation.x);
-    n.b = gabor_impl_waves(gabor_impl_waves(n.b, n.y, deviation.y), n.x, deviation.x);
-    n.c = gabor_impl_waves(gabor_impl_waves(n.c, n.y, deviation.y), n.x, deviation.x);
-    vec2 one = vec2(1.0, 0.0);
+    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
+    GaborMatrix x = gabor_impl_waves(n.x, deviation.x);
+    GaborMatrix y = gabor_impl_waves(n.y, deviation.y);
+    GaborMatrix z = gabor_impl_waves(n.z, deviation.z);
+    x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
+    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
+    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
+    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
     vec2 sum = vec2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
-        GaborMatrix m = gabor_impl_matrix(gabor_impl_column(n.a, b, one), gabor_impl_column(n.b, b, one),
-                                          gabor_impl_column(n.c, b, one));
-        m = gabor_impl_waves(m, n.z, deviation.z);
-        for (int a = 0; a < 3; ++a) {
-            for (int c = 0; c < 3; ++c) {
+        GaborMatrix m = GaborMatrix(mat3(n.a.real[b], n.b.real[b], n.c.real[b]),
+                                    mat3(n.a.imaginary[b], n.b.imaginary[b], n.c.imaginary[b]));
+        m = gabor_impl_matrix_product(m, z);
+        for (int c = 0; c < 3; ++c) {
+            for (int a = 0; a < 3; ++a) {
                 vec3 aside = vec3(float(a - 1), float(b - 1), float(c - 1));
                 vec3 k = wave + 0.5 * stretch * aside;
                 float left = exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
-                sum += left * vec2(m.real[a][c], m.imaginary[a][c]);
+                sum += left * vec2(m.real[c][a], m.imaginary[c][a]);
                 kept += left * left * exp2(-2.0 * dot(aside, aside));
             }
         }
     }
-    vec3 area = cross(dx, dy);
-    float trace = dot(dx, dx) + dot(dy, dy);
-    float fade = inversesqrt(sqrt(max(1.0 + 0.0625 * trace * trace + dot(area, area) * (dot(area, area) / 256.0 - 0.125), 1.0)));
+    float trace = 0.25 * (dot(dx, dx) + dot(dy, dy));
+    float determinant = 0.0625 * dot(cross(dx, dy), cross(dx, dy));
+    float fade = inversesqrt(sqrt(max(1.0 + trace * trace + determinant * (determinant - 2.0), 1.0)));
     return vec2(fade * gabor_impl_product(sum, n.base).y, 1.0 - fade * fade * (8.0 / 27.0) * kept);
 }
 
 // ---- By place: the noise, averaged over the pixel if `filtered`, and the variance that this removes -----------------
 
-vec2 gabor_value_3d(GaborPlace3d place, vec3 wave, uint seed)
+// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
+GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
 {
-    if (place.filtered)
-        return gabor_impl_filtered_3d(place, wave, seed);
-    return vec2(gabor_impl_field_3d(place, wave, seed, 0).value.y, 0.0);
-}
-
-// The noise of index `index` in a sum of independent ones, with that power.
-vec2 gabor_impl_term(GaborPlace3d place, vec3 wave, uint seed, int index, float power)
-{
-    return vec2(sqrt(power), power) * gabor_value_3d(place, wave, gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u));
+    return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0), 0);
 }
 
 // A vector brought to length 1, or 0 where its largest coordinate is not within [10^-30, 10^30].
@@ -287,19 +259,46 @@ vec3 gabor_wave_3d(float frequency, vec3 direction)
     return min(abs(frequency), 1.0e6) * gabor_impl_unit(direction);
 }
 
-// Directions evenly along a spiral over half the sphere. Their number is real, the last one has what is left of the
-// power: so all of it is continuous in frequency.
+vec2 gabor_value_3d(GaborPlace3d place, vec3 wave, uint seed)
+{
+    if (place.filtered)
+        return gabor_impl_filtered_3d(place, wave, seed);
+    return vec2(gabor_field_3d(place, wave, seed).value.y, 0.0);
+}
+
+float gabor_impl_channel(GaborPlace3d place, vec3 wave, uint seed, int channel)
+{
+    place.channel = channel;
+    return gabor_field_3d(place, wave, seed).value.y;
+}
+
+// Term `index` of a sum of independent noises, and its share of the variance.
+vec2 gabor_impl_term(GaborPlace3d place, float frequency, vec3 direction, uint seed, int index, float power)
+{
+    seed = gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+    return vec2(sqrt(power), power) * gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
+}
+
+// Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
+// power, so that all is continuous in frequency.
 vec2 gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 {
     float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
     vec2 sum = vec2(0.0);
     for (int i = 0; i < int(ceil(count)); ++i) {
-        float share = min(count - float(i), 1.0);
-        float z = (float(i) + 0.5 * share) / count;
+        float share = min(count - float(i), 1.0) / count;
+        float z = float(i) / count + 0.5 * share;
         vec3 direction = vec3(sqrt(1.0 - z * z) * gabor_impl_wave(0.61803399 * float(i)), z);
-        sum += gabor_impl_term(place, gabor_wave_3d(frequency, direction), seed, i, share / count);
+        sum += gabor_impl_term(place, frequency, direction, seed, i, share);
     }
     return sum;
+}
+
+// The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
+float gabor_impl_takeover(float low, float high, float x)
+{
+    float share = smoothstep(low, high, x);
+    return share * share / (share * share + (1.0 - share) * (1.0 - share));
 }
 
 // Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
@@ -310,50 +309,33 @@ vec2 gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 dir
     vec3 other = cross(direction, abs(direction.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
-    float share = smoothstep(0.0625, 0.25, dot(direction, direction));
-    float power = share * share / (share * share + (1.0 - share) * (1.0 - share));
+    float power = gabor_impl_takeover(0.0625, 0.25, dot(direction, direction));
     vec2 sum = vec2(0.0);
-    if (share > 0.0)
-        sum += gabor_impl_term(place, gabor_wave_3d(frequency, direction), seed, 0, power);
-    if (share < 1.0)
-        sum += gabor_impl_term(place, gabor_wave_3d(frequency, other), seed, 1, 1.0 - power);
+    if (power > 0.0)
+        sum += gabor_impl_term(place, frequency, direction, seed, 0, power);
+    if (power < 1.0)
+        sum += gabor_impl_term(place, frequency, other, seed, 1, 1.0 - power);
     return sum;
 }
 
-// Directions evenly over half a turn from that of the circle around `axis` on which the normal lies.
-vec2 gabor_impl_tangents(GaborPlace3d place, vec3 normal, vec3 axis, float frequency, uint seed, int first, float power)
-{
-    float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
-    vec3 along = gabor_impl_unit(cross(axis, normal));
-    vec2 sum = vec2(0.0);
-    for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
-        float share = min(count - float(i), 1.0);
-        vec2 turn = gabor_impl_wave(0.5 * (float(i) + 0.5 * share) / count);
-        vec3 direction = turn.x * along + turn.y * cross(normal, along);
-        sum += gabor_impl_term(place, gabor_wave_3d(frequency, direction), seed, first + i, power * share / count);
-    }
-    return sum;
-}
-
-// Around z, and near its poles around x.
+// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
 vec2 gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed)
 {
     normal = gabor_impl_unit(normal);
-    float share = smoothstep(0.25, 0.5, dot(normal.xy, normal.xy));
-    float power = share * share / (share * share + (1.0 - share) * (1.0 - share));
-    return gabor_impl_tangents(place, normal, vec3(0.0, 0.0, 1.0), frequency, seed, 0, power)
-         + gabor_impl_tangents(place, normal, vec3(1.0, 0.0, 0.0), frequency, seed, 256, 1.0 - power);
-}
-
-GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
-{
-    return gabor_impl_field_3d(place, wave, seed, 0);
-}
-
-// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
-GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
-{
-    return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0));
+    float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
+    float power = gabor_impl_takeover(0.25, 0.5, dot(normal.xy, normal.xy));
+    vec2 sum = vec2(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        vec3 along = gabor_impl_unit(cross(axis == 0 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
+        for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
+            float share = min(count - float(i), 1.0) / count;
+            vec2 turn = gabor_impl_wave(0.5 * (float(i) / count + 0.5 * share));
+            vec3 direction = turn.x * along + turn.y * cross(normal, along);
+            sum += gabor_impl_term(place, frequency, direction, seed, 256 * axis + i, power * share);
+        }
+        power = 1.0 - power;
+    }
+    return sum;
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -363,15 +345,14 @@ GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
 //   frequency  cycles per kernel radius; its magnitude is used, up to 10^6
 //   direction  of the wave vector, of any length; with 0, or beyond 10^30, its frequency is 0
 //   seed       any; each seed is another instance, independent of the others
-// Where frequency and direction vary continuously so does the noise: each wave turns about its own node. A slope of
-// theirs adds to that of the noise.
+// Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
 float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
 {
     return gabor_value_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).x;
 }
 
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy, d/dz), derivatives per kernel radius, continuous
-// everywhere. For bump mapping take away the part along the normal.
+// The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
+// normal.
 vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
 {
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
@@ -390,8 +371,8 @@ vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
 {
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
     vec3 wave = gabor_wave_3d(frequency, direction);
-    return vec4(gabor_impl_field_3d(place, wave, seed, 0).value.y, gabor_impl_field_3d(place, wave, seed, 1).value.y,
-                gabor_impl_field_3d(place, wave, seed, 2).value.y, gabor_impl_field_3d(place, wave, seed, 3).value.y);
+    return vec4(gabor_impl_channel(place, wave, seed, 0), gabor_impl_channel(place, wave, seed, 1),
+                gabor_impl_channel(place, wave, seed, 2), gabor_impl_channel(place, wave, seed, 3));
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
@@ -416,8 +397,8 @@ float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 directio
 
 // The noise averaged over a pixel, and the variance that this removes.
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel is
-// a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
+// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
+// is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
 {
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
@@ -427,21 +408,20 @@ vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 dir
     return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
 }
 
-// Solid noise along all directions, a sum of 8 + 8 F^2 of them.
+// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 {
     return gabor_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed).x;
 }
 
-// Noise on a surface at its point p, its waves along the projection of a direction, with the law of gabor_noise_3d.
-//   normal  of the surface at p, of any length but 0
-// The frequency is exact where the surface is flat; where it is curved with radius r, the waves of a kernel bend.
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
+// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
 float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
 {
     return gabor_surface_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).x;
 }
 
-// Noise on a surface along all directions of its tangent plane alike: a sum of 2 + 4.5 F, of twice as many between two axes.
+// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 {
     return gabor_surface_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).x;
