@@ -28,6 +28,9 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifdef GABOR_LATTICE_GLSL
+#error "Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions"
+#endif
 #ifndef GABOR_NOISE_GLSL
 #define GABOR_NOISE_GLSL
 

@@ -1,5 +1,7 @@
 #include "noise/lattice_3d.hpp"
 
+#include "noise/lattice.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,31 +38,9 @@ std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
-// Nearly normal for u uniform in [-1, 1]: the slope of its quantiles is cut within the limit.
-constexpr double limit = 1.7317979e9 / 0x1p31;
-constexpr double cut = 0.79794583;
-
-double nearly_normal(double u) {
-    return u - cut * std::clamp(u, -limit, limit);
-}
-
-// E|A|^2 / 2: of a byte, read as signed and in the middle of its interval, by its sum, and of 24 bits by the
-// integral of nearly_normal(u)^2 over [0, 1].
-double variance() {
-    double byte = 0;
-    for (int i = 0; i < 128; ++i)
-        byte += std::pow(nearly_normal((i + 0.5) / 128), 2) / 128;
-    const double within = std::pow((1 - cut) * limit, 2) * limit / 3;
-    const double beyond = (1 - std::pow(limit, 3)) / 3 - cut * limit * (1 - limit * limit) +
-                          std::pow(cut * limit, 2) * (1 - limit);
-    return (byte + within + beyond) / 2;
-}
-
+// Of variance 1 in each part.
 std::complex<double> amplitude(std::uint32_t word) {
-    static const double scale = 1 / std::sqrt(variance());
-    const double u = (static_cast<std::int8_t>(word >> 24) + 0.5) / 128;
-    const double v = static_cast<std::int32_t>(word << 8) / 0x1p31;
-    return scale * std::complex<double>(nearly_normal(u), nearly_normal(v));
+    return lattice_amplitude(word) / lattice_amplitude_deviation();
 }
 
 double dot(const Vector& a, const Vector& b) {

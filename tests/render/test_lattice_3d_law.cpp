@@ -150,7 +150,7 @@ TEST_CASE("surface noise on the lattice has variance 1 for every normal", "[law]
     }
 }
 
-TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance 1 together", "[law]") {
+TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance 1 together", "[oracle]") {
     test::Draw draw(33);
     double longest = 0;
     double shortest = 1e9;
@@ -184,7 +184,7 @@ TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance
 }
 
 // The power of Hann's window as a lobe falls off as a normal law with a deviation of 1/sqrt(12) cycles would.
-TEST_CASE("the directions of isotropic noise are even", "[law]") {
+TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
     test::Draw draw(34);
     for (const double frequency : {0.5, 1.0, 1.5, 2.0, 2.9, 4.0, 5.1}) {
         // On the surface: the power by angle, from the lobes' parts across the angle.
@@ -231,7 +231,7 @@ TEST_CASE("the directions of isotropic noise are even", "[law]") {
     }
 }
 
-TEST_CASE("noise on the lattice in space through a footprint is nearly the average over it", "[law]") {
+TEST_CASE("noise on the lattice in space through a footprint is nearly the average over it", "[oracle]") {
     test::Draw draw(35);
     constexpr int nodes = 6; // to each side of the normal law's middle, up to 4.2 deviations
     struct Case {
@@ -286,7 +286,7 @@ TEST_CASE("noise on the lattice in space through a footprint is nearly the avera
     }
 }
 
-TEST_CASE("the filter on the lattice in space is continuous where the nodes change", "[law]") {
+TEST_CASE("the filter on the lattice in space is continuous where the nodes change", "[oracle]") {
     test::Draw draw(36);
     double largest = 0;
     for (int i = 0; i < 300; ++i) {

@@ -1,0 +1,138 @@
+#include "noise/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gabor::noise {
+
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+constexpr std::uint32_t spread = 0x9e3779b1u;
+constexpr double knee = 0.93687595;
+constexpr double flattening = 0.89289313;
+constexpr double cubic = 0.62342056;
+
+std::uint32_t seed_salt(std::uint32_t seed) {
+    std::uint32_t word = seed * spread;
+    word = (word ^ word >> 16) * 0x21f0aaadu + 0x2545f491u;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
+}
+
+std::uint32_t line_word(std::int32_t index, std::uint32_t salt) {
+    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word >> 8 | 0x800001u;
+}
+
+std::uint32_t next_word(std::uint32_t word) {
+    return (word ^ word >> 15) * 0xd35a2d97u;
+}
+
+std::int32_t wrapped(std::int64_t index, std::int32_t period) {
+    const std::int64_t whole = std::int64_t{1} << 32;
+    const std::int64_t modulus = period == 0 ? whole : period;
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(((index % modulus) + modulus) % modulus));
+}
+
+} // namespace
+
+LatticeWindow lattice_window(int taps, double d) {
+    if (std::abs(d) >= 1)
+        return {};
+    if (taps == 2) {
+        const double x = std::abs(d);
+        const double c = (1 - x) * (1 - x) * (1 + 2 * x);
+        const double c_slope = -6 * x * (1 - x) * (d < 0 ? -1 : 1);
+        const double sum = c * c + (1 - c) * (1 - c);
+        // c / sqrt(sum) by the quotient rule
+        return {c / std::sqrt(sum), c_slope * (sum - c * (2 * c - 1)) / std::pow(sum, 1.5), 0};
+    }
+    return {0.5 + 0.5 * std::cos(pi * d), -0.5 * pi * std::sin(pi * d), -0.5 * pi * pi * std::cos(pi * d)};
+}
+
+double lattice_energy(int taps) {
+    return taps == 2 ? 1 : 0.375 * taps;
+}
+
+std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed) {
+    const std::uint32_t salt = seed_salt(seed);
+    return line_word(column, salt) * line_word(row, salt ^ 0x5bd1e995u);
+}
+
+double lattice_amplitude_part(double u) {
+    return (u - flattening * std::clamp(u, -knee, knee)) * (1 + cubic * u * u);
+}
+
+// The root of the mean of the two parts' variances: one takes 256 values, the other 2^24, as good as 2^16.
+double lattice_amplitude_deviation() {
+    const auto variance = [](int values) {
+        double sum = 0;
+        for (int k = 0; k < values; ++k)
+            sum += std::pow(lattice_amplitude_part((2.0 * k + 1) / values - 1), 2);
+        return sum / values;
+    };
+    static const double deviation = std::sqrt(0.5 * (variance(1 << 8) + variance(1 << 16)));
+    return deviation;
+}
+
+Complex lattice_amplitude(std::uint32_t word) {
+    const auto high = static_cast<std::int8_t>(word >> 24);
+    const auto low = static_cast<std::int32_t>(word << 8) / 256;
+    return {lattice_amplitude_part((high + 0.5) / 128), lattice_amplitude_part(low * 0x1p-23)};
+}
+
+Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t seed)
+    : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
+      wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
+
+Lattice::Field Lattice::field(const LatticePlace& place) const {
+    // Nodes are at the integers; a window's radius is taps / 2 of them, whatever the nodes per kernel radius.
+    const double window_radius = 0.5 * taps_;
+    const auto first_x = static_cast<std::int64_t>(std::floor(place.local_x - window_radius));
+    const auto first_y = static_cast<std::int64_t>(std::floor(place.local_y - window_radius));
+    const double tau_time = 2 * pi * place.time;
+    Field sum;
+    for (std::int64_t j = first_y; j <= first_y + taps_ + 1; ++j) {
+        for (std::int64_t i = first_x; i <= first_x + taps_ + 1; ++i) {
+            const double x = place.local_x - static_cast<double>(i);
+            const double y = place.local_y - static_cast<double>(j);
+            const LatticeWindow wx = lattice_window(taps_, x / window_radius);
+            const LatticeWindow wy = lattice_window(taps_, y / window_radius);
+            std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
+                                              wrapped(place.cell_y + j, place.period_y), seed_);
+            std::array<Complex, 4> amplitudes;
+            for (Complex& amplitude : amplitudes) {
+                amplitude = lattice_amplitude(word);
+                word = next_word(word);
+            }
+            if (place.animated)
+                amplitudes[0] = (amplitudes[0] + std::cos(tau_time) * amplitudes[1] +
+                                 std::sin(tau_time) * amplitudes[2]) /
+                                std::numbers::sqrt2;
+            const Complex wave =
+                std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));
+            const Complex kernel = wx.value * wy.value * wave;
+            sum.value += amplitudes[0] * kernel;
+            sum.slope_x += amplitudes[0] * (wx.slope * place.radius_x / window_radius * wy.value * wave +
+                                            Complex(0, 2 * pi * wave_x_) * kernel);
+            sum.slope_y += amplitudes[0] * (wy.slope * place.radius_y / window_radius * wx.value * wave +
+                                            Complex(0, 2 * pi * wave_y_) * kernel);
+            for (std::size_t c = 0; c < 4; ++c)
+                sum.four[c] += (amplitudes[c] * kernel).imag();
+        }
+    }
+    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(taps_));
+    sum.value *= scale;
+    sum.slope_x *= scale;
+    sum.slope_y *= scale;
+    for (double& value : sum.four)
+        value *= scale;
+    return sum;
+}
+
+} // namespace gabor::noise

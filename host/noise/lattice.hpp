@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstdint>
+
+namespace gabor::noise {
+
+/// A node's window along one axis and its derivatives, at a distance d in units of its radius: 0 from |d| = 1
+/// on. Hann's, (1 + cos pi d) / 2; for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 - |d|)^2 (1 + 2 |d|).
+struct LatticeWindow {
+    double value = 0;
+    double slope = 0;
+    double curvature = 0; ///< for Hann's only
+};
+LatticeWindow lattice_window(int taps, double d);
+
+/// The sum of the squares of the windows along an axis, which depends on no place.
+double lattice_energy(int taps);
+
+/// The word of a node: 24 bits from its column times 24 bits from its row.
+std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed);
+
+/// A part of an amplitude from a number u in [-1, 1]: what makes the law of a uniform one nearly normal.
+double lattice_amplitude_part(double u);
+
+/// The root mean square of the parts of all amplitudes.
+double lattice_amplitude_deviation();
+
+/// The amplitude of a word: parts from its high byte and from the 24 bits below.
+std::complex<double> lattice_amplitude(std::uint32_t word);
+
+/// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.
+struct LatticePlace {
+    std::int32_t cell_x = 0;
+    std::int32_t cell_y = 0;
+    double local_x = 0;
+    double local_y = 0;
+    double radius_x = 1.5; ///< nodes per kernel radius
+    double radius_y = 1.5;
+    std::int32_t period_x = 0; ///< in nodes, 0 for none
+    std::int32_t period_y = 0;
+    bool animated = false;
+    double time = 0;
+};
+
+/// The noise of shaders/gabor_lattice.glsl in double precision, from the equations and not from the shader:
+///     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)).
+class Lattice {
+  public:
+    /// `taps`: GABOR_TAPS. `frequency` in cycles per kernel radius, `orientation` in radians.
+    Lattice(int taps, double frequency, double orientation, std::uint32_t seed);
+
+    struct Field {
+        std::complex<double> value; ///< the noise is the imaginary part
+        std::complex<double> slope_x;
+        std::complex<double> slope_y;
+        std::array<double, 4> four{};
+    };
+
+    Field field(const LatticePlace& place) const;
+
+  private:
+    int taps_;
+    double wave_x_;
+    double wave_y_;
+    std::uint32_t seed_;
+};
+
+} // namespace gabor::noise

@@ -1,0 +1,326 @@
+// The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes,
+// without sampling.
+
+#include "noise/lattice.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
+
+using namespace gabor::noise;
+using std::numbers::pi;
+
+namespace {
+
+// An axis' windows at offset x from a node, in node spacings.
+std::vector<LatticeWindow> windows(int taps, double x) {
+    std::vector<LatticeWindow> all;
+    for (int k = -taps; k <= taps; ++k)
+        all.push_back(lattice_window(taps, 2 * (x - k) / taps));
+    return all;
+}
+
+// The characteristic function of a part of an amplitude, of variance 1, by linear interpolation.
+class Characteristic {
+  public:
+    Characteristic() {
+        for (std::size_t k = 0; k < table_.size(); ++k) {
+            double sum = 0;
+            for (int byte = 0; byte < 256; ++byte)
+                sum +=
+                    std::cos(static_cast<double>(k) * step * lattice_amplitude_part((byte + 0.5) / 128 - 1) /
+                             lattice_amplitude_deviation());
+            table_[k] = sum / 256;
+        }
+    }
+
+    double operator()(double t) const {
+        const double place = std::abs(t) / step;
+        const auto k = static_cast<std::size_t>(place);
+        return std::lerp(table_[k], table_[k + 1], place - static_cast<double>(k));
+    }
+
+  private:
+    static constexpr double step = 0.004;
+    std::vector<double> table_ = std::vector<double>(4002);
+};
+
+constexpr double frequency_step = 0.07;
+constexpr int frequencies = 200; // of the characteristic function: up to 14
+constexpr double value_step = 0.05;
+constexpr int values = 241; // from -6 to 6
+
+double value_at(int k) {
+    return (k - values / 2) * value_step;
+}
+
+// F(x) - Phi(x) at the values: the integral of (chi(t) - exp(-t^2 / 2)) sin(t x) / (pi t), for a law that is
+// symmetric.
+std::vector<double> excess_distribution(const std::vector<double>& weights, const Characteristic& part) {
+    std::vector<double> result(values);
+    for (int f = 1; f <= frequencies; ++f) {
+        const double t = f * frequency_step;
+        double chi = 1;
+        for (const double weight : weights)
+            chi *= part(t * weight);
+        const double scale = (chi - std::exp(-t * t / 2)) * frequency_step / (pi * t);
+        for (int k = 0; k < values; ++k)
+            result[static_cast<std::size_t>(k)] += scale * std::sin(t * value_at(k));
+    }
+    return result;
+}
+
+// cvm as T at n = 2^18 less what samples of the normal law have: n times the integral of (F - Phi)^2 dPhi.
+double cvm(const std::vector<double>& excess) {
+    double sum = 0;
+    for (int k = 0; k < values; ++k) {
+        const double x = value_at(k);
+        sum += std::pow(excess[static_cast<std::size_t>(k)], 2) * std::exp(-x * x / 2);
+    }
+    return 262144 * sum * value_step / std::sqrt(2 * pi);
+}
+
+struct Law {
+    double pooled;
+    double mean;
+    double worst;
+};
+
+// Over `side` x `side` places of a cell, for one orientation.
+Law law(int taps, double frequency, double orientation, int side, const Characteristic& part) {
+    const double step_x = frequency * std::cos(orientation) * 2 / taps; // cycles per node
+    const double step_y = frequency * std::sin(orientation) * 2 / taps;
+    std::vector<double> together(values);
+    Law result{};
+    for (int a = 0; a < side; ++a) {
+        for (int b = 0; b < side; ++b) {
+            const double x = (a + 0.5) / side;
+            const double y = (b + 0.5) / side;
+            std::vector<double> weights;
+            double power = 0;
+            const auto along_x = windows(taps, x);
+            const auto along_y = windows(taps, y);
+            for (int j = -taps; j <= taps; ++j) {
+                for (int i = -taps; i <= taps; ++i) {
+                    const double window = along_x[static_cast<std::size_t>(i + taps)].value *
+                                          along_y[static_cast<std::size_t>(j + taps)].value /
+                                          lattice_energy(taps);
+                    if (window == 0)
+                        continue;
+                    const double phase = 2 * pi * (step_x * (x - i) + step_y * (y - j));
+                    weights.push_back(window * std::cos(phase));
+                    weights.push_back(window * std::sin(phase));
+                    power += window * window;
+                }
+            }
+            REQUIRE(power == Approx(1).epsilon(1e-12)); // variance 1 at every place, whatever the wave
+            const std::vector<double> excess = excess_distribution(weights, part);
+            for (std::size_t k = 0; k < excess.size(); ++k)
+                together[k] += excess[k] / (side * side);
+            const double here = cvm(excess);
+            result.mean += here / (side * side);
+            result.worst = std::max(result.worst, here);
+        }
+    }
+    result.pooled = cvm(together);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
+    const Characteristic part;
+    for (const int taps : {2, 3, 4}) {
+        for (const double frequency : {1.0, 4.0}) {
+            Law all{};
+            double pooled = 0;
+            for (const double orientation : {0.0, 0.4, 0.785398, 1.1}) {
+                const Law one = law(taps, frequency, orientation, 16, part);
+                all.mean += one.mean / 4;
+                all.worst = std::max(all.worst, one.worst);
+                pooled = std::max(pooled, one.pooled);
+            }
+            fmt::print("{} taps, frequency {}: cvm at 16 x 16 places and 4 orientations {:.4f} on average, "
+                       "{:.3f} at "
+                       "the worst; pooled {:.4f}\n",
+                       taps, frequency, all.mean, all.worst, pooled);
+            // With two taps a node's own place has its amplitude alone.
+            CHECK(all.mean < (taps == 2 ? 0.4 : 0.002));
+            CHECK(all.worst < (taps == 2 ? 7 : 0.05));
+            CHECK(pooled < (taps == 2 ? 0.08 : 0.001));
+        }
+    }
+}
+
+TEST_CASE("variances of the lattice noise and its derivatives depend on no place", "[lattice]") {
+    for (const int taps : {3, 4}) {
+        for (int k = 0; k < 64; ++k) {
+            double value = 0, slope = 0, curvature = 0, mixed = 0;
+            for (const LatticeWindow& w : windows(taps, (k + 0.5) / 64)) {
+                value += w.value * w.value;
+                slope += w.slope * w.slope;
+                curvature += w.curvature * w.curvature;
+                mixed += w.value * w.curvature;
+            }
+            CHECK(value == Approx(0.375 * taps).epsilon(1e-12));
+            CHECK(slope == Approx(pi * pi / 8 * taps).epsilon(1e-12));
+            CHECK(curvature == Approx(std::pow(pi, 4) / 8 * taps).epsilon(1e-12));
+            CHECK(mixed == Approx(-pi * pi / 8 * taps).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("the covariance of the lattice noise depends little on the place", "[lattice]") {
+    // Of two points a lag apart, the wave left out: sums along x and y of h(x - x_i) h(x + lag - x_i).
+    constexpr int places = 24;
+    constexpr int lags = 64; // from 0 to 2 kernel radii
+    for (const int taps : {2, 3, 4}) {
+        std::vector<std::vector<double>> along(lags, std::vector<double>(places));
+        for (int lag = 0; lag < lags; ++lag) {
+            for (int k = 0; k < places; ++k) {
+                const double x = static_cast<double>(k) / places;
+                for (int node = -2 * taps; node <= 2 * taps; ++node)
+                    along[static_cast<std::size_t>(lag)][static_cast<std::size_t>(k)] +=
+                        lattice_window(taps, 2 * (x - node) / taps).value *
+                        lattice_window(taps, 2 * (x - node) / taps + 2.0 * lag / lags).value /
+                        lattice_energy(taps);
+            }
+        }
+        double worst_rms = 0, largest = 0, squares = 0;
+        for (const auto& x : along) {
+            for (const auto& y : along) {
+                double mean = 0, mean_square = 0;
+                for (const double a : x) {
+                    for (const double b : y) {
+                        mean += a * b / (places * places);
+                        mean_square += a * b * a * b / (places * places);
+                    }
+                }
+                for (const double a : x)
+                    for (const double b : y)
+                        largest = std::max(largest, std::abs(a * b - mean));
+                const double variance = std::max(0.0, mean_square - mean * mean);
+                worst_rms = std::max(worst_rms, std::sqrt(variance));
+                squares += variance / (lags * lags);
+            }
+        }
+        fmt::print("{} taps: covariance differs from place to place by {:.2f} % rms at the worst lag, {:.2f} "
+                   "% over all "
+                   "lags, {:.1f} % at most, of the variance\n",
+                   taps, 100 * worst_rms, 100 * std::sqrt(squares), 100 * largest);
+        CHECK(worst_rms < (taps == 2 ? 0.30 : taps == 3 ? 0.045 : 0.012));
+    }
+}
+
+TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
+    for (const int taps : {3, 4}) {
+        const auto amplitude = [&](double frequency) {
+            double sum = 0;
+            constexpr int steps = 400;
+            for (int k = 0; k < steps; ++k) {
+                const double d = (k + 0.5) / steps;
+                sum += lattice_window(taps, d).value * std::cos(2 * pi * frequency * d) / steps;
+            }
+            return std::abs(sum);
+        };
+        double largest = 0;
+        for (double frequency = 1.0; frequency < 12; frequency += 0.01) // the lobe ends at 1
+            largest = std::max(largest, amplitude(frequency) / amplitude(0));
+        const double decibels = 20 * std::log10(largest);
+        fmt::print("{} taps: the largest sidelobe is {:.2f} dB\n", taps, decibels);
+        CHECK(decibels < -31);
+        CHECK(decibels > -32);
+    }
+}
+
+namespace {
+
+std::uint64_t draws() {
+    const char* text = std::getenv("GABOR_DRAWS");
+    return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
+}
+
+// Numbers of mean 0 and variance 1 from a word: what the amplitude takes, and their squares.
+struct Numbers {
+    double part[4];
+};
+
+Numbers numbers(std::uint32_t word) {
+    const double high = (static_cast<std::int8_t>(word >> 24) + 0.5) / 128;
+    const double low = static_cast<std::int32_t>(word << 8) * 0x1p-31;
+    const double three = std::sqrt(3.0);
+    const double square = std::sqrt(45.0) / 2; // of u^2 - 1/3
+    return {{three * high, three * low, square * (high * high - 1.0 / 3), square * (low * low - 1.0 / 3)}};
+}
+
+} // namespace
+
+TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and rows, rectangles",
+          "[lattice][randomness]") {
+    struct Offset {
+        int x;
+        int y;
+    };
+    // Products of the numbers at the node and at the offsets have mean 0 and variance 1.
+    const std::vector<std::vector<Offset>> figures{{{0, 0}},
+                                                   {{1, 0}},
+                                                   {{0, 1}},
+                                                   {{1, 1}},
+                                                   {{1, -1}},
+                                                   {{2, 0}},
+                                                   {{0, 2}},
+                                                   {{256, 0}},
+                                                   {{0, 256}},
+                                                   {{1, 0}, {2, 0}},
+                                                   {{0, 1}, {0, 2}},
+                                                   {{1, 0}, {0, 1}},
+                                                   {{1, 0}, {0, 1}, {1, 1}},
+                                                   {{2, 0}, {0, 1}, {2, 1}},
+                                                   {{1, 0}, {0, 3}, {1, 3}},
+                                                   {{1, 0}, {2, 0}, {3, 0}},
+                                                   {{0, 1}, {0, 2}, {0, 3}},
+                                                   {{7, 0}, {0, 5}, {7, 5}}};
+    const auto count = draws();
+    double largest = 0;
+    int seen = 0;
+    std::string which;
+    for (const bool over_seeds : {false, true}) {
+        for (const auto& figure : figures) {
+            double sums[4][4] = {};
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const std::int32_t x = over_seeds ? 3 : static_cast<std::int32_t>(i & 0xfff) - 2048;
+                const std::int32_t y = over_seeds ? -5 : static_cast<std::int32_t>(i >> 12) - 128;
+                const std::uint32_t seed = over_seeds ? static_cast<std::uint32_t>(i) : 7;
+                const Numbers first = numbers(lattice_word(x, y, seed));
+                for (int b = 0; b < 4; ++b) {
+                    double product = 1;
+                    for (const Offset& offset : figure)
+                        product *= numbers(lattice_word(x + offset.x, y + offset.y, seed)).part[b];
+                    for (int a = 0; a < 4; ++a)
+                        sums[a][b] += first.part[a] * product;
+                }
+            }
+            for (int a = 0; a < 4; ++a) {
+                for (int b = 0; b < 4; ++b) {
+                    if (figure.size() == 1 && figure[0].x == 0 && figure[0].y == 0 && a >= b)
+                        continue; // a number and itself; its square
+                    const double sigma = std::abs(sums[a][b]) / std::sqrt(static_cast<double>(count));
+                    ++seen;
+                    if (sigma > largest) {
+                        largest = sigma;
+                        which = fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
+                                            figure[0].x, figure[0].y, a, b,
+                                            over_seeds ? "over seeds" : "in a square");
+                    }
+                }
+            }
+        }
+    }
+    fmt::print("{} products over {} draws: {:.2f} sigma at most ({})\n", seen, count, largest, which);
+    CHECK(largest < 5.5);
+}

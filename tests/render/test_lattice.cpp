@@ -1,0 +1,200 @@
+// Every function of the lattice noise, on the device, against the double-precision reference.
+
+#include "lattice_sampler.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace gabor;
+using test::Draw;
+using test::Largest;
+using test::LatticeSample;
+
+namespace {
+
+constexpr std::size_t per_batch = 1 << 14;
+
+// Near the origin, in all quadrants up to 10^5 nodes, or in any cell up to 2^31; one coordinate in four on a
+// border between cells, where a window ends, or next to it.
+LatticeSample draw_sample(Draw& draw, int taps) {
+    const float radius = 0.5f * static_cast<float>(taps);
+    LatticeSample s{};
+    for (int axis = 0; axis < 2; ++axis) {
+        const float reach = std::exp2(draw.uniform(0, 17));
+        s.p[axis] = draw.uniform(-reach, reach);
+        float& local = s.local[axis];
+        s.cell[axis] = draw.word() % 2 ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
+        local = draw.uniform(-2, 3);
+        if (draw.word() % 4 == 0)
+            local = 0.5f * std::round(2 * local);
+        if (draw.word() % 4 == 0)
+            local = std::nextafter(0.5f * std::round(2 * local), draw.word() % 2 ? 1e9f : -1e9f);
+        s.radius[axis] = radius * draw.uniform(0.8, 1.3);
+        s.period[axis] = draw.word() % 2 ? static_cast<std::int32_t>(taps + draw.word() % 50) : 0;
+        s.tile[axis] = draw.word() % 4 ? draw.uniform(0.1, 20) : std::round(draw.uniform(1, 20));
+    }
+    s.animated = draw.word() % 2;
+    s.time = draw.uniform(-2, 2);
+    s.frequency = draw.word() % 16 == 0 ? 0 : std::exp2(draw.uniform(-5, 6));
+    s.orientation = draw.uniform(-8, 8);
+    s.seed = draw.word() % 16 == 0 ? 0 : draw.word();
+    return s;
+}
+
+// 10^-5 for a frequency of 4 and an orientation of 2 radians, above in proportion to both, as rounding is.
+double tolerance(const LatticeSample& s) {
+    return 1e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
+}
+
+double slope_tolerance(const LatticeSample& s) {
+    return tolerance(s) * (2 * std::numbers::pi * s.frequency + 4);
+}
+
+// The place of a position, as the drop-in takes it: the product is rounded once.
+noise::LatticePlace place_at(const LatticeSample& s, int taps) {
+    const float radius = 0.5f * static_cast<float>(taps);
+    noise::LatticePlace place;
+    place.local_x = s.p[0] * radius;
+    place.local_y = s.p[1] * radius;
+    place.radius_x = place.radius_y = radius;
+    return place;
+}
+
+noise::LatticePlace tile_at(const LatticeSample& s, int taps) {
+    noise::LatticePlace place;
+    const auto along = [&](double p, double period, double& local, double& radius, std::int32_t& nodes) {
+        nodes = std::max(static_cast<std::int32_t>(std::floor(period * 0.5 * taps + 0.5)), taps);
+        radius = nodes / period;
+        local = (p / period - std::floor(p / period)) * nodes;
+    };
+    along(s.p[0], s.tile[0], place.local_x, place.radius_x, place.period_x);
+    along(s.p[1], s.tile[1], place.local_y, place.radius_y, place.period_y);
+    return place;
+}
+
+} // namespace
+
+TEST_CASE("the lattice noise agrees with the reference", "[lattice]") {
+    const vulkan::Device device;
+    for (const int taps : {2, 3, 4}) {
+        Draw draw(static_cast<unsigned>(taps));
+        test::LatticeSampler sampler(device, taps, per_batch);
+        Largest value, quadrature, slope, unorm, at, plain, complex, gradient, four, animated, tiled;
+        for (int batch = 0; batch < 6; ++batch) {
+            for (LatticeSample& sample : sampler.samples())
+                sample = draw_sample(draw, taps);
+            const auto answers = sampler.answers(per_batch);
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                const LatticeSample& s = sampler.samples()[i];
+                const test::LatticeAnswer& answer = answers[i];
+                const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
+                const double tight = tolerance(s);
+                const double loose = slope_tolerance(s);
+                const auto field = reference.field(s.place());
+                value.see(answer.value[1], field.value.imag(), tight, s);
+                quadrature.see(answer.value[0], field.value.real(), tight, s);
+                slope.see(answer.slope_x[1], field.slope_x.imag(), loose, s);
+                slope.see(answer.slope_y[1], field.slope_y.imag(), loose, s);
+                unorm.see(answer.unorm, std::clamp(0.5 + 0.25 * field.value.imag(), 0.0, 1.0), tight, s);
+
+                noise::LatticePlace place;
+                place.cell_x = s.cell[0];
+                place.cell_y = s.cell[1];
+                place.local_x = s.local[0];
+                place.local_y = s.local[1];
+                place.radius_x = place.radius_y = 0.5 * taps;
+                at.see(answer.at, reference.field(place).value.imag(), tight, s);
+
+                place = place_at(s, taps);
+                const auto here = reference.field(place);
+                plain.see(answer.noise, here.value.imag(), tight, s);
+                complex.see(answer.complex[0], here.value.real(), tight, s);
+                complex.see(answer.complex[1], here.value.imag(), tight, s);
+                gradient.see(answer.gradient_noise, here.value.imag(), tight, s);
+                gradient.see(answer.gradient[0], here.slope_x.imag(), loose, s);
+                gradient.see(answer.gradient[1], here.slope_y.imag(), loose, s);
+                for (std::size_t c = 0; c < 4; ++c)
+                    four.see(answer.four[c], here.four[c], tight, s);
+                place.animated = true;
+                place.time = s.time;
+                animated.see(answer.animated, reference.field(place).value.imag(), tight, s);
+                // The position in node spacings is rounded, and so is their number to a radius.
+                const noise::LatticePlace tile = tile_at(s, taps);
+                const double cycles = s.frequency + std::max(tile.radius_x, tile.radius_y);
+                const double position = std::max(std::abs(s.p[0]), std::abs(s.p[1])) * std::exp2(-21);
+                tiled.see(answer.tiled, reference.field(tile).value.imag(),
+                          tight + 2 * std::numbers::pi * cycles * position, s);
+            }
+        }
+        fmt::print("{} taps on {}; largest differences in units of the tolerance\n", taps,
+                   device.info().name);
+        value.check("gabor_field");
+        quadrature.check("  its real part");
+        slope.check("  its gradient");
+        unorm.check("gabor_unorm");
+        at.check("gabor_noise_at");
+        plain.check("gabor_noise");
+        complex.check("gabor_noise_complex");
+        gradient.check("gabor_noise_gradient");
+        four.check("gabor_noise_four");
+        animated.check("gabor_noise_animated");
+        tiled.check("gabor_noise_tiled");
+    }
+}
+
+TEST_CASE("node words agree bit for bit and are these", "[lattice]") {
+    const vulkan::Device device;
+    test::LatticeSampler sampler(device, 3, per_batch);
+    Draw draw(5);
+    for (LatticeSample& sample : sampler.samples())
+        sample = draw_sample(draw, 3);
+    const auto answers = sampler.answers(per_batch);
+    for (std::size_t i = 0; i < per_batch; ++i) {
+        const LatticeSample& s = sampler.samples()[i];
+        REQUIRE(answers[i].word == noise::lattice_word(s.cell[0], s.cell[1], s.seed));
+    }
+    CHECK(noise::lattice_word(0, 0, 0) == 0x4681a235u);
+    CHECK(noise::lattice_word(3, -5, 7) == 0xbc96fc1du);
+    CHECK(noise::lattice_word(1000000000, -1000000000, 0xffffffffu) == 0xa282dd03u);
+}
+
+TEST_CASE("tiles of the lattice noise close, and time does", "[lattice]") {
+    const vulkan::Device device;
+    Draw draw(6);
+    for (const int taps : {2, 3, 4}) {
+        test::LatticeSampler sampler(device, taps, per_batch);
+        std::vector<LatticeSample> samples(per_batch / 2);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            LatticeSample s = draw_sample(draw, taps);
+            for (int axis = 0; axis < 2; ++axis) { // short numbers, whose sums are exact
+                s.tile[axis] = std::round(s.tile[axis] * 16) / 16 + 0.25f;
+                s.p[axis] = std::round(draw.uniform(-40, 40) * 1024) / 1024;
+            }
+            s.time = std::round(s.time * 1024) / 1024;
+            samples[i] = s;
+            sampler.samples()[i] = s;
+            s.p[0] += s.tile[0];
+            s.p[1] -= 3 * s.tile[1];
+            s.time += 1;
+            sampler.samples()[i + samples.size()] = s;
+        }
+        const auto answers = sampler.answers(per_batch);
+        Largest tiles;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            tiles.see(answers[i].tiled, answers[i + samples.size()].tiled,
+                      1e-4 * std::max(1.0f, samples[i].frequency), samples[i]);
+        tiles.check(fmt::format("tiles, {} taps", taps));
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            LatticeSample s = samples[i];
+            sampler.samples()[i] = s;
+            s.time += 1;
+            sampler.samples()[i + samples.size()] = s;
+        }
+        const auto later = sampler.answers(per_batch);
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            REQUIRE(later[i].animated == later[i + samples.size()].animated);
+    }
+}
