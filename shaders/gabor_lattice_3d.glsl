@@ -80,26 +80,6 @@ vec2 gabor_impl_sum(GaborVector v, GaborVector w)
                 dot(v.real, w.imaginary) + dot(v.imaginary, w.real));
 }
 
-// The three lines of nodes along an axis: their words, waves relative to the middle one's, and these under the windows.
-struct GaborLines {
-    uvec4 word;
-    GaborVector wave;
-    GaborVector value;
-    GaborVector slope;
-    float offset; // of the place from the middle line, in node spacings
-};
-
-GaborLines gabor_impl_lines(int first, float offset, int period, uint salt, float turns)
-{
-    GaborWindows w = gabor_impl_windows(offset);
-    vec4 c;
-    vec4 s;
-    gabor_impl_node_waves(gabor_impl_wave(turns), c, s);
-    return GaborLines(gabor_impl_line_words(first, period, salt), GaborVector(c.xyz, s.xyz),
-                      GaborVector(w.value.xyz * c.xyz, w.value.xyz * s.xyz),
-                      GaborVector(w.slope.xyz * c.xyz, w.slope.xyz * s.xyz), offset);
-}
-
 vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
 {
     for (int i = 0; i < place.channel; ++i)
@@ -132,13 +112,15 @@ GaborMatrix gabor_impl_slice_3d(uvec4 columns, uvec4 rows, uint slice, GaborPlac
 
 // All that reach a place.
 struct GaborNodes3d {
-    GaborLines x;
-    GaborLines y;
-    GaborLines z;
+    GaborAxis x;
+    GaborAxis y;
+    GaborAxis z;
     GaborMatrix a;
     GaborMatrix b;
     GaborMatrix c;
-    vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+    vec3 offset; // from the middle node, in node spacings
+    vec3 turns;  // of the wave from a node to the next
+    vec2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
 };
 
 GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed)
@@ -148,28 +130,32 @@ GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed)
     ivec3 node = place.cell + ivec3(first);
     vec3 turns = wave / place.radius;
     uint salt = gabor_impl_salt(seed);
-    GaborLines x = gabor_impl_lines(node.x, offset.x, place.period.x, salt, turns.x);
-    GaborLines y = gabor_impl_lines(node.y, offset.y, place.period.y, salt ^ 0x5bd1e995u, turns.y);
-    GaborLines z = gabor_impl_lines(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, turns.z);
+    GaborAxis x = gabor_impl_axis(node.x, offset.x, place.period.x, salt, gabor_impl_wave(turns.x));
+    GaborAxis y = gabor_impl_axis(node.y, offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(turns.y));
+    GaborAxis z = gabor_impl_axis(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(turns.z));
     vec2 base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
               * gabor_impl_wave(dot(turns, offset));
     return GaborNodes3d(x, y, z, gabor_impl_slice_3d(x.word, y.word, z.word.x, place),
                         gabor_impl_slice_3d(x.word, y.word, z.word.y, place),
-                        gabor_impl_slice_3d(x.word, y.word, z.word.z, place), base);
+                        gabor_impl_slice_3d(x.word, y.word, z.word.z, place), offset, turns, base);
 }
 
 GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
 {
     GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
-    GaborVector x = n.x.value;
-    GaborVector d = n.x.slope;
+    GaborVector x = GaborVector(n.x.real.xyz, n.x.imaginary.xyz);
+    GaborVector y = GaborVector(n.y.real.xyz, n.y.imaginary.xyz);
+    GaborVector z = GaborVector(n.z.real.xyz, n.z.imaginary.xyz);
+    GaborVector d = GaborVector(n.x.slope_real.xyz, n.x.slope_imaginary.xyz);
     GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x, n.a), gabor_impl_sums(x, n.b), gabor_impl_sums(x, n.c));
     GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(d, n.a), gabor_impl_sums(d, n.b), gabor_impl_sums(d, n.c));
-    GaborVector rows = gabor_impl_sums(n.y.value, sums);
-    vec2 value = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, rows));
-    vec2 slope_x = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, gabor_impl_sums(n.y.value, slopes)));
-    vec2 slope_y = gabor_impl_product(n.base, gabor_impl_sum(n.z.value, gabor_impl_sums(n.y.slope, sums)));
-    vec2 slope_z = gabor_impl_product(n.base, gabor_impl_sum(n.z.slope, rows));
+    GaborVector rows = gabor_impl_sums(y, sums);
+    vec2 value = gabor_impl_product(n.base, gabor_impl_sum(z, rows));
+    vec2 slope_x = gabor_impl_product(n.base, gabor_impl_sum(z, gabor_impl_sums(y, slopes)));
+    d = GaborVector(n.y.slope_real.xyz, n.y.slope_imaginary.xyz);
+    vec2 slope_y = gabor_impl_product(n.base, gabor_impl_sum(z, gabor_impl_sums(d, sums)));
+    d = GaborVector(n.z.slope_real.xyz, n.z.slope_imaginary.xyz);
+    vec2 slope_z = gabor_impl_product(n.base, gabor_impl_sum(d, rows));
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
     vec3 stretch = place.radius / GABOR_RADIUS;
     return GaborField3d(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
@@ -186,13 +172,14 @@ GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 // What an axis' three nodes, along columns, add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-GaborMatrix gabor_impl_waves(GaborLines lines, float deviation)
+GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
 {
-    vec3 d = (lines.offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    vec3 d = (offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    vec2 step = gabor_impl_wave(turns);
     vec3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
     reach *= 0.5 * reach * (3.0 - 2.0 * reach);
-    vec3 real = reach * lines.wave.real;
-    vec3 imaginary = reach * lines.wave.imaginary;
+    vec3 real = reach * vec3(step.x, 1.0, step.x);
+    vec3 imaginary = reach * vec3(step.y, 0.0, -step.y);
     vec2 turn = 0.5 * gabor_impl_wave(0.5 * d.y);
     vec3 c = turn.x * vec3(-0.5, 1.0, -0.5) + turn.y * vec3(-0.8660254, 0.0, 0.8660254); // half of cos(pi d)
     vec3 s = turn.y * vec3(-0.5, 1.0, -0.5) - turn.x * vec3(-0.8660254, 0.0, 0.8660254);
@@ -210,9 +197,9 @@ vec2 gabor_impl_filtered_3d(GaborPlace3d place, vec3 wave, uint seed)
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
     GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
-    GaborMatrix x = gabor_impl_waves(n.x, deviation.x);
-    GaborMatrix y = gabor_impl_waves(n.y, deviation.y);
-    GaborMatrix z = gabor_impl_waves(n.z, deviation.z);
+    GaborMatrix x = gabor_impl_waves(n.offset.x, n.turns.x, deviation.x);
+    GaborMatrix y = gabor_impl_waves(n.offset.y, n.turns.y, deviation.y);
+    GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
     x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
     n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
     n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
