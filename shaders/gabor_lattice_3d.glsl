@@ -4,10 +4,6 @@
 //     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Functions to call, at the end of the file: gabor_noise_3d, its forms _gradient, _complex, _four, _tiled, _animated,
-// _filtered and _isotropic, gabor_noise_surface and gabor_noise_surface_isotropic. Before them the same by place, that
-// is by integer cell and offset, and averaged over a pixel.
-//
 // As in the plane, the nodes c of a cubic lattice, R = 3/2 to the kernel radius, have independent normal amplitudes A,
 // and each sends out a wave under a product of Hann windows h(x) = (1 + cos pi x) / 2 that ends one kernel radius away:
 //
@@ -52,32 +48,15 @@ struct GaborField3d {
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
 
-// Complex numbers, three and three times three.
-struct GaborVector {
-    vec3 real;
-    vec3 imaginary;
-};
-
+// Three times three complex numbers.
 struct GaborMatrix {
     mat3 real;
     mat3 imaginary;
 };
 
-GaborMatrix gabor_impl_matrix(GaborVector a, GaborVector b, GaborVector c)
+GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
-    return GaborMatrix(mat3(a.real, b.real, c.real), mat3(a.imaginary, b.imaginary, c.imaginary));
-}
-
-// Each column times a vector.
-GaborVector gabor_impl_sums(GaborVector v, GaborMatrix m)
-{
-    return GaborVector(v.real * m.real - v.imaginary * m.imaginary, v.real * m.imaginary + v.imaginary * m.real);
-}
-
-vec2 gabor_impl_sum(GaborVector v, GaborVector w)
-{
-    return vec2(dot(v.real, w.real) - dot(v.imaginary, w.imaginary),
-                dot(v.real, w.imaginary) + dot(v.imaginary, w.real));
+    return GaborMatrix(m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real);
 }
 
 vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
@@ -92,25 +71,23 @@ vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
                          + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
 }
 
-// The amplitudes of a row of nodes. Its word, from those of a row and a slice, is odd and of 24 bits as theirs are.
-GaborVector gabor_impl_row_3d(uvec4 columns, uint lines, GaborPlace3d place)
+// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
+// lines are.
+GaborMatrix gabor_impl_slice(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place)
 {
-    uint row = (lines >> 8u) | 0x800001u;
-    vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
-    vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
-    vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
-    return GaborVector(vec3(a.x, b.x, c.x), vec3(a.y, b.y, c.y));
+    GaborMatrix m;
+    for (int j = 0; j < 3; ++j) {
+        uint row = ((rows[j] * slice) >> 8u) | 0x800001u;
+        vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
+        vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
+        vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
+        m.real[j] = vec3(a.x, b.x, c.x);
+        m.imaginary[j] = vec3(a.y, b.y, c.y);
+    }
+    return m;
 }
 
-// Those of a slice, a column for each row.
-GaborMatrix gabor_impl_slice_3d(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place)
-{
-    return gabor_impl_matrix(gabor_impl_row_3d(columns, rows.x * slice, place),
-                             gabor_impl_row_3d(columns, rows.y * slice, place),
-                             gabor_impl_row_3d(columns, rows.z * slice, place));
-}
-
-// All that reach a place.
+// The nodes that reach a place: by axis, and their amplitudes by slice.
 struct GaborNodes3d {
     GaborAxis x;
     GaborAxis y;
@@ -123,39 +100,59 @@ struct GaborNodes3d {
     vec2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
 };
 
-GaborNodes3d gabor_impl_nodes_3d(GaborPlace3d place, vec3 wave, uint seed)
+GaborNodes3d gabor_impl_nodes(GaborPlace3d place, vec3 wave, uint seed)
 {
+    GaborNodes3d n;
     vec3 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    vec3 offset = place.local - first - 1.0;
     ivec3 node = place.cell + ivec3(first);
-    vec3 turns = wave / place.radius;
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(node.x, offset.x, place.period.x, salt, gabor_impl_wave(turns.x));
-    GaborAxis y = gabor_impl_axis(node.y, offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(turns.y));
-    GaborAxis z = gabor_impl_axis(node.z, offset.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(turns.z));
-    vec2 base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-              * gabor_impl_wave(dot(turns, offset));
-    return GaborNodes3d(x, y, z, gabor_impl_slice_3d(x.word, y.word, z.word.x, place),
-                        gabor_impl_slice_3d(x.word, y.word, z.word.y, place),
-                        gabor_impl_slice_3d(x.word, y.word, z.word.z, place), offset, turns, base);
+    n.offset = place.local - first - 1.0;
+    n.turns = wave / place.radius;
+    n.x = gabor_impl_axis(node.x, n.offset.x, place.period.x, salt, gabor_impl_wave(n.turns.x));
+    n.y = gabor_impl_axis(node.y, n.offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y));
+    n.z = gabor_impl_axis(node.z, n.offset.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z));
+    n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
+    n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
+    n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);
+    n.base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+           * gabor_impl_wave(dot(n.turns, n.offset));
+    return n;
+}
+
+// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
+// slice; then along z for column `j` of those along y, with columns for z.
+void gabor_impl_along_xy(inout GaborNodes3d n, GaborMatrix x, GaborMatrix y)
+{
+    x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
+    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
+    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
+    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
+}
+
+GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
+{
+    return gabor_impl_matrix_product(
+        GaborMatrix(mat3(n.a.real[j], n.b.real[j], n.c.real[j]),
+                    mat3(n.a.imaginary[j], n.b.imaginary[j], n.c.imaginary[j])), z);
+}
+
+// An axis' factors and their derivatives.
+GaborMatrix gabor_impl_factors(GaborAxis axis)
+{
+    return GaborMatrix(mat3(axis.real.xyz, axis.slope_real.xyz, vec3(0.0)),
+                       mat3(axis.imaginary.xyz, axis.slope_imaginary.xyz, vec3(0.0)));
 }
 
 GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
 {
-    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
-    GaborVector x = GaborVector(n.x.real.xyz, n.x.imaginary.xyz);
-    GaborVector y = GaborVector(n.y.real.xyz, n.y.imaginary.xyz);
-    GaborVector z = GaborVector(n.z.real.xyz, n.z.imaginary.xyz);
-    GaborVector d = GaborVector(n.x.slope_real.xyz, n.x.slope_imaginary.xyz);
-    GaborMatrix sums = gabor_impl_matrix(gabor_impl_sums(x, n.a), gabor_impl_sums(x, n.b), gabor_impl_sums(x, n.c));
-    GaborMatrix slopes = gabor_impl_matrix(gabor_impl_sums(d, n.a), gabor_impl_sums(d, n.b), gabor_impl_sums(d, n.c));
-    GaborVector rows = gabor_impl_sums(y, sums);
-    vec2 value = gabor_impl_product(n.base, gabor_impl_sum(z, rows));
-    vec2 slope_x = gabor_impl_product(n.base, gabor_impl_sum(z, gabor_impl_sums(y, slopes)));
-    d = GaborVector(n.y.slope_real.xyz, n.y.slope_imaginary.xyz);
-    vec2 slope_y = gabor_impl_product(n.base, gabor_impl_sum(z, gabor_impl_sums(d, sums)));
-    d = GaborVector(n.z.slope_real.xyz, n.z.slope_imaginary.xyz);
-    vec2 slope_z = gabor_impl_product(n.base, gabor_impl_sum(d, rows));
+    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
+    gabor_impl_along_xy(n, gabor_impl_factors(n.x), gabor_impl_factors(n.y));
+    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors(n.z));
+    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors(n.z));
+    vec2 value = gabor_impl_product(n.base, vec2(values.real[0].x, values.imaginary[0].x));
+    vec2 slope_x = gabor_impl_product(n.base, vec2(values.real[0].y, values.imaginary[0].y));
+    vec2 slope_y = gabor_impl_product(n.base, vec2(slopes.real[0].x, slopes.imaginary[0].x));
+    vec2 slope_z = gabor_impl_product(n.base, vec2(values.real[1].x, values.imaginary[1].x));
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
     vec3 stretch = place.radius / GABOR_RADIUS;
     return GaborField3d(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
@@ -164,12 +161,7 @@ GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
 
 // ---- Filtering -----------------------------------------------------------------------------------------------------
 
-GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
-{
-    return GaborMatrix(m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real);
-}
-
-// What an axis' three nodes, along columns, add to the three waves that they are together between nodes:
+// What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
 GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
@@ -196,20 +188,14 @@ vec2 gabor_impl_filtered_3d(GaborPlace3d place, vec3 wave, uint seed)
     vec3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
-    GaborNodes3d n = gabor_impl_nodes_3d(place, wave, seed);
-    GaborMatrix x = gabor_impl_waves(n.offset.x, n.turns.x, deviation.x);
-    GaborMatrix y = gabor_impl_waves(n.offset.y, n.turns.y, deviation.y);
+    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
+    gabor_impl_along_xy(n, gabor_impl_waves(n.offset.x, n.turns.x, deviation.x),
+                        gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
     GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
-    x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
-    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
-    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
-    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
     vec2 sum = vec2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
-        GaborMatrix m = GaborMatrix(mat3(n.a.real[b], n.b.real[b], n.c.real[b]),
-                                    mat3(n.a.imaginary[b], n.b.imaginary[b], n.c.imaginary[b]));
-        m = gabor_impl_matrix_product(m, z);
+        GaborMatrix m = gabor_impl_along_z(n, b, z);
         for (int c = 0; c < 3; ++c) {
             for (int a = 0; a < 3; ++a) {
                 vec3 aside = vec3(float(a - 1), float(b - 1), float(c - 1));
@@ -234,11 +220,11 @@ GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
     return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0), 0);
 }
 
-// A vector brought to length 1, or 0 where its largest coordinate is not within [10^-30, 10^30].
+// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 vec3 gabor_impl_unit(vec3 v)
 {
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    return largest >= 1.0e-30 && largest <= 1.0e30 ? normalize(v / largest) : vec3(0.0);
+    v = clamp(v, -1.0e15, 1.0e15);
+    return v * inversesqrt(max(dot(v, v), 1.0e-30));
 }
 
 vec3 gabor_wave_3d(float frequency, vec3 direction)
@@ -330,7 +316,7 @@ vec2 gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency
 // Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
 //   p          position in kernel radii, |p| < 2^31 / R; at 10^5 a float steps by 0.008
 //   frequency  cycles per kernel radius; its magnitude is used, up to 10^6
-//   direction  of the wave vector, of any length; with 0, or beyond 10^30, its frequency is 0
+//   direction  of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
 //   seed       any; each seed is another instance, independent of the others
 // Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
 float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
