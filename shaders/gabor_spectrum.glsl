@@ -140,7 +140,7 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
 //
 // Along one axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window ends at +-w, which a taper sees
 // to: for w = 1 it is h itself, which has three of these waves. The filter widens w from 1 to 5/3, so that 3, 4 or 5
-// nodes along each axis take part. The axes meet in the factor exp(-4 pi^2 S_xy q_x q_y). With H as wide as a normal
+// nodes along each axis take part; the filter is for GABOR_TAPS 3. The axes meet in the factor exp(-4 pi^2 S_xy q_x q_y). With H as wide as a normal
 // curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28)
 // separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy),
 // r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
@@ -150,6 +150,7 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
 //
 // of which these three terms are used; |lambda| is at most 0.26.
 
+#if GABOR_TAPS == 3
 // What a pixel covers: see gabor_footprint.
 struct GaborFootprint {
     vec3 covariance; // xx, yy, xy in kernel radii^2
@@ -265,6 +266,7 @@ void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors col
     row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
     row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
 }
+#endif
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
@@ -332,6 +334,7 @@ vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, floa
     return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
+#if GABOR_TAPS == 3
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
 // filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
 GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
@@ -467,5 +470,7 @@ vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint
     }
     return power > 0.0 ? sum * vec2(inversesqrt(power), 1.0 / power) : vec2(0.0);
 }
+
+#endif // GABOR_TAPS == 3
 
 #endif // GABOR_SPECTRUM_GLSL
