@@ -33,7 +33,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifdef GABOR_NOISE_GLSL
-#error "Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions"
+#error Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions
 #endif
 #ifndef GABOR_LATTICE_GLSL
 #define GABOR_LATTICE_GLSL
@@ -48,7 +48,7 @@ precision highp int;
 #define GABOR_TAPS 3
 #endif
 #if GABOR_TAPS < 2 || GABOR_TAPS > 4
-#error "GABOR_TAPS is 2, 3 or 4"
+#error GABOR_TAPS is 2, 3 or 4
 #endif
 
 // R, nodes per kernel radius.

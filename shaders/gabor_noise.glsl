@@ -1,7 +1,7 @@
 // gabor_noise.glsl: fast, normalized Gabor noise in two dimensions.
 //
-// Paste or include this one file after `#version`; it needs GLSL 450, 330 core or 300 es with highp float and int,
-// declares no resources, and every name it adds begins with gabor_, Gabor or GABOR_.
+// Paste or include this one file after `#version`; it needs GLSL 450, 330 core or 300 es, declares no resources,
+// and every name it adds begins with gabor_, Gabor or GABOR_.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -29,12 +29,18 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifdef GABOR_LATTICE_GLSL
-#error "Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions"
+#error Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_GLSL
 #define GABOR_NOISE_GLSL
 
-#define GABOR_NOISE_VERSION 10000 // 10000 major + 100 minor + patch
+// A fragment shader of GLSL ES that asks for no more gets ints of 16 bits, and floats too where it says mediump.
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
 // Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.
@@ -42,6 +48,9 @@
 // N, impulses per cell: an int, at least 1.
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1
+#endif
+#if GABOR_IMPULSES < 1
+#error GABOR_IMPULSES is an int, at least 1
 #endif
 
 // R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells.
@@ -59,6 +68,9 @@
 #ifndef GABOR_PHASES
 #define GABOR_PHASES 256
 #endif
+#if GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0
+#error GABOR_PHASES is a power of two, from 2 to 256
+#endif
 
 // The window: q(x) = u^2 (c.x + c.y u + c.z u^2) with u = 1 - x^2.
 #ifndef GABOR_WINDOW
@@ -68,6 +80,9 @@
 // Lobes that gabor_noise_lobes and gabor_noise_sum take: an int, at least 1. The other functions do not depend on it.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 1
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
 #endif
 
 // 1 where the device's own sine is to be used: faster on most GPUs, as exact as the driver makes it (Vulkan promises
@@ -81,6 +96,33 @@
 #ifndef GABOR_UNROLL
 #define GABOR_UNROLL
 #endif
+
+// A macro of another type ends here, in a compile error that says what it must be.
+int gabor_impl_macro_must_be_an_int(int value)
+{
+    return value;
+}
+
+float gabor_impl_macro_must_be_a_float(float value)
+{
+    return value;
+}
+
+vec3 gabor_impl_macro_must_be_a_vec3(vec3 value)
+{
+    return value;
+}
+
+void gabor_impl_check_macros()
+{
+    gabor_impl_macro_must_be_an_int(GABOR_IMPULSES);
+    gabor_impl_macro_must_be_a_float(GABOR_RADIUS);
+    gabor_impl_macro_must_be_a_float(GABOR_WEIGHT_FLOOR);
+    gabor_impl_macro_must_be_an_int(GABOR_PHASES);
+    gabor_impl_macro_must_be_a_vec3(GABOR_WINDOW);
+    gabor_impl_macro_must_be_an_int(GABOR_LOBES);
+    gabor_impl_macro_must_be_an_int(GABOR_NATIVE_SINE);
+}
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 // gabor_noise_3d.glsl: Gabor noise in space, and on surfaces without parametrization.
 //
 // Paste or include this file after gabor_noise.glsl, whose hash and sine it uses, in the same dialects: GLSL 450, 330
-// core or 300 es with highp float and int. It declares no resources, and every name it adds begins with gabor_, Gabor
+// core or 300 es. It declares no resources, and every name it adds begins with gabor_, Gabor
 // or GABOR_3D_.
 //
 //     float n = gabor_noise_3d(p, 4.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
@@ -35,6 +35,12 @@
 #error gabor_noise_3d.glsl uses the hash and the sine of gabor_noise.glsl: put that file before it
 #endif
 
+// A fragment shader of GLSL ES that asks for no more gets ints of 16 bits, and floats too where it says mediump.
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
 // Define these before the file for another recipe, and GABOR_UNROLL, see gabor_noise.glsl, where it is known: lavapipe
 // then takes half as long. The default visits 27 impulses, with sidelobes of -24 dB and cvm 0.06, on surfaces along all
@@ -43,6 +49,9 @@
 // N, impulses per cell: an int, at least 1.
 #ifndef GABOR_3D_IMPULSES
 #define GABOR_3D_IMPULSES 1
+#endif
+#if GABOR_3D_IMPULSES < 1
+#error GABOR_3D_IMPULSES is an int, at least 1
 #endif
 
 // R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells.
@@ -54,6 +63,13 @@
 #ifndef GABOR_3D_WINDOW
 #define GABOR_3D_WINDOW vec3(3.1, -3.9, 1.8)
 #endif
+
+void gabor_impl_check_macros_3d()
+{
+    gabor_impl_macro_must_be_an_int(GABOR_3D_IMPULSES);
+    gabor_impl_macro_must_be_a_float(GABOR_3D_RADIUS);
+    gabor_impl_macro_must_be_a_vec3(GABOR_3D_WINDOW);
+}
 
 // ---- Impulses ------------------------------------------------------------------------------------------------------
 

@@ -21,8 +21,8 @@ namespace gabor::bench {
 
 namespace {
 
-constexpr render::RecipeModules modules{recipe_spirv,
-                                        {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
+constexpr render::RecipeModules modules{
+    recipe_spirv, {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
 // The options of passes/bench/seminal.comp: impulses per cell, the paper's advice, hoisted.
 void add_published(std::vector<Subject>& all) {
@@ -42,7 +42,7 @@ void add_drop_in(std::vector<Subject>& all) {
                        &recipe,
                        {0},
                        true});
-    constexpr std::array functions{"gradient", "complex and phasor", "four",      "tiled",    "animated",
+    constexpr std::array functions{"gradient", "complex and phasor", "four",      "tiled",   "animated",
                                    "spread",   "lobes, 3",           "lobes, 16", "filtered"};
     constexpr std::size_t of_lattice = 5; // the first functions
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {

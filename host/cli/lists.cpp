@@ -40,7 +40,8 @@ void print_recipes(bool as_json) {
                         {"macros", macros}});
         if (as_json)
             continue;
-        fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.is, noise::visited_impulses(recipe), recipe.taps > 0 ? "nodes" : "impulses");
+        fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.is,
+                   noise::visited_impulses(recipe), recipe.taps > 0 ? "nodes" : "impulses");
         for (const noise::Macro& macro : noise::macros(recipe))
             fmt::print("          #define {} {}\n", macro.name, macro.value);
     }

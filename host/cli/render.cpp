@@ -309,7 +309,7 @@ std::string help_of(const render::Parameter& parameter) {
         return fmt::format("{}: {} [{}]", parameter.help, fmt::join(recipes, "; "), defaults.recipe.name);
     default:
         return fmt::format("{}{}: {}{}", parameter.help, of, render::accepted(parameter),
-                           value ? fmt::format(" [{}]", render::written(parameter, *value)) : "");
+                           value ? fmt::format(" [{}]", render::written(*value)) : "");
     }
 }
 

@@ -8,8 +8,8 @@
 
 namespace gabor::noise {
 
-/// A noise of the drop-ins, with its compile-time trade-offs: the GABOR_ macros of shaders/gabor_lattice.glsl, or
-/// of shaders/gabor_noise.glsl, the sparse one.
+/// A noise of the drop-ins, with its compile-time trade-offs: the GABOR_ macros of
+/// shaders/gabor_lattice.glsl, or of shaders/gabor_noise.glsl, the sparse one.
 struct Recipe {
     enum class Kind { sparse, lattice }; ///< which drop-in
 
@@ -21,7 +21,8 @@ struct Recipe {
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
     std::string_view is;         ///< what it is, for help texts
     Kind kind = Kind::sparse;
-    int taps = 0; ///< of the lattice's, nodes along each axis that reach a point (GABOR_TAPS); R is half of it
+    int taps =
+        0; ///< of the lattice's, nodes along each axis that reach a point (GABOR_TAPS); R is half of it
 
     bool operator==(const Recipe&) const = default;
 };

@@ -20,7 +20,10 @@ constexpr RecipeModules modules{bake_spirv,
 
 std::vector<passes::Run> runs_along(const Request& request, int side, int first, int count, int longest) {
     const double radius = axis_along(request, side).radius;
-    return make_runs(first, count, radius / request.scale, radius, longest);
+    // The lattice's windows stretch with its nodes to fit a period.
+    const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
+    return make_runs(first, count, radius / request.scale, lattice ? double{request.recipe.radius} : radius,
+                     longest);
 }
 
 Block block_for(const vulkan::Device& device, const noise::Recipe& recipe) {
@@ -50,9 +53,9 @@ passes::BakePush make_push(const Request& request) {
     push.amplitude =
         recipe.kind == noise::Recipe::Kind::lattice
             ? 1.0f
-            : static_cast<float>(recipe.radius /
-                                 std::sqrt(x.radius * y.radius *
-                                           noise::variance(recipe, lobe.frequency, lobe.angle(), request.time)));
+            : static_cast<float>(recipe.radius / std::sqrt(x.radius * y.radius *
+                                                           noise::variance(recipe, lobe.frequency,
+                                                                           lobe.angle(), request.time)));
     push.pixel = static_cast<float>(1 / request.scale);
     push.seed = request.seed;
     return push;

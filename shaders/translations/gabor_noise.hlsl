@@ -1,7 +1,9 @@
-// gabor_noise.hlsl: fast, normalized Gabor noise in two dimensions, for HLSL, shader model 5.0 and up.
+// gabor_noise.hlsl: fast, normalized Gabor noise in two dimensions: for HLSL, shader model 5.0 and up.
 //
-// Made from shaders/gabor_noise.glsl: change that file, not this one.
-// By tools/translate, glslang 11:12.0.0, SPIRV-Cross 2021.01.15+1.3.239.0-1.
+// Made from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
 // Functions to call, at the end of the file:
 //     gabor_noise, gabor_unorm                the noise, and to show it
@@ -25,34 +27,121 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifdef GABOR_LATTICE_HLSL
+#error Include gabor_noise.hlsl or gabor_lattice.hlsl, not both: they define the same functions
+#endif
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
 
-#define GABOR_NOISE_VERSION 10000
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+
+// ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
+// Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.
+
+// N, impulses per cell: an int, at least 1.
+#ifndef GABOR_IMPULSES
+#define GABOR_IMPULSES 1
+#endif
+#if GABOR_IMPULSES < 1
+#error GABOR_IMPULSES is an int, at least 1
+#endif
+
+// R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells.
+#ifndef GABOR_RADIUS
+#define GABOR_RADIUS 1.0
+#endif
+
+// A: a weight's magnitude is A or 1, equally likely: a float in [0, 1].
+#ifndef GABOR_WEIGHT_FLOOR
+#define GABOR_WEIGHT_FLOOR 0.675
+#endif
+
+// Phases that impulses have, evenly spread over a turn: a power of two from 4 to 256. Or 2, which is the sine kernel
+// with weights of random sign: each kernel then integrates to exactly 0, and gabor_kernel costs more.
+#ifndef GABOR_PHASES
+#define GABOR_PHASES 256
+#endif
+#if GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0
+#error GABOR_PHASES is a power of two, from 2 to 256
+#endif
+
+// The window: q(x) = u^2 (c.x + c.y u + c.z u^2) with u = 1 - x^2.
+#ifndef GABOR_WINDOW
+#define GABOR_WINDOW float3(3.0, -4.5, 2.5)
+#endif
+
+// Lobes that gabor_noise_lobes and gabor_noise_sum take: an int, at least 1. The other functions do not depend on it.
+#ifndef GABOR_LOBES
+#define GABOR_LOBES 1
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
+#endif
+
+// 1 where the device's own sine is to be used: faster on most GPUs, as exact as the driver makes it (Vulkan promises
+// 5e-4, many give 1e-6). 0 for a polynomial that is exact to 3e-7 everywhere.
+#ifndef GABOR_NATIVE_SINE
+#define GABOR_NATIVE_SINE 0
+#endif
+
+// Put before each loop over impulses: define it as [[unroll]] (GL_EXT_control_flow_attributes) or [unroll] (HLSL) where
+// the compiler leaves the loops of a larger recipe as they are. `one` is unrolled by all that were tried.
+#ifndef GABOR_UNROLL
+#define GABOR_UNROLL
+#endif
+
+// A macro of another type ends here, in a compile error that says what it must be.
+int gabor_impl_macro_must_be_an_int(int value)
+{
+    return value;
+}
+
+float gabor_impl_macro_must_be_a_float(float value)
+{
+    return value;
+}
+
+float3 gabor_impl_macro_must_be_a_vec3(float3 value)
+{
+    return value;
+}
+
+void gabor_impl_check_macros()
+{
+    gabor_impl_macro_must_be_an_int(GABOR_IMPULSES);
+    gabor_impl_macro_must_be_a_float(GABOR_RADIUS);
+    gabor_impl_macro_must_be_a_float(GABOR_WEIGHT_FLOOR);
+    gabor_impl_macro_must_be_an_int(GABOR_PHASES);
+    gabor_impl_macro_must_be_a_vec3(GABOR_WINDOW);
+    gabor_impl_macro_must_be_an_int(GABOR_LOBES);
+    gabor_impl_macro_must_be_an_int(GABOR_NATIVE_SINE);
+}
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
+// Odd constants that spread consecutive cells, and the impulses of one cell, over all 32 bits.
+#define GABOR_SPREAD 0x9e3779b1u
+#define GABOR_SPREAD_IMPULSES 0x85ebca6bu
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
 // the hash-prospector project), the salt entering between them too, so that no two sequences share a run.
 uint gabor_mix(uint word, uint salt)
 {
-    word = ((word ^ (word >> 16u)) * 569420461u) + salt;
-    word = (word ^ (word >> 15u)) * 3545902487u;
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
 // The word of `seed`, from which those of the rows follow.
 uint gabor_seed_word(uint seed)
 {
-    uint param = seed * 2654435761u;
-    uint _317 = gabor_mix(param, 625341585u);
-    return _317;
+    return gabor_mix(seed * GABOR_SPREAD, 0x2545f491u);
 }
 
 // The word of a row of cells, from which those of its impulses follow.
 uint gabor_row_word(int row, uint seed_word)
 {
-    uint param = (uint(row) * 2654435761u) + seed_word;
-    uint _324 = gabor_mix(param, seed_word);
-    return _324;
+    return gabor_mix(uint(row) * GABOR_SPREAD + seed_word, seed_word);
 }
 
 // The word of impulse `index` in a cell; everything about the impulse is in its bits:
@@ -62,154 +151,91 @@ uint gabor_row_word(int row, uint seed_word)
 // so the finest bits of a coordinate serve twice. Within 1/256 of a cell, far below what shows, x follows y.
 uint gabor_impulse_word(int column, uint row_word, int index)
 {
-    uint salt = row_word + (uint(index) * 2246822507u);
-    uint param = (uint(column) * 2654435761u) + salt;
-    uint _338 = gabor_mix(param, salt);
-    return _338;
+    uint salt = row_word + uint(index) * GABOR_SPREAD_IMPULSES;
+    return gabor_mix(uint(column) * GABOR_SPREAD + salt, salt);
 }
 
 // Place of an impulse in its cell, plus 1: in [1, 2)^2.
 float2 gabor_place_plus_one(uint word)
 {
-    return float2(asfloat(1065353216u | ((word >> 8u) & 8388607u)), asfloat(1065353216u | (word & 8388607u)));
+    return float2(asfloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
+                asfloat(0x3f800000u | (word & 0x7fffffu)));
 }
 
 // Phase of the impulse at that place, in turns.
 float gabor_phase(float2 place_plus_one, float phases)
 {
-    return frac(place_plus_one.y * (8388608.0f / phases));
+    return frac(place_plus_one.y * (8388608.0 / phases));
 }
 
 // Turns of an impulse's phase while time goes by 1: -4 to -1 or 1 to 4.
 float gabor_tempo(uint word)
 {
-    float turns = float((word >> 8u) & 7u) - 4.0f;
-    float _372;
-    if (turns < 0.0f)
-    {
-        _372 = turns;
-    }
-    else
-    {
-        _372 = turns + 1.0f;
-    }
-    return _372;
+    float turns = float((word >> 8u) & 7u) - 4.0;
+    return turns < 0.0 ? turns : turns + 1.0;
 }
 
 // The wave, as (cos, sin), in four channels, each shifted by its own number of quarter turns.
 float4 gabor_four(float2 wave, uint word)
 {
-    uint param = word;
-    uint _385 = gabor_mix(param, 2246822507u);
-    uint quarters = _385;
-    float _392;
-    if ((quarters & 1u) == 0u)
-    {
-        _392 = wave.y;
-    }
-    else
-    {
-        _392 = wave.x;
-    }
-    float _403;
-    if ((quarters & 2u) == 0u)
-    {
-        _403 = wave.y;
-    }
-    else
-    {
-        _403 = wave.x;
-    }
-    float _414;
-    if ((quarters & 4u) == 0u)
-    {
-        _414 = wave.y;
-    }
-    else
-    {
-        _414 = wave.x;
-    }
-    float _424;
-    if ((quarters & 8u) == 0u)
-    {
-        _424 = wave.y;
-    }
-    else
-    {
-        _424 = wave.x;
-    }
-    float4 shifted = float4(_392, _403, _414, _424);
-    return shifted * float4(((quarters & 16u) == 0u) ? 1.0f : (-1.0f), ((quarters & 32u) == 0u) ? 1.0f : (-1.0f), ((quarters & 64u) == 0u) ? 1.0f : (-1.0f), ((quarters & 128u) == 0u) ? 1.0f : (-1.0f));
+    uint quarters = gabor_mix(word, GABOR_SPREAD_IMPULSES);
+    float4 shifted = float4((quarters & 1u) == 0u ? wave.y : wave.x, (quarters & 2u) == 0u ? wave.y : wave.x,
+                        (quarters & 4u) == 0u ? wave.y : wave.x, (quarters & 8u) == 0u ? wave.y : wave.x);
+    return shifted * float4((quarters & 16u) == 0u ? 1.0 : -1.0, (quarters & 32u) == 0u ? 1.0 : -1.0,
+                          (quarters & 64u) == 0u ? 1.0 : -1.0, (quarters & 128u) == 0u ? 1.0 : -1.0);
 }
 
 // Magnitude of an impulse's weight.
 float gabor_magnitude(uint word)
 {
-    return (int(word) < 0) ? 1.0f : 0.675000011920928955078125f;
+    return int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR;
 }
+
+// ---- Sine ----------------------------------------------------------------------------------------------------------
 
 // sin(2 pi t) for any t: reduced to half a turn, then t (1/4 - t^2) times a minimax polynomial in t^2.
 // Absolute error below 3e-7 within +-1, growing with the rounding of t beyond.
 float gabor_sin_turns(float t)
 {
-    t = frac(t) - 0.5f;
-    if (false)
-    {
-        return -sin(6.283185482025146484375f * t);
-    }
+    t = frac(t) - 0.5;
+    if (GABOR_NATIVE_SINE != 0)
+        return -sin(6.2831853 * t);
     float s = t * t;
-    float p = (12.233303070068359375f * s) - 38.123195648193359375f;
-    p = (p * s) + 67.0438995361328125f;
-    p = (p * s) - 64.83467864990234375f;
-    p = (p * s) + 25.1327304840087890625f;
-    return (t * (s - 0.25f)) * p;
+    float p = 12.233303 * s - 38.123196;
+    p = p * s + 67.0439;
+    p = p * s - 64.83468;
+    p = p * s + 25.13273;
+    return t * (s - 0.25) * p;
 }
 
 // The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials. Its error stays
 // near 1e-7, for a large frequency multiplies it.
 float2 gabor_direction(float angle)
 {
-    float quarter = floor((angle * 0.636619746685028076171875f) + 0.5f);
-    float r = angle - (quarter * 1.5703125f);
-    r -= (quarter * 0.0004837512969970703125f);
-    r -= (quarter * 7.5497901264043321134522557258606e-08f);
-    r = (abs(r) < 1.0f) ? r : 0.0f;
+    float quarter = floor(angle * 0.63661977 + 0.5);
+    float r = angle - quarter * 1.5703125;
+    r -= quarter * 4.837512969970703e-4;
+    r -= quarter * 7.549789948768648e-8;
+    r = abs(r) < 1.0 ? r : 0.0; // far outside the range, where no digit is left of it, any direction will do
     float s = r * r;
-    float sine = r + ((r * s) * ((-0.1666665375232696533203125f) + (s * (0.00833216123282909393310546875f - (s * 0.00019515295571181923151016235351562f)))));
-    float cosine = (1.0f - (0.5f * s)) + ((s * s) * (0.0416666455566883087158203125f + (s * ((-0.00138873164542019367218017578125f) + (s * 2.4433156795566901564598083496094e-05f)))));
-    float2 _579;
-    if (frac(0.5f * quarter) < 0.25f)
-    {
-        _579 = float2(cosine, sine);
-    }
-    else
-    {
-        _579 = float2(-sine, cosine);
-    }
-    float2 axis = _579;
-    float2 _596;
-    if (frac(0.25f * quarter) < 0.375f)
-    {
-        _596 = axis;
-    }
-    else
-    {
-        _596 = -axis;
-    }
-    return _596;
+    float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
+    float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
+    float2 axis = frac(0.5 * quarter) < 0.25 ? float2(cosine, sine) : float2(-sine, cosine);
+    return frac(0.25 * quarter) < 0.375 ? axis : -axis;
 }
 
 // Product of complex numbers.
 float2 gabor_times(float2 a, float2 b)
 {
-    return float2((a.x * b.x) - (a.y * b.y), (a.x * b.y) + (a.y * b.x));
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
+
+// ---- Normalization -------------------------------------------------------------------------------------------------
 
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
 // Bessel function (Poisson's integral, DLMF 10.54.1). The five c_n I_n, whose sum is the energy of one axis:
-struct GaborEnergy
-{
+struct GaborEnergy {
     float4 e4567;
     float e8;
     float sum;
@@ -217,11 +243,12 @@ struct GaborEnergy
 
 GaborEnergy gabor_energy()
 {
-    float3 c = float3(3.0f, -4.5f, 2.5f);
+    float3 c = GABOR_WINDOW;
     GaborEnergy energy;
-    energy.e4567 = float4(c.x * c.x, (2.0f * c.x) * c.y, (c.y * c.y) + ((2.0f * c.x) * c.z), (2.0f * c.y) * c.z) * float4(0.812698423862457275390625f, 0.738816738128662109375f, 0.6819846630096435546875f, 0.636519014835357666015625f);
-    energy.e8 = (c.z * c.z) * 0.599076747894287109375f;
-    energy.sum = dot(energy.e4567, 1.0f.xxxx) + energy.e8;
+    energy.e4567 = float4(c.x * c.x, 2.0 * c.x * c.y, c.y * c.y + 2.0 * c.x * c.z, 2.0 * c.y * c.z)
+                 * float4(256.0 / 315.0, 512.0 / 693.0, 2048.0 / 3003.0, 4096.0 / 6435.0);
+    energy.e8 = c.z * c.z * (65536.0 / 109395.0);
+    energy.sum = dot(energy.e4567, (float4)(1.0)) + energy.e8;
     return energy;
 }
 
@@ -231,55 +258,48 @@ GaborEnergy gabor_energy()
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 float gabor_deficit(float k, GaborEnergy energy)
 {
-    float a = 12.56637096405029296875f * k;
+    float a = 12.566371 * k;
     float z = a * a;
-    float d8 = 0.0f;
     float4 d4567;
-    if (z < 64.0f)
-    {
-        float d7 = 0.0f;
-        float term7 = 1.0f;
-        float term8 = 1.0f;
-        for (int i = 1; i <= 14; i++)
-        {
+    float d8 = 0.0;
+    if (z < 64.0) {
+        float d7 = 0.0;
+        float term7 = 1.0;
+        float term8 = 1.0;
+        for (int i = 1; i <= 14; ++i) {
             float n = float(i);
-            term7 *= (((-0.25f) * z) / (n * (n + 7.5f)));
-            term8 *= (((-0.25f) * z) / (n * (n + 8.5f)));
+            term7 *= -0.25 * z / (n * (n + 7.5));
+            term8 *= -0.25 * z / (n * (n + 8.5));
             d7 -= term7;
             d8 -= term8;
         }
-        float d6 = d7 + ((z * (1.0f - d8)) * 0.0039215688593685626983642578125f);
-        float d5 = d6 + ((z * (1.0f - d7)) * 0.0051282052882015705108642578125f);
-        float d4 = d5 + ((z * (1.0f - d6)) * 0.0069930069148540496826171875f);
+        float d6 = d7 + z * (1.0 - d8) * (1.0 / 255.0);
+        float d5 = d6 + z * (1.0 - d7) * (1.0 / 195.0);
+        float d4 = d5 + z * (1.0 - d6) * (1.0 / 143.0);
         d4567 = float4(d4, d5, d6, d7);
+    } else {
+        float y = 1.0 / z;
+        float l0 = gabor_sin_turns(2.0 * k) / a;
+        float l1 = 3.0 * y * (l0 - gabor_sin_turns(2.0 * k + 0.25));
+        float l2 = 15.0 * y * (l1 - l0);
+        float l3 = 35.0 * y * (l2 - l1);
+        float l4 = 63.0 * y * (l3 - l2);
+        float l5 = 99.0 * y * (l4 - l3);
+        float l6 = 143.0 * y * (l5 - l4);
+        float l7 = 195.0 * y * (l6 - l5);
+        d8 = 1.0 - 255.0 * y * (l7 - l6);
+        d4567 = 1.0 - float4(l4, l5, l6, l7);
     }
-    else
-    {
-        float y = 1.0f / z;
-        float param = 2.0f * k;
-        float _788 = gabor_sin_turns(param);
-        float l0 = _788 / a;
-        float param_1 = (2.0f * k) + 0.25f;
-        float _798 = gabor_sin_turns(param_1);
-        float l1 = (3.0f * y) * (l0 - _798);
-        float l2 = (15.0f * y) * (l1 - l0);
-        float l3 = (35.0f * y) * (l2 - l1);
-        float l4 = (63.0f * y) * (l3 - l2);
-        float l5 = (99.0f * y) * (l4 - l3);
-        float l6 = (143.0f * y) * (l5 - l4);
-        float l7 = (195.0f * y) * (l6 - l5);
-        d8 = 1.0f - ((255.0f * y) * (l7 - l6));
-        d4567 = 1.0f.xxxx - float4(l4, l5, l6, l7);
-    }
-    return (dot(energy.e4567, d4567) + (energy.e8 * d8)) / energy.sum;
+    return (dot(energy.e4567, d4567) + energy.e8 * d8) / energy.sum;
 }
 
+// ---- Kernels -------------------------------------------------------------------------------------------------------
+
 // Waves around one frequency and orientation.
-struct GaborLobe
-{
-    float2 wave;
-    float2 spread;
-    float power;
+struct GaborLobe {
+    float2 wave;   // wave vector in the middle, cycles per kernel radius
+    float2 spread; // impulses have waves evenly spread within frequency (1 +- x), and within +- y turns
+    float power; // in proportion to those of other lobes
 };
 
 // The lobe of a frequency and an orientation, with the ranges of gabor_noise, and
@@ -290,65 +310,27 @@ struct GaborLobe
 GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread, float orientation_spread, float power)
 {
     float magnitude = abs(frequency);
-    float _880;
-    if (magnitude > 9.9999999747524270787835121154785e-07f)
-    {
-        _880 = min(magnitude, 1000000.0f);
-    }
-    else
-    {
-        _880 = 9.9999999747524270787835121154785e-07f;
-    }
-    magnitude = _880;
+    magnitude = magnitude > 1.0e-6 ? min(magnitude, 1.0e6) : 1.0e-6;
     GaborLobe lobe;
-    lobe.wave = gabor_direction(orientation) * magnitude;
-    float _895;
-    if (frequency_spread > 0.0f)
-    {
-        _895 = min(frequency_spread, 1.0f);
-    }
-    else
-    {
-        _895 = 0.0f;
-    }
-    lobe.spread.x = _895;
-    float _903;
-    if (orientation_spread > 0.0f)
-    {
-        _903 = 0.15915493667125701904296875f * min(orientation_spread, 1.5707962512969970703125f);
-    }
-    else
-    {
-        _903 = 0.0f;
-    }
-    lobe.spread.y = _903;
-    float _914;
-    if (power > 0.0f)
-    {
-        _914 = min(power, 1000000000.0f);
-    }
-    else
-    {
-        _914 = 0.0f;
-    }
-    lobe.power = _914;
+    lobe.wave = magnitude * gabor_direction(orientation);
+    lobe.spread.x = frequency_spread > 0.0 ? min(frequency_spread, 1.0) : 0.0;
+    lobe.spread.y = orientation_spread > 0.0 ? 0.15915494 * min(orientation_spread, 1.5707963) : 0.0;
+    lobe.power = power > 0.0 ? min(power, 1.0e9) : 0.0;
     return lobe;
 }
 
 // A spectrum: what gabor_noise_lobes and gabor_noise_sum take.
-struct GaborLobes
-{
-    GaborLobe lobe[1];
-    int count;
+struct GaborLobes {
+    GaborLobe lobe[GABOR_LOBES];
+    int count; // of those in use, 1 to GABOR_LOBES
 };
 
 // Gabor kernels ready to be summed: all that the noise needs to know of its spectrum.
-struct GaborKernel
-{
-    GaborLobes lobes;
-    float phases;
-    float amplitude;
-    float deficit;
+struct GaborKernel {
+    GaborLobes lobes; // the power of each is that of all before it, too
+    float phases;     // that impulses have
+    float amplitude;  // K
+    float deficit;    // variance in proportion to that at high frequency: 1 but for two phases
 };
 
 // The kernels of some lobes' spectrum: each impulse has a wave of one lobe, chosen with a probability in proportion to
@@ -359,44 +341,31 @@ struct GaborKernel
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 GaborKernel gabor_kernel_lobes(GaborLobes lobes)
 {
-    GaborKernel kernel;
-    kernel.lobes = lobes;
-    kernel.lobes.count = clamp(lobes.count, 1, 1);
-    float together = 0.0f;
-    float _945;
-    for (int i = 0; i < 1; i++)
-    {
-        if (i < kernel.lobes.count)
-        {
-            _945 = lobes.lobe[i].power;
-        }
-        else
-        {
-            _945 = 0.0f;
-        }
-        together += _945;
-        kernel.lobes.lobe[i].power = together;
+    GaborKernel kernel_;
+    kernel_.lobes = lobes;
+    kernel_.lobes.count = clamp(lobes.count, 1, GABOR_LOBES);
+    float together = 0.0;
+    GABOR_UNROLL for (int i = 0; i < GABOR_LOBES; ++i) {
+        together += i < kernel_.lobes.count ? lobes.lobe[i].power : 0.0;
+        kernel_.lobes.lobe[i].power = together;
     }
-    kernel.phases = 256.0f;
-    kernel.deficit = 1.0f;
-    float density = 1.0f;
-    float power = 0.7278125286102294921875f;
+    kernel_.phases = 256.0;
+    kernel_.deficit = 1.0;
+    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR;
     float energy = gabor_energy().sum;
-    kernel.amplitude = rsqrt((((0.5f * density) * power) * energy) * energy);
-    return kernel;
+    kernel_.amplitude = rsqrt(0.5 * density * power * energy * energy);
+    return kernel_;
 }
 
 // The kernel of one lobe.
 GaborKernel gabor_kernel_lobe(GaborLobe lobe)
 {
     GaborLobes lobes;
-    for (int i = 0; i < 1; i++)
-    {
+    for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = lobe;
-    }
     lobes.count = 1;
-    GaborLobes param = lobes;
-    return gabor_kernel_lobes(param);
+    return gabor_kernel_lobes(lobes);
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise. Make it once where they do not vary.
@@ -405,227 +374,196 @@ GaborKernel gabor_kernel_lobe(GaborLobe lobe)
 //     J(0)^2 - J(a.x) J(a.y)   takes the place of   J(0)^2.
 GaborKernel gabor_kernel(float frequency, float orientation)
 {
-    GaborLobe lobe = gabor_lobe(frequency, orientation, 0.0f, 0.0f, 1.0f);
-    GaborKernel kernel = gabor_kernel_lobe(lobe);
-    kernel.phases = 256.0f;
-    if (false)
-    {
+    GaborLobe lobe = gabor_lobe(frequency, orientation, 0.0, 0.0, 1.0);
+    GaborKernel kernel_ = gabor_kernel_lobe(lobe);
+    kernel_.phases = float(GABOR_PHASES);
+    if (GABOR_PHASES == 2) {
         GaborEnergy energy = gabor_energy();
         float x = gabor_deficit(lobe.wave.x, energy);
         float y = gabor_deficit(lobe.wave.y, energy);
-        kernel.deficit = (x + y) - (x * y);
-        kernel.amplitude *= rsqrt(kernel.deficit);
+        kernel_.deficit = x + y - x * y;
+        kernel_.amplitude *= rsqrt(kernel_.deficit);
     }
-    return kernel;
+    return kernel_;
 }
 
 // A wave vector within a lobe's spread, as that is written.
 float2 gabor_within(GaborLobe lobe, float2 spread)
 {
-    float param = spread.y + 0.25f;
-    float _1044 = gabor_sin_turns(param);
-    float param_1 = spread.y;
-    float _1047 = gabor_sin_turns(param_1);
-    float2 turn = float2(_1044, _1047);
-    return gabor_times(lobe.wave, turn) * (1.0f + spread.x);
+    float2 turn = float2(gabor_sin_turns(spread.y + 0.25), gabor_sin_turns(spread.y));
+    return (1.0 + spread.x) * gabor_times(lobe.wave, turn);
 }
 
 // The wave vector of the impulse that has this word.
-float2 gabor_wave(GaborKernel kernel, uint word)
+float2 gabor_wave(GaborKernel kernel_, uint word)
 {
-    GaborLobe lobe = kernel.lobes.lobe[0];
-    uint param = word;
-    uint _1062 = gabor_mix(param, 2654435761u);
-    uint choice = _1062;
-    if (kernel.lobes.count > 1)
-    {
-        float chosen = kernel.lobes.lobe[0].power * ((float(choice >> 16u) + 0.5f) / 65536.0f);
-        for (int i = 1; i < 1; i++)
-        {
-            bool _1089 = i < kernel.lobes.count;
-            bool _1098;
-            if (_1089)
-            {
-                _1098 = chosen >= kernel.lobes.lobe[i - 1].power;
-            }
-            else
-            {
-                _1098 = _1089;
-            }
-            if (_1098)
-            {
-                lobe = kernel.lobes.lobe[i];
-            }
+    GaborLobe lobe = kernel_.lobes.lobe[0];
+    uint choice = gabor_mix(word, GABOR_SPREAD);
+    if (kernel_.lobes.count > 1) {
+        float chosen = kernel_.lobes.lobe[GABOR_LOBES - 1].power * ((float(choice >> 16u) + 0.5) / 65536.0);
+        GABOR_UNROLL for (int i = 1; i < GABOR_LOBES; ++i) {
+            if (i < kernel_.lobes.count && chosen >= kernel_.lobes.lobe[i - 1].power)
+                lobe = kernel_.lobes.lobe[i];
         }
     }
-    bool _1108 = lobe.spread.x == 0.0f;
-    bool _1114;
-    if (_1108)
-    {
-        _1114 = lobe.spread.y == 0.0f;
-    }
-    else
-    {
-        _1114 = _1108;
-    }
-    if (_1114)
-    {
+    if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0)
         return lobe.wave;
-    }
-    float2 drawn = float2(float((choice * 2654435761u) >> 16u), float(choice & 65535u));
-    return gabor_within(lobe, lobe.spread * (((drawn + 0.5f.xx) / 32768.0f.xx) - 1.0f.xx));
+    float2 drawn = float2(float(choice * GABOR_SPREAD >> 16u), float(choice & 0xffffu));
+    return gabor_within(lobe, lobe.spread * ((drawn + 0.5) / 32768.0 - 1.0));
 }
 
 // The window q along one axis, 0 from |x| = 1 on.
 float gabor_window(float x)
 {
-    float3 c = float3(3.0f, -4.5f, 2.5f);
-    float u = max(1.0f - (x * x), 0.0f);
-    return (u * u) * (c.x + (u * (c.y + (u * c.z))));
+    float3 c = GABOR_WINDOW;
+    float u = max(1.0 - x * x, 0.0);
+    return u * u * (c.x + u * (c.y + u * c.z));
 }
 
 // Its derivative.
 float gabor_window_slope(float x)
 {
-    float3 c = float3(3.0f, -4.5f, 2.5f);
-    float u = max(1.0f - (x * x), 0.0f);
-    return (((-2.0f) * x) * u) * ((2.0f * c.x) + (u * ((3.0f * c.y) + (u * (4.0f * c.z)))));
+    float3 c = GABOR_WINDOW;
+    float u = max(1.0 - x * x, 0.0);
+    return -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z)));
 }
 
 // Where to evaluate, and how space and time close upon themselves.
-struct GaborPlace
-{
-    int2 cell;
-    float2 local;
-    float2 radius;
-    int2 period;
-    float time;
+struct GaborPlace {
+    int2 cell;   // any integers, but for the last few before the world wraps around at 2^31
+    float2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
+    float2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    int2 period; // in cells, 0 for none
+    float time;   // in periods of time: only its fraction counts
 };
+
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float time)
+{
+    GaborPlace made;
+    made.cell = cell;
+    made.local = local;
+    made.radius = radius;
+    made.period = period;
+    made.time = time;
+    return made;
+}
 
 // (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: full precision everywhere in a world of 2^32
 // cells each way, where it wraps around.
 GaborPlace gabor_place(int2 cell, float2 local)
 {
-    GaborPlace _1197 = { cell, local, 1.0f.xx, int2(0, 0), 0.0f };
-    return _1197;
+    return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), 0.0);
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part is the same with cosines
 // for sines, and its gradient. Parts that are not used cost nothing: compilers leave them out.
-struct GaborField
-{
-    float2 value;
-    float2 slope_x;
-    float2 slope_y;
-    float4 four;
+struct GaborField {
+    float2 value;   // real, imaginary: each of mean 0 and variance 1
+    float2 slope_x; // their derivatives along x, per kernel radius
+    float2 slope_y; // along y
+    float4 four;    // four noises of the same spectrum, uncorrelated with each other wherever they are compared
 };
+
+GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y, float4 four)
+{
+    GaborField made;
+    made.value = value;
+    made.slope_x = slope_x;
+    made.slope_y = slope_y;
+    made.four = four;
+    return made;
+}
 
 // A cell's coordinate within a period.
 int gabor_wrap(int cell, int period)
 {
     if (period == 0)
-    {
         return cell;
-    }
-    int within = cell - ((cell / period) * period);
-    int _1210;
-    if (within < 0)
-    {
-        _1210 = within + period;
-    }
-    else
-    {
-        _1210 = within;
-    }
-    return _1210;
+    int within = cell - cell / period * period;
+    return within < 0 ? within + period : within;
 }
 
 // What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
 // term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
-float gabor_tempo_gain(GaborKernel kernel, float time)
+float gabor_tempo_gain(GaborKernel kernel_, float time)
 {
-    if ((kernel.phases != 2.0f) || (time == 0.0f))
-    {
-        return 1.0f;
-    }
-    float param = time;
-    float _1230 = gabor_sin_turns(param);
-    float param_1 = 2.0f * time;
-    float _1233 = gabor_sin_turns(param_1);
-    float param_2 = 3.0f * time;
-    float _1236 = gabor_sin_turns(param_2);
-    float param_3 = 4.0f * time;
-    float _1239 = gabor_sin_turns(param_3);
-    float4 sines = float4(_1230, _1233, _1236, _1239);
-    float u = 0.5f * dot(sines, sines);
-    return rsqrt(1.0f + ((u * (1.0f - kernel.deficit)) / kernel.deficit));
+    if (kernel_.phases != 2.0 || time == 0.0)
+        return 1.0;
+    float4 sines = float4(gabor_sin_turns(time), gabor_sin_turns(2.0 * time), gabor_sin_turns(3.0 * time),
+                      gabor_sin_turns(4.0 * time));
+    float u = 0.5 * dot(sines, sines);
+    return rsqrt(1.0 + u * (1.0 - kernel_.deficit) / kernel_.deficit);
 }
 
 // What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
-float gabor_scale(GaborKernel kernel, GaborPlace place)
+float gabor_scale(GaborKernel kernel_, GaborPlace place)
 {
-    GaborKernel param = kernel;
-    return ((kernel.amplitude * 1.0f) * rsqrt(place.radius.x * place.radius.y)) * gabor_tempo_gain(param, frac(place.time));
+    return kernel_.amplitude * GABOR_RADIUS * rsqrt(place.radius.x * place.radius.y)
+         * gabor_tempo_gain(kernel_, frac(place.time));
 }
 
 // The noise at a place, by its cell: what most functions below call.
 //   kernel  from gabor_kernel
 //   seed    any; each seed is another instance, independent of the others
 // Cost: (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
-GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
+GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 {
-    static const GaborField _1312 = { 0.0f.xx, 0.0f.xx, 0.0f.xx, 0.0f.xxxx };
-    int visited = 3;
+    int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
     float2 whole = floor(place.local);
     float2 local = place.local - whole;
     float2 first = floor(local - place.radius);
-    int2 cell = place.cell + int2(whole + first);
-    first -= 1.0f.xx;
-    float2 cell_side = 1.0f.xx / place.radius;
+    int2 cell = place.cell + (int2)(whole + first);
+    first -= 1.0; // what gabor_place_plus_one has too much
+    float2 cell_side = 1.0 / place.radius;
     float time = frac(place.time);
+
     uint seed_word = gabor_seed_word(seed);
-    GaborField sum = _1312;
-    for (int j = 0; j < visited; j++)
-    {
+    GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float4)(0.0));
+    GABOR_UNROLL for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
-        for (int i = 0; i < visited; i++)
-        {
+        GABOR_UNROLL for (int i = 0; i < visited; ++i) {
             int column = gabor_wrap(cell.x + i, place.period.x);
-            for (int k = 0; k < 1; k++)
-            {
+            GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
                 uint word = gabor_impulse_word(column, row_word, k);
                 float2 impulse = gabor_place_plus_one(word);
+                // The sum in the inner brackets is exact, which leaves one rounding.
                 float2 d = (local - (impulse + (first + float2(float(i), float(j))))) * cell_side;
-                if (max(abs(d.x), abs(d.y)) < 1.0f)
-                {
-                    GaborKernel param = kernel;
-                    float2 cycles = gabor_wave(param, word);
-                    float turns = (dot(cycles, d) + gabor_phase(impulse, kernel.phases)) + (gabor_tempo(word) * time);
+                // About half of the impulses reach here. GPUs skip what no pixel of a wave needs, and compilers for
+                // CPUs keep their registers in order, which without the branch they do not: lavapipe takes 2.5 x as
+                // long.
+                if (max(abs(d.x), abs(d.y)) < 1.0) {
+                    float2 cycles = gabor_wave(kernel_, word);
+                    float turns = dot(cycles, d) + gabor_phase(impulse, kernel_.phases) + gabor_tempo(word) * time;
                     float magnitude = gabor_magnitude(word);
                     float2 window = float2(gabor_window(d.x), gabor_window(d.y));
-                    float param_1 = turns + 0.25f;
-                    float _1422 = gabor_sin_turns(param_1);
-                    float param_2 = turns;
-                    float _1425 = gabor_sin_turns(param_2);
-                    float2 wave = float2(_1422, _1425) * magnitude;
-                    float2 turned = float2(-wave.y, wave.x) * ((6.283185482025146484375f * window.x) * window.y);
-                    sum.value += (wave * (window.x * window.y));
-                    sum.slope_x += ((wave * (gabor_window_slope(d.x) * window.y)) + (turned * cycles.x));
-                    sum.slope_y += ((wave * (gabor_window_slope(d.y) * window.x)) + (turned * cycles.y));
-                    sum.four += (gabor_four(wave, word) * (window.x * window.y));
+                    float2 wave = magnitude * float2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+                    // The derivative of e^(2 pi i F x) is 2 pi i F times it.
+                    float2 turned = (6.2831853 * window.x * window.y) * float2(-wave.y, wave.x);
+                    sum.value += (window.x * window.y) * wave;
+                    sum.slope_x += (gabor_window_slope(d.x) * window.y) * wave + cycles.x * turned;
+                    sum.slope_y += (gabor_window_slope(d.y) * window.x) * wave + cycles.y * turned;
+                    sum.four += (window.x * window.y) * gabor_four(wave, word);
                 }
             }
         }
     }
-    GaborKernel param_3 = kernel;
-    float scale = gabor_scale(param_3, place);
-    GaborField _1526 = { sum.value * scale, sum.slope_x * scale, sum.slope_y * scale, sum.four * scale };
-    return _1526;
+    float scale = gabor_scale(kernel_, place);
+    return GaborField_of(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, scale * sum.four);
 }
 
+// ---- Filtering -----------------------------------------------------------------------------------------------------
+
+// A pixel's filter is a normal density of covariance S. To take it along, the window is written as a normal density of
+// variance s^2 = 0.121 times an even polynomial, q(x) = e^(-x^2 / (2 s^2)) P(x / s). By completing the square, with
+// omega = 2 pi F, C = s^2 + S, z = d + i S omega, and v drawn from the normal law of covariance V = 1 - s^2 / C,
+//     (q q e^(i omega d)) * filter = s^2 |C|^(-1/2) e^(i omega d - omega S omega / 2 - z C^-1 z / 2) E[P(m.x) P(m.y)]
+//     m = s C^-1 z + v:
+// again a window around a wave, but wider, weaker, and the wave slower.
+#define GABOR_NORMAL_VARIANCE 0.121104
+#define GABOR_NORMAL_DEVIATION 0.348
+
 // Even polynomial p0 + p1 x^2 + ... + p5 x^10.
-struct GaborPolynomial
-{
+struct GaborPolynomial {
     float3 low;
     float3 high;
 };
@@ -633,24 +571,27 @@ struct GaborPolynomial
 // P, by least squares: within 1.8 % of the default window in the root mean square, and closer to smoother ones.
 GaborPolynomial gabor_normal_window()
 {
-    float3 c = float3(3.0f, -4.5f, 2.5f);
+    float3 c = GABOR_WINDOW;
     GaborPolynomial p;
-    p.low = ((float3(1.002895355224609375f, 0.2277657687664031982421875f, 0.057445429265499114990234375f) * c.x) + (float3(1.0014522075653076171875f, 0.11853905022144317626953125f, 0.0179650001227855682373046875f) * c.y)) + (float3(0.999785006046295166015625f, 0.01664751954376697540283203125f, -0.0276734195649623870849609375f) * c.z);
-    p.high = ((float3(-0.014669599942862987518310546875f, -0.00010419000318506732583045959472656f, 5.601000157184898853302001953125e-05f) * c.x) + (float3(-0.0198055095970630645751953125f, 0.00225160992704331874847412109375f, -6.9039997470099478960037231445312e-05f) * c.y)) + (float3(-0.0058468398638069629669189453125f, 0.0013106199912726879119873046875f, -5.5339998652925714850425720214844e-05f) * c.z);
+    p.low = c.x * float3(1.00289538, 0.22776577, 0.05744543) + c.y * float3(1.00145225, 0.11853905, 0.01796500)
+          + c.z * float3(0.99978500, 0.01664752, -0.02767342);
+    p.high = c.x * float3(-0.01466960, -0.00010419, 0.00005601) + c.y * float3(-0.01980551, 0.00225161, -0.00006904)
+           + c.z * float3(-0.00584684, 0.00131062, -0.00005534);
     return p;
 }
 
 // E[P(x + v)] as a polynomial of x, for v normal of this variance.
 GaborPolynomial gabor_averaged(GaborPolynomial p, float variance)
 {
-    float3 v = float3(1.0f, variance, variance * variance) * variance;
-    float2 w = v.yz * v.y;
+    float3 v = variance * float3(1.0, variance, variance * variance);
+    float2 w = v.y * v.yz;
     GaborPolynomial mean;
-    mean.low.x = (p.low.x + dot(v, float3(p.low.y, 3.0f * p.low.z, 15.0f * p.high.x))) + dot(w, float2(105.0f * p.high.y, 945.0f * p.high.z));
-    mean.low.y = (p.low.y + dot(v, float3(6.0f * p.low.z, 45.0f * p.high.x, 420.0f * p.high.y))) + ((w.x * 4725.0f) * p.high.z);
-    mean.low.z = p.low.z + dot(v, float3(15.0f * p.high.x, 210.0f * p.high.y, 3150.0f * p.high.z));
-    mean.high.x = p.high.x + dot(v.xy, float2(28.0f * p.high.y, 630.0f * p.high.z));
-    mean.high.y = p.high.y + ((45.0f * variance) * p.high.z);
+    mean.low.x = p.low.x + dot(v, float3(p.low.y, 3.0 * p.low.z, 15.0 * p.high.x))
+               + dot(w, float2(105.0 * p.high.y, 945.0 * p.high.z));
+    mean.low.y = p.low.y + dot(v, float3(6.0 * p.low.z, 45.0 * p.high.x, 420.0 * p.high.y)) + w.x * 4725.0 * p.high.z;
+    mean.low.z = p.low.z + dot(v, float3(15.0 * p.high.x, 210.0 * p.high.y, 3150.0 * p.high.z));
+    mean.high.x = p.high.x + dot(v.xy, float2(28.0 * p.high.y, 630.0 * p.high.z));
+    mean.high.y = p.high.y + 45.0 * variance * p.high.z;
     mean.high.z = p.high.z;
     return mean;
 }
@@ -659,34 +600,33 @@ GaborPolynomial gabor_averaged(GaborPolynomial p, float variance)
 float2 gabor_polynomial(GaborPolynomial p, float2 z)
 {
     float2 square = gabor_times(z, z);
-    float2 sum = (square * p.high.z) + float2(p.high.y, 0.0f);
-    sum = gabor_times(sum, square) + float2(p.high.x, 0.0f);
-    sum = gabor_times(sum, square) + float2(p.low.z, 0.0f);
-    sum = gabor_times(sum, square) + float2(p.low.y, 0.0f);
-    return gabor_times(sum, square) + float2(p.low.x, 0.0f);
+    float2 sum = p.high.z * square + float2(p.high.y, 0.0);
+    sum = gabor_times(sum, square) + float2(p.high.x, 0.0);
+    sum = gabor_times(sum, square) + float2(p.low.z, 0.0);
+    sum = gabor_times(sum, square) + float2(p.low.y, 0.0);
+    return gabor_times(sum, square) + float2(p.low.x, 0.0);
 }
 
 // Symmetric matrices are (xx, yy, xy).
-float2 gabor_symmetric(float3 _matrix, float2 v)
+float2 gabor_symmetric(float3 matrix_, float2 v)
 {
-    return (_matrix.xy * v) + (v.yx * _matrix.z);
+    return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-float3 gabor_inverse(float3 _matrix)
+float3 gabor_inverse(float3 matrix_)
 {
-    return float3(_matrix.yx, -_matrix.z) / ((_matrix.x * _matrix.y) - (_matrix.z * _matrix.z)).xxx;
+    return float3(matrix_.yx, -matrix_.z) / (matrix_.x * matrix_.y - matrix_.z * matrix_.z);
 }
 
 // What a pixel covers, and what windows become under it. Lengths are in kernel radii.
-struct GaborFootprint
-{
-    float3 covariance;
-    float3 widening;
-    float3 _inverse;
-    float amplitude;
-    float2 reach;
-    float2 joint;
-    GaborPolynomial x;
+struct GaborFootprint {
+    float3 covariance;   // of the filter
+    float3 widening;     // S: the same, but at most 1/4 in every direction
+    float3 inverse;      // of C
+    float amplitude;   // s^2 |C|^(-1/2)
+    float2 reach;        // where windows end along each axis
+    float2 joint;        // deviations of the part of v that both axes share
+    GaborPolynomial x; // E[P(m.x)] over the rest of v
     GaborPolynomial y;
 };
 
@@ -695,64 +635,37 @@ struct GaborFootprint
 //            or infinite or longer than 10^3, 10^3 is taken.
 GaborFootprint gabor_footprint(float2 dx, float2 dy)
 {
-    float3 unit = float3(1.0f, 1.0f, 0.0f);
-    float3 covariance = (float3(dx * dx, dx.x * dx.y) + float3(dy * dy, dy.x * dy.y)) * 0.25f;
-    if (!((covariance.x + covariance.y) < 250000.0f))
-    {
-        dx = float2(1000.0f, 0.0f);
-        dy = float2(0.0f, 1000.0f);
-        covariance = unit * 250000.0f;
+    float3 unit = float3(1.0, 1.0, 0.0);
+    float3 covariance = 0.25 * (float3(dx * dx, dx.x * dx.y) + float3(dy * dy, dy.x * dy.y));
+    if (!(covariance.x + covariance.y < 2.5e5)) {
+        dx = float2(1.0e3, 0.0);
+        dy = float2(0.0, 1.0e3);
+        covariance = 2.5e5 * unit;
     }
     GaborFootprint footprint;
     footprint.covariance = covariance;
-    float mean = 0.5f * (covariance.x + covariance.y);
-    float apart = length(float2(0.5f * (covariance.x - covariance.y), covariance.z));
+
+    // The eigenvalues are mean +- apart, the smaller one precisely the determinant over the larger one.
+    float mean = 0.5 * (covariance.x + covariance.y);
+    float apart = length(float2(0.5 * (covariance.x - covariance.y), covariance.z));
     float larger = mean + apart;
-    float side = 0.25f * ((dx.x * dy.y) - (dx.y * dy.x));
-    float _1820;
-    if (larger > 9.9999999600419720025001879548654e-13f)
-    {
-        _1820 = min((side / larger) * side, mean);
-    }
-    else
-    {
-        _1820 = 0.0f;
-    }
-    float smaller = _1820;
-    float2 kept = min(float2(larger, smaller), 0.25f.xx);
-    float3 _1841;
-    if (apart > 0.0f)
-    {
-        _1841 = (covariance - (unit * mean)) / apart.xxx;
-    }
-    else
-    {
-        _1841 = 0.0f.xxx;
-    }
-    float3 direction = _1841;
-    footprint.widening = ((unit * (kept.x + kept.y)) + (direction * (kept.x - kept.y))) * 0.5f;
-    float3 _1873 = footprint.widening;
-    float2 _1875 = max(_1873.xy, 0.0f.xx);
-    footprint.widening.x = _1875.x;
-    footprint.widening.y = _1875.y;
-    footprint._inverse = gabor_inverse((unit * 0.1211040019989013671875f) + footprint.widening);
-    footprint.amplitude = 0.1211040019989013671875f * sqrt((footprint._inverse.x * footprint._inverse.y) - (footprint._inverse.z * footprint._inverse.z));
-    footprint.reach = 1.04499995708465576171875f.xx + (sqrt(footprint.widening.xy) * 1.5f);
-    float3 v = unit - (footprint._inverse * 0.1211040019989013671875f);
-    float2 variance = max(v.xy, 0.0f.xx);
+    float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
+    float smaller = larger > 1.0e-12 ? min(side / larger * side, mean) : 0.0;
+    float2 kept = min(float2(larger, smaller), (float2)(0.25));
+    float3 direction = apart > 0.0 ? (covariance - mean * unit) / apart : (float3)(0.0);
+    footprint.widening = 0.5 * ((kept.x + kept.y) * unit + (kept.x - kept.y) * direction);
+    footprint.widening.xy = max(footprint.widening.xy, (float2)(0.0));
+
+    footprint.inverse = gabor_inverse(GABOR_NORMAL_VARIANCE * unit + footprint.widening);
+    footprint.amplitude = GABOR_NORMAL_VARIANCE
+                        * sqrt(footprint.inverse.x * footprint.inverse.y - footprint.inverse.z * footprint.inverse.z);
+    footprint.reach = 1.045 + 1.5 * sqrt(footprint.widening.xy);
+    float3 v = unit - GABOR_NORMAL_VARIANCE * footprint.inverse;
+    float2 variance = max(v.xy, (float2)(0.0));
     float product = variance.x * variance.y;
-    float _1931;
-    if (product > 0.0f)
-    {
-        _1931 = min(abs(v.z) * rsqrt(product), 1.0f);
-    }
-    else
-    {
-        _1931 = 0.0f;
-    }
-    float correlation = _1931;
-    footprint.joint = sqrt(variance * correlation) * float2(1.0f, (v.z < 0.0f) ? (-1.0f) : 1.0f);
-    float2 rest = variance * (1.0f - correlation);
+    float correlation = product > 0.0 ? min(abs(v.z) * rsqrt(product), 1.0) : 0.0;
+    footprint.joint = sqrt(correlation * variance) * float2(1.0, v.z < 0.0 ? -1.0 : 1.0);
+    float2 rest = (1.0 - correlation) * variance;
     footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
     footprint.y = gabor_averaged(gabor_normal_window(), rest.y);
     return footprint;
@@ -763,125 +676,69 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy)
 //     |1 + 8 pi^2 B S|^(-1/2) e^(-4 pi^2 F S (1 + 8 pi^2 B S)^-1 F).
 float gabor_kept(float2 wave, float3 covariance)
 {
-    float3 c = float3(3.0f, -4.5f, 2.5f);
-    float4 slope = float4((4.0f * c.x) * c.x, (12.0f * c.x) * c.y, ((9.0f * c.y) * c.y) + ((16.0f * c.x) * c.z), (24.0f * c.y) * c.z) * float4(0.15238095819950103759765625f, 0.101587302982807159423828125f, 0.07388167083263397216796875f, 0.0568320564925670623779296875f);
-    float energy = 4.0f * (dot(slope, 1.0f.xxxx) + (((16.0f * c.z) * c.z) * 0.0454656444489955902099609375f));
-    float3 widened = float3(1.0f, 1.0f, 0.0f) + (covariance * ((2.0f * energy) / gabor_energy().sum));
+    float3 c = GABOR_WINDOW;
+    // The integral of x^2 u^n is I_n / (2n+3).
+    float4 slope = float4(4.0 * c.x * c.x, 12.0 * c.x * c.y, 9.0 * c.y * c.y + 16.0 * c.x * c.z, 24.0 * c.y * c.z)
+               * float4(16.0 / 105.0, 32.0 / 315.0, 256.0 / 3465.0, 512.0 / 9009.0);
+    float energy = 4.0 * (dot(slope, (float4)(1.0)) + 16.0 * c.z * c.z * (2048.0 / 45045.0));
+    float3 widened = float3(1.0, 1.0, 0.0) + (2.0 * energy / gabor_energy().sum) * covariance;
     float2 slower = gabor_symmetric(gabor_inverse(widened), wave);
-    float taken = 39.47841644287109375f * dot(wave, gabor_symmetric(covariance, slower));
-    return exp(-min(taken, 80.0f)) * rsqrt((widened.x * widened.y) - (widened.z * widened.z));
+    float taken = 39.478418 * dot(wave, gabor_symmetric(covariance, slower));
+    return exp(-min(taken, 80.0)) * rsqrt(widened.x * widened.y - widened.z * widened.z);
 }
 
 // The share of its variance that all of a kernel's noise loses under the footprint: in [0, 1].
-float gabor_removed(GaborKernel kernel, GaborFootprint footprint)
+float gabor_removed(GaborKernel kernel_, GaborFootprint footprint)
 {
-    float kept = 0.0f;
-    float before = 0.0f;
-    for (int i = 0; i < 1; i++)
-    {
-        if (i >= kernel.lobes.count)
-        {
+    float kept = 0.0;
+    float before = 0.0;
+    for (int i = 0; i < GABOR_LOBES; ++i) {
+        if (i >= kernel_.lobes.count)
             break;
-        }
-        GaborLobe lobe = kernel.lobes.lobe[i];
-        float mean = 0.0f;
-        bool _2094 = lobe.spread.x == 0.0f;
-        bool _2100;
-        if (_2094)
-        {
-            _2100 = lobe.spread.y == 0.0f;
-        }
-        else
-        {
-            _2100 = _2094;
-        }
-        if (_2100)
-        {
+        GaborLobe lobe = kernel_.lobes.lobe[i];
+        float mean = 0.0;
+        if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0) {
             mean = gabor_kept(lobe.wave, footprint.covariance);
-        }
-        else
-        {
-            for (int j = 0; j < 72; j++)
-            {
-                float2 within = lobe.spread * ((float2(float(j % 3), float(j / 3)) * float2(0.666666686534881591796875f, 0.083333335816860198974609375f)) - float2(0.666666686534881591796875f, 0.958333313465118408203125f));
-                mean += (gabor_kept(gabor_within(lobe, within), footprint.covariance) / 72.0f);
+        } else {
+            for (int j = 0; j < 72; ++j) {
+                float2 within = lobe.spread * (float2(float(j % 3), float(j / 3)) * float2(2.0 / 3.0, 1.0 / 12.0)
+                                             - float2(2.0 / 3.0, 23.0 / 24.0));
+                mean += gabor_kept(gabor_within(lobe, within), footprint.covariance) / 72.0;
             }
         }
-        kept += ((lobe.power - before) * mean);
+        kept += (lobe.power - before) * mean;
         before = lobe.power;
     }
-    float _2160;
-    if (before > 0.0f)
-    {
-        _2160 = clamp(1.0f - (kept / before), 0.0f, 1.0f);
-    }
-    else
-    {
-        _2160 = 0.0f;
-    }
-    return _2160;
+    return before > 0.0 ? clamp(1.0 - kept / before, 0.0, 1.0) : 0.0;
 }
 
 // A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
 float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint footprint)
 {
-    float2 shift = gabor_symmetric(footprint.widening, wave * 6.283185482025146484375f);
-    float2 real = gabor_symmetric(footprint._inverse, d);
-    float2 imaginary = gabor_symmetric(footprint._inverse, shift);
-    float exponent = 0.5f * ((dot(shift, imaginary) - dot(wave * 6.283185482025146484375f, shift)) - dot(d, real));
-    real *= 0.347999989986419677734375f;
-    imaginary *= 0.347999989986419677734375f;
-    bool _2202 = exponent < (-20.0f);
-    bool _2211;
-    if (!_2202)
-    {
-        _2211 = dot(imaginary, imaginary) > 40.0f;
+    float2 shift = gabor_symmetric(footprint.widening, 6.2831853 * wave);
+    float2 real = gabor_symmetric(footprint.inverse, d);
+    float2 imaginary = gabor_symmetric(footprint.inverse, shift);
+    float exponent = 0.5 * (dot(shift, imaginary) - dot(6.2831853 * wave, shift) - dot(d, real));
+    real *= GABOR_NORMAL_DEVIATION;
+    imaginary *= GABOR_NORMAL_DEVIATION;
+    if (exponent < -20.0 || dot(imaginary, imaginary) > 40.0) // the second follows from the first, but for rounding
+        return (float2)(0.0);
+
+    // The part of v that the axes share, by Gauss and Hermite's rule of five points.
+    float2 window = (float2)(0.0);
+    for (int i = -2; i <= 2; ++i) {
+        float point_ = i == 0 ? 0.0 : float(i) * (abs(i) == 1 ? 1.3556262 : 1.4284850);
+        float weight = i == 0 ? 0.53333333 : abs(i) == 1 ? 0.22207592 : 0.01125741;
+        float2 v = point_ * footprint.joint;
+        window += weight * gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)),
+                                       gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y)));
     }
-    else
-    {
-        _2211 = _2202;
-    }
-    if (_2211)
-    {
-        return 0.0f.xx;
-    }
-    float2 window = 0.0f.xx;
-    float _2228;
-    float _2245;
-    for (int i = -2; i <= 2; i++)
-    {
-        if (i == 0)
-        {
-            _2228 = 0.0f;
-        }
-        else
-        {
-            _2228 = float(i) * ((abs(i) == 1) ? 1.35562622547149658203125f : 1.42848503589630126953125f);
-        }
-        float _point = _2228;
-        if (i == 0)
-        {
-            _2245 = 0.533333301544189453125f;
-        }
-        else
-        {
-            _2245 = (abs(i) == 1) ? 0.22207592427730560302734375f : 0.0112574100494384765625f;
-        }
-        float weight = _2245;
-        float2 v = footprint.joint * _point;
-        window += (gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)), gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y))) * weight);
-    }
+
     float amplitude = footprint.amplitude * exp(exponent);
-    if ((footprint.widening.x + footprint.widening.y) < (footprint.covariance.x + footprint.covariance.y))
-    {
+    if (footprint.widening.x + footprint.widening.y < footprint.covariance.x + footprint.covariance.y)
         amplitude *= sqrt(gabor_kept(wave, footprint.covariance) / gabor_kept(wave, footprint.widening));
-    }
-    float turns = (dot(wave, d) - (dot(shift, real) / 2.1865484714508056640625f)) + phase;
-    float param = turns + 0.25f;
-    float _2324 = gabor_sin_turns(param);
-    float param_1 = turns;
-    float _2327 = gabor_sin_turns(param_1);
-    return gabor_times(window, float2(_2324, _2327)) * amplitude;
+    float turns = dot(wave, d) - dot(shift, real) / (6.2831853 * GABOR_NORMAL_DEVIATION) + phase;
+    return amplitude * gabor_times(window, float2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns)));
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -889,47 +746,41 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
 // larger ones it fades as it should, but is no smoother. Its variance is 1 - gabor_removed, within 1 %: for two phases
 // from frequency 1.5 up.
 // Cost: (2 reach R + 1)^2 N impulses on average, reach from 1 to 1.8, each about four times that of gabor_field.
-float2 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed)
+float2 gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
 {
     float2 whole = floor(place.local);
     float2 local = place.local - whole;
-    int2 first = int2(floor(local - (place.radius * footprint.reach)));
-    int2 last = int2(floor(local + (place.radius * footprint.reach)));
-    int2 cell = place.cell + int2(whole);
+    int2 first = (int2)(floor(local - place.radius * footprint.reach));
+    int2 last = (int2)(floor(local + place.radius * footprint.reach));
+    int2 cell = place.cell + (int2)(whole);
     float time = frac(place.time);
     uint seed_word = gabor_seed_word(seed);
-    float2 sum = 0.0f.xx;
-    for (int j = first.y; j <= last.y; j++)
-    {
+    float2 sum = (float2)(0.0);
+    for (int j = first.y; j <= last.y; ++j) {
         uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
-        for (int i = first.x; i <= last.x; i++)
-        {
+        for (int i = first.x; i <= last.x; ++i) {
             int column = gabor_wrap(cell.x + i, place.period.x);
-            for (int k = 0; k < 1; k++)
-            {
+            for (int k = 0; k < GABOR_IMPULSES; ++k) {
                 uint word = gabor_impulse_word(column, row_word, k);
                 float2 impulse = gabor_place_plus_one(word);
-                float2 d = (local - (impulse + (float2(float(i), float(j)) - 1.0f.xx))) / place.radius;
-                float2 _2438 = abs(d);
-                if (all(bool2(_2438.x < footprint.reach.x, _2438.y < footprint.reach.y)))
-                {
-                    float phase = gabor_phase(impulse, kernel.phases) + (gabor_tempo(word) * time);
-                    GaborKernel param = kernel;
-                    sum += (gabor_kernel_filtered(d, gabor_wave(param, word), phase, footprint) * gabor_magnitude(word));
+                float2 d = (local - (impulse + (float2(float(i), float(j)) - 1.0))) / place.radius;
+                if (all((abs(d) < footprint.reach))) {
+                    float phase = gabor_phase(impulse, kernel_.phases) + gabor_tempo(word) * time;
+                    sum += gabor_magnitude(word) * gabor_kernel_filtered(d, gabor_wave(kernel_, word), phase, footprint);
                 }
             }
         }
     }
-    GaborKernel param_1 = kernel;
-    return sum * gabor_scale(param_1, place);
+    return gabor_scale(kernel_, place) * sum;
 }
+
+// ---- The simple calls ----------------------------------------------------------------------------------------------
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere: mean 0, variance 1 at every
 // place, nearly Gaussian, continuous with its first derivatives. See gabor_place, gabor_kernel and gabor_field.
-float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
+float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed)
 {
-    GaborKernel param = kernel;
-    return gabor_field(gabor_place(cell, local), param, seed).value.y;
+    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
 }
 
 // Gabor noise at p: as gabor_noise_at, in one call.
@@ -943,15 +794,13 @@ float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
 // turns about its own impulse. A slope of theirs adds to that of the noise.
 float gabor_noise(float2 p, float frequency, float orientation, uint seed)
 {
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    return gabor_noise_at(int2(0, 0), p * 1.0f, param, seed);
+    return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
 {
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    GaborField field = gabor_field(gabor_place(int2(0, 0), p * 1.0f), param, seed);
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return float3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
@@ -960,16 +809,14 @@ float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint s
 // from frequency 1.5 up.
 float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
 {
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    return gabor_field(gabor_place(int2(0, 0), p * 1.0f), param, seed).value;
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
 // Four noises at p from one traversal, for colours and for displacement along vectors: each as gabor_noise,
 // uncorrelated with each other. With GABOR_PHASES 2 their variance is 1 only from frequency 1.5 up.
 float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 {
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    return gabor_field(gabor_place(int2(0, 0), p * 1.0f), param, seed).four;
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
@@ -978,26 +825,8 @@ float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 float2 gabor_phasor(float2 value)
 {
     float intensity = length(value);
-    float _2529;
-    if (intensity > 0.0f)
-    {
-        _2529 = atan2(value.y, value.x) * 0.15915493667125701904296875f;
-    }
-    else
-    {
-        _2529 = 0.0f;
-    }
-    float phase = _2529;
-    float _2540;
-    if (phase < 0.0f)
-    {
-        _2540 = min(phase + 1.0f, 0.999999940395355224609375f);
-    }
-    else
-    {
-        _2540 = phase;
-    }
-    return float2(_2540, intensity);
+    float phase = intensity > 0.0 ? atan2(value.y, value.x) * 0.15915494 : 0.0;
+    return float2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
@@ -1006,34 +835,31 @@ float2 gabor_phasor(float2 value)
 // fewer cells per radius, 2.2 with 10 %. Each period is at least 2, a kernel's diameter; a shorter one is taken as 2.
 float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 {
-    period = max(period, 2.0f.xx);
-    float2 cells = floor(period * 1.0f);
+    period = max(period, (float2)(2.0));
+    float2 cells = floor(period * GABOR_RADIUS);
     float2 radius = cells / period;
-    float2 within = p - (floor(p / period) * period);
-    GaborPlace _2580 = { int2(0, 0), within * radius, radius, int2(cells), 0.0f };
-    GaborPlace place = _2580;
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    return gabor_field(place, param, seed).value.y;
+    float2 within = p - floor(p / period) * period;
+    GaborPlace place = GaborPlace_of((int2)(0), within * radius, radius, (int2)(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
 // is gabor_noise of some instance; after a tenth of the period it has little in common with what it was.
 float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 {
-    GaborPlace place = gabor_place(int2(0, 0), p * 1.0f);
+    GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
     place.time = time;
-    GaborKernel param = gabor_kernel(frequency, orientation);
-    return gabor_field(place, param, seed).value.y;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
 // `frequency_spread` of the frequency, both evenly spread. pi/2 radians are every direction: isotropic noise. As
 // gabor_noise, with the ranges of gabor_lobe.
-float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float orientation_spread, uint seed)
+float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
+                         uint seed)
 {
-    GaborLobe lobe = gabor_lobe(frequency, orientation, frequency_spread, orientation_spread, 1.0f);
-    GaborKernel param = gabor_kernel_lobe(lobe);
-    return gabor_field(gabor_place(int2(0, 0), p * 1.0f), param, seed).value.y;
+    GaborLobe lobe = gabor_lobe(frequency, orientation, frequency_spread, orientation_spread, 1.0);
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel_lobe(lobe), seed).value.y;
 }
 
 // Noise of a spectrum of several lobes at p, as many impulses as for one: see gabor_kernel_lobes.
@@ -1044,41 +870,24 @@ float gabor_noise_spread(float2 p, float frequency, float orientation, float fre
 //     lobes.count = 2;
 float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed)
 {
-    GaborLobes param = lobes;
-    GaborKernel param_1 = gabor_kernel_lobes(param);
-    return gabor_field(gabor_place(int2(0, 0), p * 1.0f), param_1, seed).value.y;
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel_lobes(lobes), seed).value.y;
 }
 
 // The same spectrum as a sum of independent noises, one for each lobe [TNVT19, figure 6]: at the cost of each. Every
 // place has waves of every lobe, which looks smoother where lobes differ much.
 float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
 {
-    GaborPlace place = gabor_place(int2(0, 0), p * 1.0f);
-    float power = 0.0f;
-    float sum = 0.0f;
-    for (int i = 0; i < 1; i++)
-    {
+    GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
+    float power = 0.0;
+    float sum = 0.0;
+    for (int i = 0; i < GABOR_LOBES; ++i) {
         if (i >= lobes.count)
-        {
             break;
-        }
-        uint param = seed + (uint(i) * 2246822507u);
-        uint _2646 = gabor_mix(param, 2654435761u);
-        uint own_seed = _2646;
-        GaborKernel param_1 = gabor_kernel_lobe(lobes.lobe[i]);
-        sum += (sqrt(lobes.lobe[i].power) * gabor_field(place, param_1, own_seed).value.y);
+        uint own_seed = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        sum += sqrt(lobes.lobe[i].power) * gabor_field(place, gabor_kernel_lobe(lobes.lobe[i]), own_seed).value.y;
         power += lobes.lobe[i].power;
     }
-    float _2672;
-    if (power > 0.0f)
-    {
-        _2672 = sum * rsqrt(power);
-    }
-    else
-    {
-        _2672 = 0.0f;
-    }
-    return _2672;
+    return power > 0.0 ? sum * rsqrt(power) : 0.0;
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -1086,22 +895,17 @@ float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
 // steps it is gabor_noise, within 2 %. See gabor_footprint and gabor_field_filtered.
 float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
-    GaborKernel kernel = gabor_kernel(frequency, orientation);
-    float2 param = dx;
-    float2 param_1 = dy;
-    GaborFootprint _2688 = gabor_footprint(param, param_1);
-    GaborFootprint footprint = _2688;
-    GaborKernel param_2 = kernel;
-    float2 value = gabor_field_filtered(gabor_place(int2(0, 0), p * 1.0f), param_2, footprint, seed);
-    GaborKernel param_3 = kernel;
-    return float2(value.y, gabor_removed(param_3, footprint));
+    GaborKernel kernel_ = gabor_kernel(frequency, orientation);
+    GaborFootprint footprint = gabor_footprint(dx, dy);
+    float2 value = gabor_field_filtered(gabor_place((int2)(0), p * GABOR_RADIUS), kernel_, footprint, seed);
+    return float2(value.y, gabor_removed(kernel_, footprint));
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
 // keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-float gabor_unorm(float _noise)
+float gabor_unorm(float noise)
 {
-    return clamp(0.5f + (0.25f * _noise), 0.0f, 1.0f);
+    return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
 #endif // GABOR_NOISE_HLSL

@@ -1,7 +1,9 @@
-// gabor_noise.wgsl: fast, normalized Gabor noise in two dimensions, for WGSL.
+// gabor_noise.wgsl: fast, normalized Gabor noise in two dimensions: for WGSL.
 //
-// Made from shaders/gabor_noise.glsl: change that file, not this one.
-// By tools/translate, naga 30.0.1.
+// Made from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
 // Functions to call, at the end of the file:
 //     gabor_noise, gabor_unorm                the noise, and to show it
@@ -25,7 +27,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 10000u;
+const GABOR_NOISE_VERSION: u32 = 10100u;
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
 // the hash-prospector project), the salt entering between them too, so that no two sequences share a run.
@@ -1914,7 +1916,7 @@ fn gabor_noise_sum(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var kernel_16: GaborKernel;
     var footprint_4: GaborFootprint;
-    var value_1: vec2<f32>;
+    var value_4: vec2<f32>;
 
     let _e6 = gabor_kernel(frequency, orientation);
     kernel_16 = _e6;
@@ -1924,8 +1926,8 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
     let _e15 = kernel_16;
     let _e16 = footprint_4;
     let _e17 = gabor_field_filtered(_e14, _e15, _e16, seed);
-    value_1 = _e17;
-    let _e19 = value_1;
+    value_4 = _e17;
+    let _e19 = value_4;
     let _e21 = kernel_16;
     let _e22 = footprint_4;
     let _e23 = gabor_removed(_e21, _e22);

@@ -1,8 +1,10 @@
-"""The scene in one dialect: run.py glsl|hlsl|metal VALUES.raw, with the programs of this folder in GABOR_SCENES."""
+"""The scene in one dialect: run.py glsl|hlsl|dxc|metal VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
+in GABOR_SCENES, and for dxc the compiler's library in GABOR_DXC."""
 
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -10,7 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SHADERS = HERE.parents[1] / "shaders"
 SCENES = pathlib.Path(os.environ["GABOR_SCENES"])
 
-dialect, values = sys.argv[1:]
+dialect, values, drop_in, *macros = sys.argv[1:]
 os.environ.setdefault("GABOR_VALIDATION", "1")
 
 
@@ -18,21 +20,39 @@ def run(*command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def on_vulkan(*options):
+def pasted(scene, text):
+    """A file of the scene, with macros and the drop-in in the place of its include."""
+    include = re.search(r"#include .*\n", scene)[0]
+    text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
+    path = pathlib.Path(values).with_suffix(".hlsl")
+    path.write_text(scene.replace(include, text))
+    return path
+
+
+def drawn_by_vulkan():
     spirv = f"{values}.spv"
-    run("glslangValidator", "--quiet", "-V", *options, "-o", spirv)
+    if dialect == "glsl":
+        shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text())
+        run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
+    else:
+        shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text())
+        if dialect == "dxc":
+            run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
+        else:
+            run("glslangValidator", "--quiet", "-V", "-D", "-S", "comp", "-e", "main", "-o", spirv, shader)
     return run(SCENES / "scene_vulkan", spirv, values).strip()
 
 
-if dialect == "glsl":
-    engine, language = "Vulkan", "GLSL 450"
-    driver = on_vulkan(f"-I{SHADERS}", HERE / "scene.comp")
-elif dialect == "hlsl":
-    engine, language = "Vulkan", "HLSL by glslang"
-    driver = on_vulkan("-D", "-S", "comp", "-e", "main", f"-I{SHADERS / 'translations'}", HERE / "scene.hlsl")
+if dialect == "metal":
+    driver = "CPU"
+    run(SCENES / "_".join(["scene_metal", drop_in, *(macro.partition("=")[2] for macro in macros)]), values)
 else:
-    engine, language, driver = "none: a C++ compiler", "Metal, as C++", "CPU"
-    run(SCENES / "scene_metal", values)
+    driver = drawn_by_vulkan()
 
-print(json.dumps({"engine": engine, "version": "-" if dialect == "metal" else "1.1", "dialect": language,
-                  "driver": driver}))
+engine, version, language = {
+    "glsl": ("Vulkan", "1.1", "GLSL 450"),
+    "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),
+    "dxc": ("Vulkan", "1.1", "HLSL by DXC"),
+    "metal": ("none: a C++ compiler", "-", "Metal, as C++"),
+}[dialect]
+print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver}))

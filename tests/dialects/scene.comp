@@ -1,7 +1,5 @@
 #version 450
-#extension GL_GOOGLE_include_directive : require
-
-#include "gabor_noise.glsl"
+#include "gabor_lattice.glsl"
 
 layout(local_size_x = 8) in;
 layout(std430, binding = 0) writeonly buffer Values { float values[]; };

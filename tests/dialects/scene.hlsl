@@ -1,4 +1,4 @@
-#include "gabor_noise.hlsl"
+#include "gabor_lattice.hlsl"
 
 RWStructuredBuffer<float> values : register(u0);
 

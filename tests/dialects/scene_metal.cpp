@@ -1,8 +1,8 @@
-// The drop-in's translation to Metal, as C++ on the CPU: scene_metal VALUES.raw
-
-#include "gabor_noise.metal"
+// A drop-in's translation to Metal, GABOR_DROP_IN, as C++ on the CPU: scene_metal VALUES.raw
 
 #include <fstream>
+
+#include GABOR_DROP_IN
 
 int main(int, char** argv) {
     std::ofstream file(argv[1], std::ios::binary);

@@ -1,4 +1,5 @@
-"""gabor_noise.glsl, and gabor_noise_3d.glsl after it, pasted into shaders of every dialect, and the names and constructs that it may use."""
+"""The drop-ins, each with what stands on it, pasted into shaders of every dialect, and the names and constructs that they
+may use."""
 
 import json
 import os
@@ -10,36 +11,68 @@ import tempfile
 import unittest
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
-SOURCE_3D = (SHADERS / "gabor_noise_3d.glsl").read_text()
-SOURCE = (SHADERS / "gabor_noise.glsl").read_text() + SOURCE_3D
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
+
+# Each drop-in and what stands on it.
+FILES = {
+    "gabor_noise": ["gabor_noise", "gabor_noise_3d"],
+    "gabor_lattice": ["gabor_lattice"],
+}
+SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
 LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
 RECIPES = {
-    **{recipe["name"]: recipe["macros"] for recipe in LISTED},
-    "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
-    "native sine": {"GABOR_NATIVE_SINE": "1"},
-    "lobes": {"GABOR_LOBES": "6"},
+    "gabor_noise": {
+        **{recipe["name"]: recipe["macros"] for recipe in LISTED},
+        "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
+        "native sine": {"GABOR_NATIVE_SINE": "1"},
+        "lobes": {"GABOR_LOBES": "6"},
+    },
+    "gabor_lattice": {"default": {}, "two taps": {"GABOR_TAPS": "2"}, "four taps": {"GABOR_TAPS": "4"}},
 }
-HIGHP = "precision highp float; precision highp int;\n"
+
+# What a macro must not be, and what the compiler's log then says.
+BAD_MACROS = {
+    "gabor_noise": [
+        ("GABOR_IMPULSES", "0", "GABOR_IMPULSES is an int *, at least 1"),
+        ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
+        ("GABOR_PHASES", "3", "GABOR_PHASES is a power of two *, from 2 to 256"),
+        ("GABOR_PHASES", "512", "GABOR_PHASES is a power of two *, from 2 to 256"),
+        ("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1"),
+        ("GABOR_RADIUS", "1", "gabor_impl_macro_must_be_a_float"),
+        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macro_must_be_a_float"),
+        ("GABOR_WINDOW", "1.0", "gabor_impl_macro_must_be_a_vec3"),
+        ("GABOR_NATIVE_SINE", "1.0", "gabor_impl_macro_must_be_an_int"),
+        ("GABOR_3D_IMPULSES", "0", "GABOR_3D_IMPULSES is an int *, at least 1"),
+        ("GABOR_3D_RADIUS", "1", "gabor_impl_macro_must_be_a_float"),
+    ],
+    "gabor_lattice": [
+        ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
+        ("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4"),
+        ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
+    ],
+}
 
 # The functions to call, with values that no compiler can fold.
 USE = """
-    vec3 dx = vec3(0.1, p);
     GaborKernel once = gabor_kernel(p.x, p.y);
     float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
     vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
     vec2 phasor = gabor_phasor(gabor_noise_complex(p, 4.0, 0.7854, 7u));
     vec4 four = gabor_noise_four(p, 4.0, 0.7854, 7u);
     noise += bump.x + bump.y + bump.z + phasor.x + phasor.y + four.x + four.y + four.z + four.w
-           + gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u);
+           + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
+"""
+USE_MORE = {
+    "gabor_noise": """
+    vec3 dx = vec3(0.1, p);
     GaborLobes lobes;
     for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = gabor_lobe(p.x, p.y, 0.0, 0.0, 1.0);
     lobes.count = GABOR_LOBES;
-    noise += gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u);
-    noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0))
-           + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
+    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u)
+           + gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u)
+           + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
     vec3 q = vec3(p, 0.3);
     GaborKernel3d solid = gabor_filtered_3d(gabor_kernel_isotropic_3d(p.y), dx, 0.5 * dx);
     noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
@@ -47,14 +80,15 @@ USE = """
            + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
            + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u)
            + gabor_noise_3d_at(ivec3(q), fract(q), solid, 7u);
-    float unorm = gabor_unorm(noise);
-"""
-FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n" + USE + \
-           "    color = vec4(unorm);\n}}\n"
+""",
+    "gabor_lattice": "",
+}
+FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
+           "    color = vec4(gabor_unorm(noise));\n}}\n"
 COMPUTE = "layout(local_size_x = 8, local_size_y = 8) in;\n" \
           "layout(std430, binding = 0) writeonly buffer Result {{ float result[]; }};\n" \
-          "void main()\n{{\n    vec2 p = vec2(gl_GlobalInvocationID.xy) / 32.0;\n" + USE + \
-          "    result[gl_GlobalInvocationID.x] = unorm;\n}}\n"
+          "void main()\n{{\n    vec2 p = vec2(gl_GlobalInvocationID.xy) / 32.0;\n{use}" \
+          "    result[gl_GlobalInvocationID.x] = gabor_unorm(noise);\n}}\n"
 
 # Dialect: version, what comes before the file, shader, its output's qualifiers, stage, options of the compiler.
 DIALECTS = {
@@ -63,13 +97,15 @@ DIALECTS = {
     "450 fragment for Vulkan": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", ["-V"]),
     "450 compute for Vulkan": ("450", "", COMPUTE, "", "comp", ["-V"]),
     "330 core fragment": ("330 core", "", FRAGMENT, "out", "frag", []),
-    "300 es fragment": ("300 es", HIGHP, FRAGMENT, "out", "frag", []),
+    "300 es fragment": ("300 es", "precision highp float;\n", FRAGMENT, "out", "frag", []),
+    "300 es fragment, mediump": ("300 es", "precision mediump float;\n", FRAGMENT, "out", "frag", []),
 }
 
 
-def shader(version, before, body, target, macros={}, times=1):
-    defines = "".join(f"#define {name} {value}\n" for name, value in macros.items())
-    return f"#version {version}\n{before}{defines}{SOURCE * times}{body.format(target=target)}"
+def shader(name, version, before, body, target, macros={}, times=1):
+    defines = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
+    use = USE + USE_MORE[name]
+    return f"#version {version}\n{before}{defines}{SOURCES[name] * times}{body.format(target=target, use=use)}"
 
 
 def strip_comments(text):
@@ -102,66 +138,93 @@ class Dialects(unittest.TestCase):
 
     def test_every_dialect_compiles_every_recipe(self):
         for dialect, (*parts, stage, options) in DIALECTS.items():
-            for recipe, macros in RECIPES.items():
-                with self.subTest(dialect, recipe=recipe):
-                    self.compile(shader(*parts, macros), stage, options)
+            for name, recipes in RECIPES.items():
+                for recipe, macros in recipes.items():
+                    with self.subTest(dialect, drop_in=name, recipe=recipe):
+                        self.compile(shader(name, *parts, macros), stage, options)
 
     def test_included_twice_it_counts_once(self):
         for dialect, (*parts, stage, options) in DIALECTS.items():
-            with self.subTest(dialect):
-                self.compile(shader(*parts, times=2), stage, options)
+            for name in FILES:
+                with self.subTest(dialect, drop_in=name):
+                    self.compile(shader(name, *parts, times=2), stage, options)
 
-    def test_an_error_would_be_noticed(self):
+    def test_a_macro_that_is_not_good_ends_in_an_error_that_says_so(self):
         *parts, stage, options = DIALECTS["300 es fragment"]
-        with self.assertRaises(AssertionError):
-            self.compile(shader(*parts, {"GABOR_IMPULSES": "2.0"}), stage, options)
+        for name, macros in BAD_MACROS.items():
+            for macro, value, message in macros:
+                with self.subTest(f"{macro} {value}"), self.assertRaisesRegex(AssertionError, message):
+                    self.compile(shader(name, *parts, {macro: value}), stage, options)
 
     def test_in_space_it_says_what_must_come_before(self):
-        *parts, stage, options = DIALECTS["450 fragment"]
-        version, before, body, target = parts
+        (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
         with self.assertRaisesRegex(AssertionError, "put that file before it"):
-            self.compile(f"#version {version}\n{before}{SOURCE_3D}{body.format(target=target)}", stage, options)
+            self.compile(f"#version {version}\n{before}{(SHADERS / 'gabor_noise_3d.glsl').read_text()}", stage, options)
+
+    def test_both_at_once_are_an_error_that_says_so(self):
+        for both in (FILES, reversed(FILES)):
+            with self.assertRaisesRegex(AssertionError, "not both"):
+                self.compile("#version 450\n" + "".join(map(SOURCES.get, both)) + "void main() {}\n", "frag", [])
 
     def test_spirv_tools_accept_it(self):
-        tools = {"spirv-val": [], "spirv-cross": ["--version", "310", "--es"]}
-        found = {tool: options for tool, options in tools.items() if shutil.which(tool)}
+        tools = [["spirv-val"], ["spirv-cross", "--version", "310", "--es"], ["spirv-cross", "--version", "300", "--es"]]
+        found = [tool for tool in tools if shutil.which(tool[0])]
         for dialect, (*parts, stage, options) in DIALECTS.items():
-            if "-V" in options:
-                spirv = self.compile(shader(*parts), stage, options)
-                for tool, tool_options in found.items():
-                    with self.subTest(tool=tool, dialect=dialect):
-                        subprocess.run([tool, *tool_options, spirv], check=True, timeout=60, stdout=subprocess.DEVNULL)
+            for name in FILES if "-V" in options else []:
+                spirv = self.compile(shader(name, *parts), stage, options)
+                for tool in found:
+                    if stage == "comp" and "300" in tool:
+                        continue  # ESSL 300 has no compute shaders
+                    with self.subTest(tool=tool, dialect=dialect, drop_in=name):
+                        text = subprocess.run([*tool, spirv], check=True, timeout=60, stdout=subprocess.PIPE, text=True).stdout
+                        if tool[0] == "spirv-cross":
+                            path = self.folder / f"again.{stage}"
+                            path.write_text(text)
+                            subprocess.run([VALIDATOR, path], check=True, timeout=60, stdout=subprocess.DEVNULL)
         if len(found) < len(tools):
-            self.skipTest(f"not installed: {', '.join(tools.keys() - found.keys())}")
+            self.skipTest(f"not installed: {', '.join(tool[0] for tool in tools if tool not in found)}")
 
 
 class Names(unittest.TestCase):
     def setUp(self):
-        lines = strip_comments(SOURCE).splitlines()
+        self.text = "".join(SOURCES.values())
+        lines = strip_comments(self.text).splitlines()
         self.directives = [line.strip() for line in lines if line.strip().startswith("#")]
         self.code = "\n".join(line for line in lines if not line.strip().startswith("#"))
 
     def test_all_global_names_have_the_prefix(self):
-        types = {"bool", "int", "uint", "float", "struct", "void", "const", "highp"}
+        types = {"bool", "int", "uint", "float", "struct", "void", "const", "precision", "highp"}
         vectors = re.compile(r"[biu]?vec[234]|mat[234]")
         names = {name for name in re.findall(r"[A-Za-z_]\w*", outermost(self.code))
                  if name not in types and not vectors.fullmatch(name)}
-        self.assertIn("gabor_noise", names)
-        self.assertIn("gabor_noise_3d", names)
-        self.assertIn("GaborKernel", names)
+        for wanted in ("gabor_noise", "gabor_noise_3d", "GaborKernel", "gabor_impl_windows"):
+            self.assertIn(wanted, names)
         self.assertEqual({name for name in names if not re.match("gabor_|Gabor", name)}, set())
 
     def test_all_macros_have_the_prefix(self):
         macros = {match[1] for line in self.directives if (match := re.match(r"#\s*(?:define|undef)\s+(\w+)", line))}
-        self.assertIn("GABOR_IMPULSES", macros)
+        self.assertLessEqual({"GABOR_IMPULSES", "GABOR_TAPS"}, macros)
         self.assertEqual({name for name in macros if not name.startswith("GABOR_")}, set())
 
-    def test_it_leaves_version_extensions_and_precision_to_the_shader(self):
-        self.assertEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives}, {"ifndef", "define", "error", "endif"})
-        self.assertNotRegex(self.code, r"\bprecision\b")
+    def test_it_leaves_version_and_extensions_to_the_shader(self):
+        self.assertLessEqual({re.match(r"#\s*(\w+)", line)[1] for line in self.directives},
+                             {"if", "ifdef", "ifndef", "elif", "else", "define", "error", "endif"})
+
+    def test_it_states_its_precision(self):
+        guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
+        for name in sum(FILES.values(), []):
+            with self.subTest(name):
+                text = (SHADERS / f"{name}.glsl").read_text()
+                self.assertEqual(text.count(guard), 1)
+                self.assertEqual(len(re.findall("^precision ", text, re.MULTILINE)), 2)
+
+    def test_its_messages_have_no_quotes(self):
+        # naga, which wgpu reads GLSL with, takes words and numbers only.
+        for line in self.directives:
+            self.assertNotRegex(line, "[\"']")
 
     def test_it_declares_no_resources(self):
-        self.assertNotRegex(self.code, r"\b(uniform|buffer|shared|layout|in|out|varying|attribute|binding)\b")
+        self.assertNotRegex(outermost(self.code), r"\b(uniform|buffer|shared|layout|in|out|varying|attribute|binding)\b")
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
@@ -172,7 +235,7 @@ class Names(unittest.TestCase):
 
     def test_no_comment_behind_code_has_a_semicolon(self):
         # Babylon.js splits lines at semicolons before it looks for comments.
-        self.assertEqual(re.findall(r"^\s*[^/\s][^\n]*//[^\n]*;[^\n]*", SOURCE, re.MULTILINE), [])
+        self.assertEqual(re.findall(r"^\s*[^/\s][^\n]*//[^\n]*;[^\n]*", self.text, re.MULTILINE), [])
 
 
 if __name__ == "__main__":

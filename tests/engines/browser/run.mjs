@@ -1,5 +1,7 @@
-// Opens a page of this repository in headless Chromium and keeps what it drew: run.mjs PAGE VALUES.raw
-// The page sets globalThis.drawn to a promise of { engine, version, dialect, driver, values }.
+// Opens a page of this repository in headless Chromium and keeps what it drew:
+// run.mjs PAGE VALUES.raw [DRIVER [FLAG...]]
+// The page sets globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its
+// canvas. Flags are Chromium's; DRIVER is what the driver's name must contain, for Chromium takes another without a word.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -9,7 +11,8 @@ import { chromium } from "playwright-core";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript" };
-const [page, output] = process.argv.slice(2);
+const [page, output, wanted = "", ...flags] = process.argv.slice(2);
+const angle = flags.some(flag => flag.startsWith("--use-angle")) ? [] : ["--use-angle=swiftshader"];
 
 const server = createServer(async (request, response) => {
     try {
@@ -20,13 +23,25 @@ const server = createServer(async (request, response) => {
         response.writeHead(404).end();
     }
 });
+// The standard deviation of a picture's values, from 0 to 1.
+function deviation(tab, png) {
+    return tab.evaluate(async base64 => {
+        const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+        context.drawImage(bitmap, 0, 0);
+        const values = context.getImageData(0, 0, bitmap.width, bitmap.height).data.filter((_, i) => i % 4 === 0);
+        const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+        return Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length) / 255;
+    }, png.toString("base64"));
+}
+
 await new Promise(resolve => server.listen(0, "localhost", resolve));
 
 const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-           "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-           "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
+           "--disable-component-update", "--disable-sync", ...angle, ...flags,
+           "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
 });
 try {
     const tab = await browser.newPage();
@@ -38,6 +53,11 @@ try {
         const { values, ...facts } = await globalThis.drawn;
         return { values: Array.from(values), ...facts };
     });
+    if (!facts.driver.includes(wanted))
+        throw new Error(`the driver should be ${wanted}, and is ${facts.driver}`);
+    const shown = await deviation(tab, await tab.locator("canvas").screenshot());
+    if (!(Math.abs(shown - 0.23) < 0.03))
+        throw new Error(`the page should show grey values that deviate by 0.23 from their mean, and they do by ${shown}`);
     await writeFile(output, new Uint8Array(Float32Array.from(values).buffer));
     console.log(JSON.stringify({ ...facts, version: `${facts.version ?? browser.version()}` }));
 } finally {

@@ -1,9 +1,12 @@
 extends Node
-## Draws the noise with a canvas shader into a viewport, or with a compute shader, and writes the values:
-## godot --path . -- VALUES.raw canvas|compute
+## Shows the noise with a canvas shader; or draws it into a viewport, or with a compute shader, and writes the values:
+## godot --path . [-- VALUES.raw canvas|compute]
 
 func _ready() -> void:
 	var arguments := OS.get_cmdline_user_args()
+	if arguments.is_empty():
+		add_child(rectangle(true))
+		return
 	var values := compute() if arguments[1] == "compute" else await canvas()
 	FileAccess.open("res://" + arguments[0], FileAccess.WRITE).store_buffer(values.to_byte_array())
 	print(JSON.stringify({
@@ -13,16 +16,20 @@ func _ready() -> void:
 	}))
 	get_tree().quit()
 
+func rectangle(shown: bool) -> ColorRect:
+	var result := ColorRect.new()
+	result.size = Vector2(256, 257)
+	result.material = ShaderMaterial.new()
+	result.material.shader = load("res://noise.gdshader")
+	result.material.set_shader_parameter("shown", shown)
+	return result
+
 func canvas() -> PackedFloat32Array:
 	var viewport := SubViewport.new()
 	viewport.size = Vector2i(256, 257)
 	viewport.transparent_bg = true # or there is no alpha to write to
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
-	var rectangle := ColorRect.new()
-	rectangle.size = viewport.size
-	rectangle.material = ShaderMaterial.new()
-	rectangle.material.shader = load("res://noise.gdshader")
-	viewport.add_child(rectangle)
+	viewport.add_child(rectangle(false))
 	add_child(viewport)
 	for frame in 3:
 		await RenderingServer.frame_post_draw
@@ -32,7 +39,7 @@ func compute() -> PackedFloat32Array:
 	var device := RenderingServer.create_local_rendering_device()
 	var source := RDShaderSource.new()
 	source.source_compute = FileAccess.get_file_as_string("res://noise.comp") \
-		.replace('#include "gabor_noise.glsl"', FileAccess.get_file_as_string("res://gabor_noise.glsl"))
+		.replace('#include "gabor_lattice.glsl"', FileAccess.get_file_as_string("res://gabor_lattice.glsl"))
 	var spirv := device.shader_compile_spirv_from_source(source)
 	var shader := device.shader_create_from_spirv(spirv)
 	var size := 4 * 256 * 257

@@ -1,4 +1,4 @@
-"""Godot in the system under ROOT: run.py ROOT VALUES.raw canvas|compute METHOD DRIVER"""
+"""Godot in the system under ROOT: run.py ROOT canvas|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import pathlib
 import shutil
@@ -8,14 +8,15 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHADERS = HERE.parents[2] / "shaders"
-root, values, kind, method, driver = sys.argv[1:]
+root, kind, method, driver, values, drop_in, *macros = sys.argv[1:]
 root = pathlib.Path(root)
 
 with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     project = pathlib.Path(folder)
     shutil.copytree(HERE, project, dirs_exist_ok=True)
-    shutil.copy(SHADERS / "gabor_noise.glsl", project)
-    shutil.copy(SHADERS / "translations" / "gabor_noise.gdshaderinc", project)
+    defines = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
+    for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
+        (project / f"gabor_lattice{path.suffix}").write_text(defines + path.read_text())
     result = subprocess.run(
         ["chroot", root, "xvfb-run", "-a", "godot", "--path", f"/{project.relative_to(root)}", "--audio-driver",
          "Dummy", "--rendering-method", method, "--rendering-driver", driver, "--", "values.raw", kind],

@@ -1,4 +1,4 @@
-"""moderngl: the drop-in in a fragment shader of GLSL 330 core, or 300 es: run.py VALUES.raw [VERSION]"""
+"""moderngl: a drop-in in a fragment shader: run.py "330 core"|"300 es" VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
 import pathlib
@@ -13,7 +13,7 @@ VERTEX = """
 in vec2 corner;
 void main() { gl_Position = vec4(corner, 0.0, 1.0); }
 """
-FRAGMENT = (SHADERS / "gabor_noise.glsl").read_text() + """
+FRAGMENT = """
 out float value;
 void main()
 {
@@ -23,16 +23,18 @@ void main()
 }
 """
 
-version = sys.argv[2] if len(sys.argv) > 2 else "330 core"
-head = f"#version {version}\n" + "precision highp float; precision highp int;\n" * version.endswith("es")
+version, values, drop_in, *macros = sys.argv[1:]
+head = f"#version {version}\n" + "precision highp float;\n" * version.endswith("es")
+noise = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
+noise += (SHADERS / f"{drop_in}.glsl").read_text()
 
 context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
-program = context.program(vertex_shader=head + VERTEX, fragment_shader=head + FRAGMENT)
+program = context.program(vertex_shader=head + VERTEX, fragment_shader=head + noise + FRAGMENT)
 corners = context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
 target = context.framebuffer([context.texture((256, 257), 1, dtype="f4")])
 target.use()
 context.vertex_array(program, corners, "corner").render(vertices=3)
 
-pathlib.Path(sys.argv[1]).write_bytes(target.read(components=1, dtype="f4"))
+pathlib.Path(values).write_bytes(target.read(components=1, dtype="f4"))
 print(json.dumps({"engine": "moderngl", "version": moderngl.__version__, "dialect": f"GLSL {version}",
                   "driver": context.info["GL_RENDERER"]}))

@@ -1,4 +1,4 @@
-"""Panda3D: the drop-in in a fragment shader of GLSL 330, drawn without a window: run.py VALUES.raw"""
+"""Panda3D: a drop-in in a fragment shader of GLSL 330, drawn without a window: run.py VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
 import os
@@ -11,13 +11,15 @@ from panda3d.core import CardMaker, FrameBufferProperties, GraphicsOutput, Graph
 from panda3d.core import Camera, Shader, Texture, WindowProperties, loadPrcFileData
 
 SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
+values, drop_in, *macros = sys.argv[1:]
 
 VERTEX = """#version 330
 in vec4 p3d_Vertex;
 uniform mat4 p3d_ModelViewProjectionMatrix;
 void main() { gl_Position = p3d_ModelViewProjectionMatrix * p3d_Vertex; }
 """
-FRAGMENT = "#version 330\n" + (SHADERS / "gabor_noise.glsl").read_text() + """
+MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
+FRAGMENT = "#version 330\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
 out vec4 value;
 void main()
 {
@@ -51,6 +53,6 @@ target.make_display_region().set_camera(scene.attach_new_node(Camera("camera", l
 base.graphicsEngine.render_frame()
 
 # Rows from the lowest up, as gl_FragCoord counts them; channels as blue, green, red, alpha.
-pathlib.Path(sys.argv[1]).write_bytes(bytes(texture.get_ram_image_as("R")))
+pathlib.Path(values).write_bytes(bytes(texture.get_ram_image_as("R")))
 print(json.dumps({"engine": "Panda3D", "version": panda3d.__version__, "dialect": "GLSL 330",
                   "driver": target.gsg.driver_renderer}))

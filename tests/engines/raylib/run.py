@@ -1,5 +1,5 @@
-"""raylib: the drop-in in a fragment shader of GLSL 330, drawn into a texture of floats: run.py VALUES.raw
-Needs a display: without one, xvfb-run -a python run.py VALUES.raw"""
+"""raylib: a drop-in in a fragment shader of GLSL 330, drawn into a texture of floats:
+run.py VALUES.raw DROP_IN [NAME=VALUE]. Needs a display: without one, xvfb-run -a python run.py ..."""
 
 import ctypes
 import json
@@ -10,8 +10,10 @@ import raylib
 from raylib import ffi, rl
 
 SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
+path, drop_in, *macros = sys.argv[1:]
 
-FRAGMENT = "#version 330\n" + (SHADERS / "gabor_noise.glsl").read_text() + """
+MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
+FRAGMENT = "#version 330\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
 out vec4 value;
 void main()
 {
@@ -41,7 +43,7 @@ rl.EndTextureMode()
 
 pixels = rl.rlReadTexturePixels(texture, 256, 257, rl.PIXELFORMAT_UNCOMPRESSED_R32G32B32A32)
 values = ffi.unpack(ffi.cast("float *", pixels), 4 * 256 * 257)[::4]
-pathlib.Path(sys.argv[1]).write_bytes(ffi.buffer(ffi.new("float[]", values)))
+pathlib.Path(path).write_bytes(ffi.buffer(ffi.new("float[]", values)))
 get_string = ctypes.CDLL("libGL.so.1").glGetString
 get_string.restype = ctypes.c_char_p
 driver = get_string(0x1F01).decode()  # GL_RENDERER

@@ -1,19 +1,27 @@
 import * as THREE from "three";
 
-const noise = await (await fetch("../../../shaders/gabor_noise.glsl")).text();
+// The page's address names another drop-in, and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
+const { drop_in = "gabor_lattice", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
+const noise = Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join("")
+    + await (await fetch(`../../../shaders/${drop_in}.glsl`)).text();
 
 async function draw() {
     const renderer = new THREE.WebGLRenderer();
+    renderer.setSize(256, 257);
+    document.body.append(renderer.domElement);
     const material = new THREE.ShaderMaterial({
         glslVersion: THREE.GLSL3,
+        uniforms: { shown: { value: false } },
         vertexShader: "void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }",
         fragmentShader: noise + `
+            uniform bool shown;
             out vec4 value;
             void main()
             {
                 vec2 p = gl_FragCoord.xy / 32.0;
-                value = vec4(gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
-                    : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
+                float n = gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
+                    : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+                value = vec4(vec3(shown ? gabor_unorm(n) : n), 1.0);
             }`,
     });
     const scene = new THREE.Scene();
@@ -24,6 +32,10 @@ async function draw() {
     renderer.render(scene, new THREE.Camera());
     const pixels = new Float32Array(4 * 256 * 257);
     renderer.readRenderTargetPixels(target, 0, 0, 256, 257, pixels);
+
+    renderer.setRenderTarget(null);
+    material.uniforms.shown.value = true;
+    renderer.render(scene, new THREE.Camera());
 
     const gl = renderer.getContext();
     return {

@@ -1,9 +1,15 @@
-import fragment from "./noise.frag";
+import lattice from "./lattice.frag";
+import noise from "./noise.frag";
+
+// The page's address names the other drop-in, a header, and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
+const { drop_in = "gabor_lattice", header = "precision highp float;", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
+const before = header + "\n" + Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join("");
+const fragment = { gabor_lattice: lattice, gabor_noise: noise }[drop_in].replace("300 es\n", `$&${before}`);
 
 const vertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
 
-const gl = document.createElement("canvas").getContext("webgl2");
+const gl = document.querySelector("canvas").getContext("webgl2");
 gl.getExtension("EXT_color_buffer_float");
 
 const program = gl.createProgram();
@@ -26,8 +32,12 @@ gl.drawArrays(gl.TRIANGLES, 0, 3);
 const pixels = new Float32Array(4 * 256 * 257);
 gl.readPixels(0, 0, 256, 257, gl.RGBA, gl.FLOAT, pixels);
 
+gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+gl.uniform1i(gl.getUniformLocation(program, "shown"), 1);
+gl.drawArrays(gl.TRIANGLES, 0, 3);
+
 globalThis.drawn = {
-    engine: "vite-plugin-glsl", version: __PLUGIN_VERSION__, dialect: "GLSL 300 es",
+    engine: "vite-plugin-glsl", version: __PLUGIN_VERSION__, dialect: `GLSL 300 es, ${header}`,
     driver: gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL),
     values: pixels.filter((_, index) => index % 4 === 0),
 };

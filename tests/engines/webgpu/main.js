@@ -1,4 +1,6 @@
-const noise = await (await fetch("../../../shaders/translations/gabor_noise.wgsl")).text();
+// The page's address names another drop-in, and constants: ?drop_in=gabor_lattice&GABOR_TAPS=4
+const { drop_in = "gabor_lattice", ...constants } = Object.fromEntries(new URLSearchParams(location.search));
+const noise = await (await fetch(`../../../shaders/translations/${drop_in}.wgsl`)).text();
 
 async function draw() {
     const adapter = await navigator.gpu.requestAdapter();
@@ -8,15 +10,24 @@ async function draw() {
             return vec4f(f32(index & 1) * 4.0 - 1.0, f32(index & 2) * 2.0 - 1.0, 0.0, 1.0);
         }
 
-        @fragment fn draw(@builtin(position) position: vec4f) -> @location(0) f32 {
-            let p = position.xy / 32.0;
+        fn noise(position: vec2f) -> f32 {
+            let p = position / 32.0;
             if position.y < 256.0 {
                 return gabor_noise(p, 4.0, 0.7854, 7u);
             }
             return gabor_noise_at(vec2i(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+        }
+
+        @fragment fn draw(@builtin(position) position: vec4f) -> @location(0) f32 {
+            return noise(position.xy);
+        }
+
+        @fragment fn show(@builtin(position) position: vec4f) -> @location(0) vec4f {
+            return vec4f(vec3f(gabor_unorm(noise(position.xy))), 1.0);
         }` });
-    const pipeline = device.createRenderPipeline({
-        layout: "auto", vertex: { module }, fragment: { module, targets: [{ format: "r32float" }] },
+    const pipeline = (entryPoint, format) => device.createRenderPipeline({
+        layout: "auto", vertex: { module },
+        fragment: { module, entryPoint, constants, targets: [{ format }] },
     });
     const target = device.createTexture({
         size: [256, 257], format: "r32float", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
@@ -24,13 +35,21 @@ async function draw() {
     const values = device.createBuffer({
         size: 4 * 256 * 257, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
     });
+    const screen = document.querySelector("canvas").getContext("webgpu");
+    const format = navigator.gpu.getPreferredCanvasFormat();
+    screen.configure({ device, format });
+
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass({
-        colorAttachments: [{ view: target.createView(), loadOp: "clear", storeOp: "store" }],
-    });
-    pass.setPipeline(pipeline);
-    pass.draw(3);
-    pass.end();
+    const fill = (texture, pipeline) => {
+        const pass = encoder.beginRenderPass({
+            colorAttachments: [{ view: texture.createView(), loadOp: "clear", storeOp: "store" }],
+        });
+        pass.setPipeline(pipeline);
+        pass.draw(3);
+        pass.end();
+    };
+    fill(target, pipeline("draw", "r32float"));
+    fill(screen.getCurrentTexture(), pipeline("show", format));
     encoder.copyTextureToBuffer({ texture: target }, { buffer: values, bytesPerRow: 4 * 256 }, [256, 257]);
     device.queue.submit([encoder.finish()]);
     await values.mapAsync(GPUMapMode.READ);

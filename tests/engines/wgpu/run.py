@@ -1,5 +1,5 @@
-"""wgpu, with naga inside: the drop-in in a compute shader of GLSL 450, or its translation to WGSL:
-run.py VALUES.raw [wgsl]"""
+"""wgpu, with naga inside: a drop-in in a compute shader of GLSL 450, or its translation to WGSL:
+run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
 import pathlib
@@ -8,8 +8,10 @@ import sys
 import wgpu
 
 SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
+language, path, drop_in, *macros = sys.argv[1:]
 
-GLSL = "#version 450\n" + (SHADERS / "gabor_noise.glsl").read_text() + """
+MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
+GLSL = "#version 450\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
 layout(local_size_x = 8) in;
 layout(set = 0, binding = 0) buffer Values { float values[]; }; // naga knows no writeonly here
 
@@ -21,7 +23,7 @@ void main()
         : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
 }
 """
-WGSL = (SHADERS / "translations" / "gabor_noise.wgsl").read_text() + """
+WGSL = (SHADERS / "translations" / f"{drop_in}.wgsl").read_text() + """
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 
 @compute @workgroup_size(8)
@@ -36,14 +38,15 @@ fn main(@builtin(global_invocation_id) pixel: vec3u) {
 }
 """
 
-wgsl = sys.argv[2:] == ["wgsl"]
 adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
 device = adapter.request_device_sync()
 size = 256 * 257 * 4
 values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
 # For GLSL the label tells the stage: it must contain comp, vert or frag.
-module = device.create_shader_module(label="comp", code=WGSL if wgsl else GLSL)
-pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
+module = device.create_shader_module(label="comp", code=WGSL if language == "wgsl" else GLSL)
+# What is a macro in GLSL is an override constant in WGSL.
+constants = {name: float(value) for name, value in (macro.split("=") for macro in macros)} if language == "wgsl" else {}
+pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main", "constants": constants})
 group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0),
                                  entries=[{"binding": 0, "resource": {"buffer": values, "offset": 0, "size": size}}])
 encoder = device.create_command_encoder()
@@ -54,6 +57,6 @@ compute.dispatch_workgroups(256 // 8, 257)
 compute.end()
 device.queue.submit([encoder.finish()])
 
-pathlib.Path(sys.argv[1]).write_bytes(device.queue.read_buffer(values))
-print(json.dumps({"engine": "wgpu", "version": wgpu.__version__, "dialect": "WGSL" if wgsl else "GLSL 450 by naga",
+pathlib.Path(path).write_bytes(device.queue.read_buffer(values))
+print(json.dumps({"engine": "wgpu", "version": wgpu.__version__, "dialect": "WGSL" if language == "wgsl" else "GLSL 450 by naga",
                   "driver": adapter.info["device"]}))

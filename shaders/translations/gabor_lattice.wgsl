@@ -1,0 +1,1345 @@
+// gabor_lattice.wgsl: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice: for WGSL.
+//
+// Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Functions to call, at the end of the file:
+//     gabor_noise, gabor_unorm                 the noise, and to show it
+//     gabor_noise_gradient                     with its analytic gradient, for bump and normal mapping
+//     gabor_noise_complex, gabor_phasor        with its quadrature: phase and intensity
+//     gabor_noise_four                         four independent ones at once
+//     gabor_noise_tiled, gabor_noise_animated  with exact periods in space, and in time
+//     gabor_noise_at, gabor_kernel             by integer cell and local offset, for large worlds
+//
+// The noise. The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij,
+// independent and normal, and each sends out a wave under a window that ends one unit from it along x and y:
+//
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
+//
+// The unit of length is the kernel radius, where the window h ends. It is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS
+// nodes along each axis reach a point, R = GABOR_TAPS / 2, and as three or more evenly spaced shifts of cos and of
+// cos^2 over their period sum to a constant,
+//
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//
+// and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
+// derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
+// phase counts from its own node, so frequency and orientation may vary from place to place. After Tavernier, Neyret,
+// Vergne and Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+// 3, 2 or 4: change it here, or give it to the pipeline as a constant.
+override GABOR_TAPS: i32 = 3;
+
+// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
+// the hash-prospector project).
+fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
+    var word_1: u32;
+
+    word_1 = word;
+    let _e3 = word_1;
+    let _e4 = word_1;
+    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
+    let _e11 = word_1;
+    let _e12 = word_1;
+    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
+    let _e18 = word_1;
+    let _e19 = word_1;
+    return (_e18 ^ (_e19 >> 15u));
+}
+
+fn gabor_impl_salt(seed: u32) -> u32 {
+    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
+    return _e4;
+}
+
+// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
+// 32 bits; GPUs multiply 24 bits at a quarter of the cost.
+fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
+    var word_2: u32;
+
+    word_2 = ((u32(index) * 2654435761u) + salt);
+    let _e7 = word_2;
+    let _e8 = word_2;
+    word_2 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e14 = word_2;
+    return ((_e14 >> 8u) | 8388609u);
+}
+
+// The word of a node. Its high bits are the best.
+fn gabor_impl_node_word(column: u32, row: u32) -> u32 {
+    return (column * row);
+}
+
+// Another word of the same node.
+fn gabor_impl_next_word(word: u32) -> u32 {
+    return ((word ^ (word >> 15u)) * 3545902487u);
+}
+
+fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
+    var u: vec2<f32>;
+
+    u = vec2<f32>(f32(i32(((word & 4278190080u) | 8388608u))), f32(i32((word << 8u))));
+    let _e13 = u;
+    let _e15 = u;
+    let _e24 = u;
+    let _e25 = u;
+    return ((_e13 - (0.89289314f * clamp(_e15, vec2(-2011925800f), vec2(2011925800f)))) * ((_e24 * _e25) + vec2(7397391600000000000f)));
+}
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
+// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+fn gabor_impl_wave(t: f32) -> vec2<f32> {
+    var t_1: f32;
+    var y: f32;
+    var s: f32;
+    var r: f32;
+    var cosine: f32;
+    var sine: f32;
+    var local: f32;
+
+    t_1 = t;
+    let _e2 = t_1;
+    let _e3 = t_1;
+    t_1 = (_e2 - floor((_e3 + 0.5f)));
+    let _e8 = t_1;
+    y = (abs(_e8) - 0.25f);
+    let _e13 = y;
+    let _e14 = y;
+    s = (_e13 * _e14);
+    let _e17 = s;
+    let _e18 = s;
+    r = (_e17 * _e18);
+    let _e22 = s;
+    let _e26 = r;
+    let _e28 = s;
+    let _e33 = r;
+    cosine = (((41.341656f * _e22) - 6.283185f) + (_e26 * (((76.54978f * _e28) - 81.601006f) - (39.53671f * _e33))));
+    let _e41 = s;
+    let _e44 = r;
+    let _e47 = s;
+    let _e51 = r;
+    sine = ((1f - (19.73917f * _e41)) + (_e44 * ((64.93459f - (85.24033f * _e47)) + (56.24243f * _e51))));
+    let _e57 = y;
+    let _e58 = cosine;
+    let _e60 = t_1;
+    if (_e60 < 0f) {
+        let _e63 = sine;
+        local = -(_e63);
+    } else {
+        let _e65 = sine;
+        local = _e65;
+    }
+    let _e67 = local;
+    return vec2<f32>((_e57 * _e58), _e67);
+}
+
+// Product of complex numbers.
+fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(((a.x * b.x) - (a.y * b.y)), ((a.x * b.y) + (a.y * b.x)));
+}
+
+// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
+struct GaborWindows {
+    value: vec4<f32>,
+    slope: vec4<f32>,
+}
+
+fn gabor_impl_windows(x: f32) -> GaborWindows {
+    if GABOR_TAPS == 2 {
+        var s_1: f32;
+        var pair: vec2<f32>;
+        var scale: f32;
+        var slope: vec2<f32>;
+
+        s_1 = ((x * x) * (3f - (2f * x)));
+        let _e9 = s_1;
+        let _e11 = s_1;
+        pair = vec2<f32>((1f - _e9), _e11);
+        let _e14 = pair;
+        let _e15 = pair;
+        scale = inverseSqrt(dot(_e14, _e15));
+        let _e24 = scale;
+        let _e26 = scale;
+        let _e28 = scale;
+        let _e30 = pair;
+        slope = ((((((6f * x) * (1f - x)) * _e24) * _e26) * _e28) * _e30.yx);
+        let _e34 = scale;
+        let _e35 = pair;
+        let _e36 = (_e34 * _e35);
+        let _e42 = slope;
+        let _e45 = slope;
+        return GaborWindows(vec4<f32>(_e36.x, _e36.y, 0f, 0f), vec4<f32>(-(_e42.x), _e45.y, 0f, 0f));
+    } else if GABOR_TAPS == 4 {
+        var x_1: f32;
+        var s_1: f32;
+        var cosine_1: f32;
+        var sine_1: f32;
+        var c: vec2<f32>;
+
+        x_1 = x;
+        let _e2 = x_1;
+        x_1 = (_e2 - 0.5f);
+        let _e5 = x_1;
+        let _e6 = x_1;
+        s_1 = (_e5 * _e6);
+        let _e10 = s_1;
+        let _e13 = s_1;
+        let _e15 = s_1;
+        cosine_1 = (0.35355338f + (_e10 * (-0.43617776f + (_e13 * (0.08966066f - (_e15 * 0.0072154454f))))));
+        let _e24 = x_1;
+        let _e26 = s_1;
+        let _e29 = s_1;
+        let _e31 = s_1;
+        sine_1 = (_e24 * (0.5553604f + (_e26 * (-0.2283824f + (_e29 * (0.028169686f - (_e31 * 0.0016236193f)))))));
+        let _e41 = cosine_1;
+        let _e42 = sine_1;
+        let _e44 = cosine_1;
+        let _e45 = sine_1;
+        c = vec2<f32>((_e41 - _e42), (_e44 + _e45));
+        let _e50 = c;
+        let _e53 = c;
+        let _e55 = c;
+        let _e57 = c;
+        let _e64 = c;
+        let _e67 = c;
+        let _e70 = c;
+        let _e72 = c;
+        return GaborWindows((vec4(0.5f) + vec4<f32>(-(_e50.y), _e53.x, _e55.y, -(_e57.x))), (3.1415927f * vec4<f32>(-(_e64.x), -(_e67.y), _e70.x, _e72.y)));
+    } else {
+        var s_1: f32;
+        var c: f32;
+        var b_1: f32;
+        var a_1: f32;
+        var slope: f32;
+
+        s_1 = (x * x);
+        let _e4 = s_1;
+        let _e7 = s_1;
+        let _e9 = s_1;
+        c = (0.5f + (_e4 * (-1.09661f + (_e7 * (0.40054825f - (_e9 * 0.05644487f))))));
+        let _e19 = s_1;
+        let _e22 = s_1;
+        let _e24 = s_1;
+        b_1 = (x * (0.9068996f + (_e19 * (-0.66301125f + (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
+        let _e36 = c;
+        a_1 = (0.5f - (0.5f * _e36));
+        let _e41 = b_1;
+        slope = (1.8137994f * _e41);
+        let _e44 = a_1;
+        let _e45 = b_1;
+        let _e48 = c;
+        let _e50 = a_1;
+        let _e51 = b_1;
+        let _e55 = slope;
+        let _e57 = c;
+        let _e62 = slope;
+        let _e64 = slope;
+        let _e66 = c;
+        return GaborWindows(vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f), vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f));
+    }
+}
+
+// A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
+struct GaborKernel {
+    wave: vec2<f32>,
+    step_x: vec2<f32>,
+    step_y: vec2<f32>,
+}
+
+// Where to evaluate, and how space and time close upon themselves.
+struct GaborPlace {
+    cell: vec2<i32>,
+    local: vec2<f32>,
+    radius: vec2<f32>,
+    period: vec2<i32>,
+    animated: bool,
+    time: f32,
+}
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
+// derivatives per kernel radius. Parts that are not used cost nothing: compilers leave them out.
+struct GaborField {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+    four: vec4<f32>,
+}
+
+// An index within a period.
+fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
+    var within: i32;
+    var local_1: i32;
+
+    if (period == 0i) {
+        return index;
+    }
+    within = (index - ((index / period) * period));
+    let _e8 = within;
+    if (_e8 < 0i) {
+        let _e11 = within;
+        local_1 = (_e11 + period);
+    } else {
+        let _e13 = within;
+        local_1 = _e13;
+    }
+    let _e15 = local_1;
+    return _e15;
+}
+
+// The nodes of an axis that reach a point: their words, and what their amplitudes are multiplied with along it, h e and
+// h' e with e = exp(2 pi i F (x - x_i)), relative to the second node (for two taps, to the first).
+struct GaborAxis {
+    word: vec4<u32>,
+    real: vec4<f32>,
+    imaginary: vec4<f32>,
+    slope_real: vec4<f32>,
+    slope_imaginary: vec4<f32>,
+}
+
+//   first   index of the first node
+//   offset  from the node that waves are relative to, in node spacings
+//   period  in nodes, 0 for none
+//   step    e^(2 pi i F / R): what the wave turns from one node to the next
+fn gabor_impl_axis(first: i32, offset: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborAxis {
+    if GABOR_TAPS == 2 {
+        var cosine_1: vec4<f32>;
+        var sine_1: vec4<f32>;
+        var window: GaborWindows;
+        var word_5: vec4<u32>;
+
+        cosine_1 = vec4<f32>(1f, step.x, 0f, 0f);
+        sine_1 = vec4<f32>(0f, -(step.y), 0f, 0f);
+        let _e18 = gabor_impl_windows(offset);
+        window = _e18;
+        let _e20 = gabor_impl_wrap(first, period);
+        let _e21 = gabor_impl_line_word(_e20, salt);
+        let _e24 = gabor_impl_wrap((first + 1i), period);
+        let _e25 = gabor_impl_line_word(_e24, salt);
+        let _e28 = gabor_impl_wrap((first + 2i), period);
+        let _e29 = gabor_impl_line_word(_e28, salt);
+        let _e32 = gabor_impl_wrap((first + 3i), period);
+        let _e33 = gabor_impl_line_word(_e32, salt);
+        word_5 = vec4<u32>(_e21, _e25, _e29, _e33);
+        let _e36 = word_5;
+        let _e37 = window;
+        let _e39 = cosine_1;
+        let _e41 = window;
+        let _e43 = sine_1;
+        let _e45 = window;
+        let _e47 = cosine_1;
+        let _e49 = window;
+        let _e51 = sine_1;
+        return GaborAxis(_e36, (_e37.value * _e39), (_e41.value * _e43), (_e45.slope * _e47), (_e49.slope * _e51));
+    } else if GABOR_TAPS == 4 {
+        var two: vec2<f32>;
+        var cosine_2: vec4<f32>;
+        var sine_2: vec4<f32>;
+        var window: GaborWindows;
+        var word_5: vec4<u32>;
+
+        let _e5 = gabor_impl_product(step, step);
+        two = _e5;
+        let _e10 = two;
+        cosine_2 = vec4<f32>(step.x, 1f, step.x, _e10.x);
+        let _e18 = two;
+        sine_2 = vec4<f32>(step.y, 0f, -(step.y), -(_e18.y));
+        let _e23 = gabor_impl_windows(offset);
+        window = _e23;
+        let _e25 = gabor_impl_wrap(first, period);
+        let _e26 = gabor_impl_line_word(_e25, salt);
+        let _e29 = gabor_impl_wrap((first + 1i), period);
+        let _e30 = gabor_impl_line_word(_e29, salt);
+        let _e33 = gabor_impl_wrap((first + 2i), period);
+        let _e34 = gabor_impl_line_word(_e33, salt);
+        let _e37 = gabor_impl_wrap((first + 3i), period);
+        let _e38 = gabor_impl_line_word(_e37, salt);
+        word_5 = vec4<u32>(_e26, _e30, _e34, _e38);
+        let _e41 = word_5;
+        let _e42 = window;
+        let _e44 = cosine_2;
+        let _e46 = window;
+        let _e48 = sine_2;
+        let _e50 = window;
+        let _e52 = cosine_2;
+        let _e54 = window;
+        let _e56 = sine_2;
+        return GaborAxis(_e41, (_e42.value * _e44), (_e46.value * _e48), (_e50.slope * _e52), (_e54.slope * _e56));
+    } else {
+        var two: vec2<f32>;
+        var cosine_1: vec4<f32>;
+        var sine_1: vec4<f32>;
+        var window: GaborWindows;
+        var word_5: vec4<u32>;
+
+        let _e5 = gabor_impl_product(step, step);
+        two = _e5;
+        let _e10 = two;
+        cosine_1 = vec4<f32>(step.x, 1f, step.x, _e10.x);
+        let _e18 = two;
+        sine_1 = vec4<f32>(step.y, 0f, -(step.y), -(_e18.y));
+        let _e23 = gabor_impl_windows(offset);
+        window = _e23;
+        let _e25 = gabor_impl_wrap(first, period);
+        let _e26 = gabor_impl_line_word(_e25, salt);
+        let _e29 = gabor_impl_wrap((first + 1i), period);
+        let _e30 = gabor_impl_line_word(_e29, salt);
+        let _e33 = gabor_impl_wrap((first + 2i), period);
+        let _e34 = gabor_impl_line_word(_e33, salt);
+        let _e37 = gabor_impl_wrap((first + 3i), period);
+        let _e38 = gabor_impl_line_word(_e37, salt);
+        word_5 = vec4<u32>(_e26, _e30, _e34, _e38);
+        let _e41 = word_5;
+        let _e42 = window;
+        let _e44 = cosine_1;
+        let _e46 = window;
+        let _e48 = sine_1;
+        let _e50 = window;
+        let _e52 = cosine_1;
+        let _e54 = window;
+        let _e56 = sine_1;
+        return GaborAxis(_e41, (_e42.value * _e44), (_e46.value * _e48), (_e50.slope * _e52), (_e54.slope * _e56));
+    }
+}
+
+// A sum of amplitudes times windows and waves; the same with the windows' derivatives; and that of four fields.
+struct GaborSum {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+    real: vec4<f32>,
+    imaginary: vec4<f32>,
+}
+
+// Adds a node to the sum over its row.
+//   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
+fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, factor: vec2<f32>, slope: vec2<f32>, animated: bool, time: vec2<f32>) {
+    if GABOR_TAPS == 2 {
+        var a_1: vec2<f32>;
+        var second: u32;
+        var third: u32;
+        var b_1: vec2<f32>;
+        var c: vec2<f32>;
+        var d: vec2<f32>;
+        var real: vec4<f32>;
+        var imaginary: vec4<f32>;
+
+        if (factor.x > -2f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_1 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_1 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_1;
+                    let _e30 = b_1;
+                    let _e34 = c;
+                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_1;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_1;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_1;
+                let _e52 = b_1;
+                let _e54 = c;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_1;
+                let _e62 = b_1;
+                let _e64 = c;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        var a_1: vec2<f32>;
+        var second: u32;
+        var third: u32;
+        var b_1: vec2<f32>;
+        var c_1: vec2<f32>;
+        var d: vec2<f32>;
+        var real: vec4<f32>;
+        var imaginary: vec4<f32>;
+
+        if (factor.x > -2f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_1 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_1 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_1 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_1;
+                    let _e30 = b_1;
+                    let _e34 = c_1;
+                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_1;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_1;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_1;
+                let _e52 = b_1;
+                let _e54 = c_1;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_1;
+                let _e62 = b_1;
+                let _e64 = c_1;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
+        }
+    } else {
+        var a_2: vec2<f32>;
+        var second: u32;
+        var third: u32;
+        var b_2: vec2<f32>;
+        var c_1: vec2<f32>;
+        var d: vec2<f32>;
+        var real: vec4<f32>;
+        var imaginary: vec4<f32>;
+
+        if (factor.x > -2f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_2 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_2 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_1 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e28 = a_2;
+                    let _e30 = b_2;
+                    let _e34 = c_1;
+                    a_2 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                }
+                let _e39 = (*row);
+                let _e41 = a_2;
+                let _e42 = gabor_impl_product(_e41, factor);
+                (*row).value = (_e39.value + _e42);
+                let _e45 = (*row);
+                let _e47 = a_2;
+                let _e48 = gabor_impl_product(_e47, slope);
+                (*row).slope_x = (_e45.slope_x + _e48);
+                let _e50 = a_2;
+                let _e52 = b_2;
+                let _e54 = c_1;
+                let _e56 = d;
+                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
+                let _e60 = a_2;
+                let _e62 = b_2;
+                let _e64 = c_1;
+                let _e66 = d;
+                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
+                let _e71 = (*row);
+                let _e74 = real;
+                let _e77 = imaginary;
+                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
+                let _e82 = (*row);
+                let _e85 = imaginary;
+                let _e88 = real;
+                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                return;
+            }
+        } else {
+            return;
+        }
+    }
+}
+
+// Adds a row to the whole.
+fn gabor_impl_add_row(sum: ptr<function, GaborSum>, row: GaborSum, factor: vec2<f32>, slope: vec2<f32>) {
+    let _e5 = (*sum);
+    let _e8 = gabor_impl_product(row.value, factor);
+    (*sum).value = (_e5.value + _e8);
+    let _e11 = (*sum);
+    let _e14 = gabor_impl_product(row.slope_x, factor);
+    (*sum).slope_x = (_e11.slope_x + _e14);
+    let _e17 = (*sum);
+    let _e20 = gabor_impl_product(row.value, slope);
+    (*sum).slope_y = (_e17.slope_y + _e20);
+    let _e23 = (*sum);
+    (*sum).real = (_e23.real + ((factor.x * row.real) - (factor.y * row.imaginary)));
+    let _e34 = (*sum);
+    (*sum).imaginary = (_e34.imaginary + ((factor.x * row.imaginary) + (factor.y * row.real)));
+    return;
+}
+
+// The sum over a row.
+fn gabor_impl_row(columns: GaborAxis, row: u32, animated: bool, time: vec2<f32>) -> GaborSum {
+    if GABOR_TAPS == 2 {
+        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+
+        let _e19 = gabor_impl_node_word(columns.word.x, row);
+        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
+        let _e34 = gabor_impl_node_word(columns.word.y, row);
+        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
+        let _e46 = sum_1;
+        return _e46;
+    } else if GABOR_TAPS == 4 {
+        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+
+        let _e19 = gabor_impl_node_word(columns.word.x, row);
+        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
+        let _e34 = gabor_impl_node_word(columns.word.y, row);
+        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
+        let _e49 = gabor_impl_node_word(columns.word.z, row);
+        gabor_impl_add_node((&sum_1), _e49, vec2<f32>(columns.real.z, columns.imaginary.z), vec2<f32>(columns.slope_real.z, columns.slope_imaginary.z), animated, time);
+        let _e64 = gabor_impl_node_word(columns.word.w, row);
+        gabor_impl_add_node((&sum_1), _e64, vec2<f32>(columns.real.w, columns.imaginary.w), vec2<f32>(columns.slope_real.w, columns.slope_imaginary.w), animated, time);
+        let _e76 = sum_1;
+        return _e76;
+    } else {
+        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+
+        let _e19 = gabor_impl_node_word(columns.word.x, row);
+        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
+        let _e34 = gabor_impl_node_word(columns.word.y, row);
+        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
+        let _e49 = gabor_impl_node_word(columns.word.z, row);
+        gabor_impl_add_node((&sum_1), _e49, vec2<f32>(columns.real.z, columns.imaginary.z), vec2<f32>(columns.slope_real.z, columns.slope_imaginary.z), animated, time);
+        let _e61 = sum_1;
+        return _e61;
+    }
+}
+
+// The noise at a place: what the functions below call. Cost: GABOR_TAPS^2 amplitudes.
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    if GABOR_TAPS == 2 {
+        var kernel_1: GaborKernel;
+        var first_1: vec2<f32>;
+        var local_2: f32;
+        var offset_1: vec2<f32>;
+        var node: vec2<i32>;
+        var salt_3: u32;
+        var columns_1: GaborAxis;
+        var rows: GaborAxis;
+        var base: vec2<f32>;
+        var time_2: vec2<f32>;
+        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
+        var stretch: vec2<f32>;
+
+        kernel_1 = kernel;
+        first_1 = (floor((place.local - vec2(1f))) + vec2(1f));
+        let _e17 = first_1;
+        if true {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset_1 = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e38 = offset_1;
+        let _e42 = salt_3;
+        let _e43 = kernel_1;
+        let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
+        columns_1 = _e45;
+        let _e47 = node;
+        let _e49 = offset_1;
+        let _e53 = salt_3;
+        let _e56 = kernel_1;
+        let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
+        rows = _e58;
+        let _e60 = kernel_1;
+        let _e62 = offset_1;
+        let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
+        base = _e69;
+        let _e72 = gabor_impl_wave(place.time);
+        time_2 = _e72;
+        let _e87 = columns_1;
+        let _e88 = rows;
+        let _e92 = time_2;
+        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
+        let _e94 = rows;
+        let _e97 = rows;
+        let _e101 = rows;
+        let _e104 = rows;
+        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
+        let _e110 = columns_1;
+        let _e111 = rows;
+        let _e115 = time_2;
+        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
+        let _e117 = rows;
+        let _e120 = rows;
+        let _e124 = rows;
+        let _e127 = rows;
+        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
+        let _e132 = base;
+        base = (_e132 * 0.0000000000000000000000000006849819f);
+        let _e139 = sum_2;
+        let _e141 = base;
+        let _e142 = gabor_impl_product(_e139.value, _e141);
+        value = _e142;
+        let _e145 = value;
+        let _e148 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e145.y), _e148.x));
+        stretch = (place.radius / vec2(1f));
+        let _e161 = value;
+        let _e162 = stretch;
+        let _e164 = sum_2;
+        let _e166 = base;
+        let _e167 = gabor_impl_product(_e164.slope_x, _e166);
+        let _e169 = kernel_1;
+        let _e172 = turned;
+        let _e175 = stretch;
+        let _e177 = sum_2;
+        let _e179 = base;
+        let _e180 = gabor_impl_product(_e177.slope_y, _e179);
+        let _e182 = kernel_1;
+        let _e185 = turned;
+        let _e188 = base;
+        let _e190 = sum_2;
+        let _e193 = base;
+        let _e195 = sum_2;
+        return GaborField(_e161, ((_e162.x * _e167) + (_e169.wave.x * _e172)), ((_e175.y * _e180) + (_e182.wave.y * _e185)), ((_e188.x * _e190.imaginary) + (_e193.y * _e195.real)));
+    } else if GABOR_TAPS == 4 {
+        var kernel_1: GaborKernel;
+        var first_1: vec2<f32>;
+        var local_2: f32;
+        var offset_1: vec2<f32>;
+        var node: vec2<i32>;
+        var salt_3: u32;
+        var columns_1: GaborAxis;
+        var rows: GaborAxis;
+        var base: vec2<f32>;
+        var time_2: vec2<f32>;
+        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
+        var stretch: vec2<f32>;
+
+        kernel_1 = kernel;
+        first_1 = (floor((place.local - vec2(2f))) + vec2(1f));
+        let _e17 = first_1;
+        if false {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset_1 = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e38 = offset_1;
+        let _e42 = salt_3;
+        let _e43 = kernel_1;
+        let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
+        columns_1 = _e45;
+        let _e47 = node;
+        let _e49 = offset_1;
+        let _e53 = salt_3;
+        let _e56 = kernel_1;
+        let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
+        rows = _e58;
+        let _e60 = kernel_1;
+        let _e62 = offset_1;
+        let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
+        base = _e69;
+        let _e72 = gabor_impl_wave(place.time);
+        time_2 = _e72;
+        let _e87 = columns_1;
+        let _e88 = rows;
+        let _e92 = time_2;
+        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
+        let _e94 = rows;
+        let _e97 = rows;
+        let _e101 = rows;
+        let _e104 = rows;
+        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
+        let _e110 = columns_1;
+        let _e111 = rows;
+        let _e115 = time_2;
+        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
+        let _e117 = rows;
+        let _e120 = rows;
+        let _e124 = rows;
+        let _e127 = rows;
+        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
+        let _e133 = columns_1;
+        let _e134 = rows;
+        let _e138 = time_2;
+        let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
+        let _e140 = rows;
+        let _e143 = rows;
+        let _e147 = rows;
+        let _e150 = rows;
+        gabor_impl_add_row((&sum_2), _e139, vec2<f32>(_e140.real.z, _e143.imaginary.z), vec2<f32>(_e147.slope_real.z, _e150.slope_imaginary.z));
+        let _e156 = columns_1;
+        let _e157 = rows;
+        let _e161 = time_2;
+        let _e162 = gabor_impl_row(_e156, _e157.word.w, place.animated, _e161);
+        let _e163 = rows;
+        let _e166 = rows;
+        let _e170 = rows;
+        let _e173 = rows;
+        gabor_impl_add_row((&sum_2), _e162, vec2<f32>(_e163.real.w, _e166.imaginary.w), vec2<f32>(_e170.slope_real.w, _e173.slope_imaginary.w));
+        let _e178 = base;
+        base = (_e178 * 0.0000000000000000000000000004566546f);
+        let _e185 = sum_2;
+        let _e187 = base;
+        let _e188 = gabor_impl_product(_e185.value, _e187);
+        value = _e188;
+        let _e191 = value;
+        let _e194 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e191.y), _e194.x));
+        stretch = (place.radius / vec2(2f));
+        let _e207 = value;
+        let _e208 = stretch;
+        let _e210 = sum_2;
+        let _e212 = base;
+        let _e213 = gabor_impl_product(_e210.slope_x, _e212);
+        let _e215 = kernel_1;
+        let _e218 = turned;
+        let _e221 = stretch;
+        let _e223 = sum_2;
+        let _e225 = base;
+        let _e226 = gabor_impl_product(_e223.slope_y, _e225);
+        let _e228 = kernel_1;
+        let _e231 = turned;
+        let _e234 = base;
+        let _e236 = sum_2;
+        let _e239 = base;
+        let _e241 = sum_2;
+        return GaborField(_e207, ((_e208.x * _e213) + (_e215.wave.x * _e218)), ((_e221.y * _e226) + (_e228.wave.y * _e231)), ((_e234.x * _e236.imaginary) + (_e239.y * _e241.real)));
+    } else {
+        var kernel_1: GaborKernel;
+        var first_1: vec2<f32>;
+        var local_2: f32;
+        var offset_1: vec2<f32>;
+        var node: vec2<i32>;
+        var salt_3: u32;
+        var columns_1: GaborAxis;
+        var rows: GaborAxis;
+        var base: vec2<f32>;
+        var time_2: vec2<f32>;
+        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var value: vec2<f32>;
+        var turned: vec2<f32>;
+        var stretch: vec2<f32>;
+
+        kernel_1 = kernel;
+        first_1 = (floor((place.local - vec2(1.5f))) + vec2(1f));
+        let _e17 = first_1;
+        if false {
+            local_2 = 0f;
+        } else {
+            local_2 = 1f;
+        }
+        let _e25 = local_2;
+        offset_1 = ((place.local - _e17) - vec2(_e25));
+        let _e30 = first_1;
+        node = (place.cell + vec2<i32>(_e30));
+        let _e34 = gabor_impl_salt(seed);
+        salt_3 = _e34;
+        let _e36 = node;
+        let _e38 = offset_1;
+        let _e42 = salt_3;
+        let _e43 = kernel_1;
+        let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
+        columns_1 = _e45;
+        let _e47 = node;
+        let _e49 = offset_1;
+        let _e53 = salt_3;
+        let _e56 = kernel_1;
+        let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
+        rows = _e58;
+        let _e60 = kernel_1;
+        let _e62 = offset_1;
+        let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
+        base = _e69;
+        let _e72 = gabor_impl_wave(place.time);
+        time_2 = _e72;
+        let _e87 = columns_1;
+        let _e88 = rows;
+        let _e92 = time_2;
+        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
+        let _e94 = rows;
+        let _e97 = rows;
+        let _e101 = rows;
+        let _e104 = rows;
+        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
+        let _e110 = columns_1;
+        let _e111 = rows;
+        let _e115 = time_2;
+        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
+        let _e117 = rows;
+        let _e120 = rows;
+        let _e124 = rows;
+        let _e127 = rows;
+        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
+        let _e133 = columns_1;
+        let _e134 = rows;
+        let _e138 = time_2;
+        let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
+        let _e140 = rows;
+        let _e143 = rows;
+        let _e147 = rows;
+        let _e150 = rows;
+        gabor_impl_add_row((&sum_2), _e139, vec2<f32>(_e140.real.z, _e143.imaginary.z), vec2<f32>(_e147.slope_real.z, _e150.slope_imaginary.z));
+        let _e155 = base;
+        base = (_e155 * 0.0000000000000000000000000006088728f);
+        let _e162 = sum_2;
+        let _e164 = base;
+        let _e165 = gabor_impl_product(_e162.value, _e164);
+        value = _e165;
+        let _e168 = value;
+        let _e171 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e168.y), _e171.x));
+        stretch = (place.radius / vec2(1.5f));
+        let _e184 = value;
+        let _e185 = stretch;
+        let _e187 = sum_2;
+        let _e189 = base;
+        let _e190 = gabor_impl_product(_e187.slope_x, _e189);
+        let _e192 = kernel_1;
+        let _e195 = turned;
+        let _e198 = stretch;
+        let _e200 = sum_2;
+        let _e202 = base;
+        let _e203 = gabor_impl_product(_e200.slope_y, _e202);
+        let _e205 = kernel_1;
+        let _e208 = turned;
+        let _e211 = base;
+        let _e213 = sum_2;
+        let _e216 = base;
+        let _e218 = sum_2;
+        return GaborField(_e184, ((_e185.x * _e190) + (_e192.wave.x * _e195)), ((_e198.y * _e203) + (_e205.wave.y * _e208)), ((_e211.x * _e213.imaginary) + (_e216.y * _e218.real)));
+    }
+}
+
+// (cell + local) / GABOR_RADIUS kernel radii, without periods: full precision everywhere in a world of 2^32 cells each
+// way, where it wraps around.
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
+    } else if GABOR_TAPS == 4 {
+        return GaborPlace(cell, local, vec2(2f), vec2(0i), false, 0f);
+    } else {
+        return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
+    }
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    if GABOR_TAPS == 2 {
+        var wave: vec2<f32>;
+        var step_1: vec2<f32>;
+
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
+        let _e10 = wave;
+        step_1 = (_e10 * 1f);
+        let _e19 = wave;
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
+    } else if GABOR_TAPS == 4 {
+        var wave: vec2<f32>;
+        var step_1: vec2<f32>;
+
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
+        let _e10 = wave;
+        step_1 = (_e10 * 0.5f);
+        let _e19 = wave;
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
+    } else {
+        var wave: vec2<f32>;
+        var step_1: vec2<f32>;
+
+        let _e7 = gabor_impl_wave((0.15915494f * orientation));
+        wave = (min(abs(frequency), 1000000f) * _e7);
+        let _e10 = wave;
+        step_1 = (_e10 * 0.6666667f);
+        let _e19 = wave;
+        let _e20 = step_1;
+        let _e22 = gabor_impl_wave(_e20.x);
+        let _e23 = step_1;
+        let _e25 = gabor_impl_wave(_e23.y);
+        return GaborKernel(_e19, _e22, _e25);
+    }
+}
+
+// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_3: GaborKernel;
+
+    kernel_3 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_3;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
+}
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
+//                steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude is used, up to 10^6
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
+// turns about its own node. A slope of theirs adds to that of the noise.
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1f), _e11, seed);
+        return _e12;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 2f), _e11, seed);
+        return _e12;
+    } else {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
+        return _e12;
+    }
+}
+
+// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    }
+}
+
+// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
+// have mean 0 and variance 1, and at one place are independent.
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    }
+}
+
+// Four noises at p, independent of each other, for colours and for displacement along vectors; the first is gabor_noise.
+fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.four;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.four;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.four;
+    }
+}
+
+// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
+// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
+// step(phase, width). The phase of 0 is 0.
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_5: f32;
+    var phase: f32;
+    var local_6: f32;
+
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_5 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_5 = 0f;
+    }
+    let _e13 = local_5;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_6 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_6 = _e23;
+    }
+    let _e25 = local_6;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
+// with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
+// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var period_3: vec2<f32>;
+        var nodes: vec2<f32>;
+        var radius: vec2<f32>;
+        var kernel_4: GaborKernel;
+        var place_1: GaborPlace;
+
+        period_3 = period;
+        let _e6 = period_3;
+        period_3 = max(_e6, vec2(0.0009765625f));
+        let _e10 = period_3;
+        nodes = max(floor(((_e10 * 1f) + vec2(0.5f))), vec2(2f));
+        let _e25 = nodes;
+        let _e26 = period_3;
+        radius = (_e25 / _e26);
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
+    } else if GABOR_TAPS == 4 {
+        var period_3: vec2<f32>;
+        var nodes: vec2<f32>;
+        var radius: vec2<f32>;
+        var kernel_4: GaborKernel;
+        var place_1: GaborPlace;
+
+        period_3 = period;
+        let _e6 = period_3;
+        period_3 = max(_e6, vec2(0.0009765625f));
+        let _e10 = period_3;
+        nodes = max(floor(((_e10 * 2f) + vec2(0.5f))), vec2(4f));
+        let _e25 = nodes;
+        let _e26 = period_3;
+        radius = (_e25 / _e26);
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
+    } else {
+        var period_3: vec2<f32>;
+        var nodes: vec2<f32>;
+        var radius: vec2<f32>;
+        var kernel_4: GaborKernel;
+        var place_1: GaborPlace;
+
+        period_3 = period;
+        let _e6 = period_3;
+        period_3 = max(_e6, vec2(0.0009765625f));
+        let _e10 = period_3;
+        nodes = max(floor(((_e10 * 1.5f) + vec2(0.5f))), vec2(3f));
+        let _e25 = nodes;
+        let _e26 = period_3;
+        radius = (_e25 / _e26);
+        let _e29 = gabor_kernel(frequency, orientation);
+        kernel_4 = _e29;
+        let _e32 = kernel_4;
+        let _e35 = radius;
+        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
+        kernel_4.step_x = _e38;
+        let _e40 = kernel_4;
+        let _e43 = radius;
+        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
+        kernel_4.step_y = _e46;
+        let _e49 = radius;
+        let _e51 = radius;
+        let _e52 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
+        let _e58 = place_1;
+        let _e59 = kernel_4;
+        let _e60 = gabor_field(_e58, _e59, seed);
+        return _e60.value.y;
+    }
+}
+
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
+// has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
+// between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var place_2: GaborPlace;
+
+        let _e12 = gabor_place(vec2(0i), (p * 1f));
+        place_2 = _e12;
+        place_2.animated = true;
+        place_2.time = time;
+        let _e17 = place_2;
+        let _e18 = gabor_kernel(frequency, orientation);
+        let _e19 = gabor_field(_e17, _e18, seed);
+        return _e19.value.y;
+    } else if GABOR_TAPS == 4 {
+        var place_2: GaborPlace;
+
+        let _e12 = gabor_place(vec2(0i), (p * 2f));
+        place_2 = _e12;
+        place_2.animated = true;
+        place_2.time = time;
+        let _e17 = place_2;
+        let _e18 = gabor_kernel(frequency, orientation);
+        let _e19 = gabor_field(_e17, _e18, seed);
+        return _e19.value.y;
+    } else {
+        var place_2: GaborPlace;
+
+        let _e12 = gabor_place(vec2(0i), (p * 1.5f));
+        place_2 = _e12;
+        place_2.animated = true;
+        place_2.time = time;
+        let _e17 = place_2;
+        let _e18 = gabor_kernel(frequency, orientation);
+        let _e19 = gabor_field(_e17, _e18, seed);
+        return _e19.value.y;
+    }
+}
+
+// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
+// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
