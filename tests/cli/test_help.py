@@ -34,9 +34,15 @@ class Help(ProgramTest):
     def test_recipes_are_those_of_the_readme(self):
         readme = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
         recipes = json.loads(self.succeed("recipes", "--json"))
+        self.assertEqual([(recipe["file"], recipe["macros"]) for recipe in recipes[:3]],
+                         [("gabor_lattice.glsl", macros) for macros in ({}, {"GABOR_TAPS": "2"}, {"GABOR_TAPS": "4"})])
+        text = self.succeed("recipes")
+        for recipe in recipes:
+            self.assertIn(f"{recipe['name']} ", text)
+            self.assertIn(recipe["file"], text)
+        recipes = [recipe for recipe in recipes if recipe["file"] == "gabor_noise.glsl"] # those of the table
         self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-\w+\.png\) \| `(\w+)`", readme),
                          [recipe["name"] for recipe in recipes])
-        text = self.succeed("recipes")
         for recipe in recipes:
             row = re.search(rf"(?m)^\|[^|]*\| `{recipe['name']}` \| (\d+) \|.*\|([^|]*)\|$", readme)
             self.assertEqual(int(row[1]), recipe["visited"])
