@@ -50,20 +50,20 @@ void main()
     vec2 bracket[impulses * block_columns];
     vec2 bracket_slope[impulses * block_columns]; // with q' for q
 
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     [[unroll]] for (int c = 0; c < impulses; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_row_word(gabor_wrap(down.cell + offset.y, period.y), seed_word);
-        uint word = gabor_impulse_word(gabor_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
-        vec2 impulse = gabor_place_plus_one(word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
+        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
+        vec2 impulse = gabor_impl_position_plus_one(word);
         vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_phase(impulse, float(GABOR_PHASES)) + gabor_tempo(word) * time;
-        vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+        float turns = dot(wave, d) + gabor_impl_phase(impulse, float(GABOR_PHASES)) + gabor_impl_phase_rate(word) * time;
+        vec2 z = amplitude * gabor_impl_magnitude(word) * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            bracket[c * block_columns + k] = z * gabor_window(d.x + float(k) * pixel);
+            bracket[c * block_columns + k] = z * gabor_impl_window(d.x + float(k) * pixel);
             if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * gabor_window_slope(d.x + float(k) * pixel);
+                bracket_slope[c * block_columns + k] = z * gabor_impl_window_slope(d.x + float(k) * pixel);
             z = rotated(z, column_turn);
         }
     }
@@ -83,12 +83,12 @@ void main()
         }
         [[unroll]] for (int c = 0; c < impulses; ++c) {
             float y = distance_y[c] + float(r) * pixel;
-            float q = gabor_window(y);
+            float q = gabor_impl_window(y);
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 envelope[k] += q * bracket[c * block_columns + k];
                 if (with_gradient) {
                     slope_x[k] += q * bracket_slope[c * block_columns + k];
-                    slope_y[k] += gabor_window_slope(y) * bracket[c * block_columns + k];
+                    slope_y[k] += gabor_impl_window_slope(y) * bracket[c * block_columns + k];
                 }
             }
         }
