@@ -262,8 +262,8 @@ void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors col
     vec2 amplitude = gabor_impl_amplitude(word);
     uint second = gabor_impl_next_word(word);
     if (animated)
-        amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
-                                  + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
+        amplitude = gabor_impl_amplitude_at(time, amplitude, gabor_impl_amplitude(second),
+                                            gabor_impl_amplitude(gabor_impl_next_word(second)));
     row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
     row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
 }

@@ -86,8 +86,8 @@ class Window(ViewerTest):
             quit""", "--window", "1280x800")
         recipes = [json.loads((self.folder / f"{name}.json").read_text())["recipe"]
                    for name in ("before", "after", "undone", "redone")]
-        self.assertEqual(recipes[0], "one")
-        self.assertNotEqual(recipes[1], "one")
+        self.assertEqual(recipes[0], "lattice")
+        self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
