@@ -1,7 +1,5 @@
 #include "viewer/noise_pass.hpp"
 
-#include "noise/reference_3d.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

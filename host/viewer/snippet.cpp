@@ -63,7 +63,7 @@ std::string noise_at_place(const render::Request& request) {
                                   value(request, "kernel", seed));
     return text + fmt::format(R"(    float sum = 0.0; // of independent noises
     for (int i = 0; i < {}; ++i) {{
-        uint own_seed = gabor_mix({} + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        uint own_seed = gabor_lobe_seed({}, i);
         GaborKernel kernel = gabor_kernel_lobe(lobes.lobe[i]);
         sum += sqrt(lobes.lobe[i].power / {}) * {};
     }}

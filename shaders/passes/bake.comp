@@ -116,20 +116,20 @@ void main()
     }
 #else
     float distance_y[terms]; // of each impulse from the first row
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_row_word(gabor_wrap(down.cell + offset.y, period.y), seed_word);
-        uint word = gabor_impulse_word(gabor_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
-        vec2 impulse = gabor_place_plus_one(word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
+        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
+        vec2 impulse = gabor_impl_position_plus_one(word);
         vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_phase(impulse, float(GABOR_PHASES)) + gabor_tempo(word) * time;
-        vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+        float turns = dot(wave, d) + gabor_impl_phase(impulse, float(GABOR_PHASES)) + gabor_impl_phase_rate(word) * time;
+        vec2 z = amplitude * gabor_impl_magnitude(word) * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            bracket[c * block_columns + k] = z * gabor_window(d.x + float(k) * pixel);
+            bracket[c * block_columns + k] = z * gabor_impl_window(d.x + float(k) * pixel);
             if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * gabor_window_slope(d.x + float(k) * pixel);
+                bracket_slope[c * block_columns + k] = z * gabor_impl_window_slope(d.x + float(k) * pixel);
             z = rotated(z, column_turn);
         }
     }
@@ -156,7 +156,7 @@ void main()
             Window q = Window(down_windows.value[c], down_windows.slope[c]);
 #else
             float y = distance_y[c] + float(r) * pixel;
-            Window q = Window(gabor_window(y), gabor_window_slope(y));
+            Window q = Window(gabor_impl_window(y), gabor_impl_window_slope(y));
 #endif
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 envelope[k] += q.value * bracket[c * block_columns + k];

@@ -88,7 +88,7 @@ Values evaluate_sum(GaborPlace place, GaborFootprint footprint)
     for (int i = 0; i < lobe_count; ++i)
         total_power += lobes[i].power;
     for (int i = 0; i < lobe_count; ++i) {
-        uint instance = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        uint instance = gabor_lobe_seed(seed, i);
         Values one = evaluate(place, gabor_kernel_lobe(lobe_at(i)), footprint, instance);
         float share = lobes[i].power / total_power;
         sum.field.value += sqrt(share) * one.field.value;

@@ -20,11 +20,11 @@ layout(constant_id = 20) const int native_sine = 0;
 
 #define GABOR_UNROLL [[unroll]]
 #define GABOR_NATIVE_SINE native_sine
-// Where gabor_noise.glsl asks with #if whether these are good values, a constant counts as 0, and the sums as 1 and 2.
-#define GABOR_IMPULSES (recipe_impulses + 1 / (recipe_impulses + 1))
+#define GABOR_UNCHECKED
+#define GABOR_IMPULSES recipe_impulses
 #define GABOR_RADIUS recipe_radius
 #define GABOR_WEIGHT_FLOOR recipe_weight_floor
-#define GABOR_PHASES (recipe_phases + 2 / (recipe_phases + 1))
+#define GABOR_PHASES recipe_phases
 #define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
 
 #include "gabor_noise.glsl"

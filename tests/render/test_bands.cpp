@@ -1,5 +1,5 @@
-#include "noise/lattice.hpp"
-#include "noise/reference.hpp"
+#include "reference/lattice.hpp"
+#include "reference/reference.hpp"
 #include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>

@@ -150,7 +150,7 @@ class Window(ViewerTest):
 
         noise = shaders / "passes/pixels.comp"
         pass_text = noise.read_text()
-        after("before.png", drop_in, good.replace("vec2 gabor_place_plus_one", "vec2 spoilt("))
+        after("before.png", drop_in, good.replace("vec2 gabor_impl_position_plus_one", "vec2 spoilt("))
         after("broken.png", drop_in, good)
         after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
         after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))

@@ -1,4 +1,4 @@
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
