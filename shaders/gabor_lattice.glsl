@@ -95,15 +95,15 @@ vec2 gabor_impl_amplitude(uint word)
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
 
-// (cos, sin) of 2 pi t for any t, within 7e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
-// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 vec2 gabor_impl_wave(float t)
 {
     t -= floor(t + 0.5);
     float y = abs(t) - 0.25;
     float s = y * y;
     float r = s * s;
-    float cosine = (41.337081 * s - 6.2831638) + r * (70.964231 * s - 81.338075);
+    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
     float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
     return vec2(y * cosine, t < 0.0 ? -sine : sine);
 }
@@ -357,7 +357,7 @@ vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours and for displacement along vectors; the first is gabor_noise.
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
 vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
 {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
