@@ -64,14 +64,11 @@ vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
 {
     for (int i = 0; i < place.channel; ++i)
         word = gabor_impl_next_word(word);
-    vec2 a = gabor_impl_amplitude(word);
     if (!place.animated)
-        return a;
-    // A0 (1 + cos) / 2 + A1 (1 - cos) / 2 + A2 sin / sqrt(2): the squares of the factors sum to 1.
+        return gabor_impl_amplitude(word);
     uint second = gabor_impl_next_word(word);
-    vec2 time = gabor_impl_wave(place.time);
-    return mix(gabor_impl_amplitude(second), a, 0.5 + 0.5 * time.x)
-         + 0.70710678 * time.y * gabor_impl_amplitude(gabor_impl_next_word(second));
+    return gabor_impl_amplitude_at(gabor_impl_wave(place.time), gabor_impl_amplitude(word), gabor_impl_amplitude(second),
+                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
 }
 
 // The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of

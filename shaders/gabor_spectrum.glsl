@@ -140,16 +140,18 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
 //
 // Along one axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window ends at +-w, which a taper sees
 // to: for w = 1 it is h itself, which has three of these waves. The filter widens w from 1 to 5/3, so that 3, 4 or 5
-// nodes along each axis take part. The axes meet in the factor exp(-4 pi^2 S_xy q_x q_y). With H as wide as a normal
-// curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28)
-// separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy),
-// r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// nodes along each axis take part; the filter is for GABOR_TAPS 3. The axes meet in the factor exp(-4 pi^2 S_xy q_x
+// q_y). With H as wide as a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of
+// h, Mehler's formula (DLMF 18.18.28) separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho
+// = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z =
+// sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
 //                                      (1 - 2 lambda z_x z_y + lambda^2 / 2 (2 z_x^2 - 1) (2 z_y^2 - 1) - ...),
 //
 // of which these three terms are used; |lambda| is at most 0.26.
 
+#if GABOR_TAPS == 3
 // What a pixel covers: see gabor_footprint.
 struct GaborFootprint {
     vec3 covariance; // xx, yy, xy in kernel radii^2
@@ -174,8 +176,8 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance)
     return exp(-min(exponent, 80.0)) * inversesqrt(determinant);
 }
 
-// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine and
-// sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
+// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine
+// and sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
 struct GaborBand {
     float reach; // w, in kernel radii
     float slope; // of the taper
@@ -260,11 +262,12 @@ void gabor_impl_add_filtered(inout GaborFactors row, uint word, GaborFactors col
     vec2 amplitude = gabor_impl_amplitude(word);
     uint second = gabor_impl_next_word(word);
     if (animated)
-        amplitude = 0.70710678 * (amplitude + time.x * gabor_impl_amplitude(second)
-                                  + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
+        amplitude = gabor_impl_amplitude_at(time, amplitude, gabor_impl_amplitude(second),
+                                            gabor_impl_amplitude(gabor_impl_next_word(second)));
     row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
     row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
 }
+#endif
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
@@ -309,8 +312,8 @@ vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
 // derivatives, mean 0, variance 1. Continuous where the arguments are.
 // Cost: that of gabor_noise for each lobe. Of directions there are, with o for the orientation_spread,
 //     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-// 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up to
-// 16; at some arguments, a fifth of all, two such numbers next to each other together.
+// 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up
+// to 16; at some arguments, a fifth of all, two such numbers next to each other together.
 float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          uint seed)
 {
@@ -332,6 +335,7 @@ vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, floa
     return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
+#if GABOR_TAPS == 3
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
 // filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
 GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
@@ -467,5 +471,7 @@ vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint
     }
     return power > 0.0 ? sum * vec2(inversesqrt(power), 1.0 / power) : vec2(0.0);
 }
+
+#endif // GABOR_TAPS == 3
 
 #endif // GABOR_SPECTRUM_GLSL

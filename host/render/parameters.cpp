@@ -146,7 +146,9 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.height; }),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "How quality is bought",
+        {"recipe", Kind::recipe, "", none, none, "",
+         "How quality is bought; `one` draws what a lattice has not: lobes, spreads, the filter, noise in "
+         "space",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),
@@ -231,7 +233,10 @@ const std::array exclusions{
               },
               "noise in space has an orientation_spread of 0 or 90"},
     Exclusion{"view", "recipe",
-              [](const Request& r) { return in_space(r) && r.recipe != noise::recipes().front(); },
+              [](const Request& r) {
+                  return in_space(r) && r.recipe != noise::recipes().front() &&
+                         r.recipe != noise::sparse_recipes().front();
+              },
               "noise in space has a recipe of its own"},
     Exclusion{"view", "values", [](const Request& r) { return in_space(r) && r.values > 1; },
               "noise in space has one value"},

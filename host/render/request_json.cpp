@@ -102,11 +102,13 @@ bool is_of_lobe(const Parameter& p) {
 } // namespace
 
 std::string to_json(const Request& request) {
+    Request drawn = request;
+    drawn.recipe = drawing_recipe(request);
     ordered_json object;
     // A single lobe of power 1 is written by its values.
     const bool by_values = request.lobes.size() == 1 && request.lobes.front().power == 1;
     for (const Parameter& p : parameters())
-        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && by_values))
+        if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
     return dumped(object);
 }

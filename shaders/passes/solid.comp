@@ -16,6 +16,7 @@ layout(constant_id = 4) const bool with_quadrature = false;
 layout(constant_id = 5) const bool with_gradient = false; // along the picture's right and down
 layout(constant_id = 6) const bool with_phasor = false;
 layout(constant_id = 7) const int rays = 4; // through a pixel for its coverage, along each axis; 0: that of its centre
+layout(constant_id = 8) const bool animated = false; // whether time is not 0
 const int channels = 2 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0);
 
 #include "gabor_lattice.glsl"
@@ -113,7 +114,7 @@ GaborField3d field_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
 {
     vec3 along = vec3(direction, 0.0);
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
-    place.animated = time != 0.0;
+    place.animated = animated;
     place.time = time;
     place.filtered = filtered;
     place.dx = dx;

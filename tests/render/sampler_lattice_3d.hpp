@@ -1,6 +1,6 @@
 #pragma once
 
-#include "noise/lattice_3d.hpp"
+#include "reference/lattice_3d.hpp"
 #include "sampler.hpp"
 
 #include "passes/sample_lattice_3d.h"

@@ -1,5 +1,5 @@
 #include "error.hpp"
-#include "noise/lattice_3d.hpp"
+#include "reference/lattice_3d.hpp"
 #include "render/parameters.hpp"
 #include "render/solid.hpp"
 

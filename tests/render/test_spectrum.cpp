@@ -1,7 +1,7 @@
 // gabor_spectrum.glsl on the device: lobes, spreads and the filter, against the double-precision reference.
 
-#include "noise/spectrum.hpp"
 #include "oracle.hpp"
+#include "reference/spectrum.hpp"
 #include "sampler.hpp"
 #include "statistics/gaussianity.hpp"
 

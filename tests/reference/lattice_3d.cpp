@@ -1,6 +1,6 @@
-#include "noise/lattice_3d.hpp"
+#include "reference/lattice_3d.hpp"
 
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>

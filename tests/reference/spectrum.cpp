@@ -1,6 +1,6 @@
-#include "noise/spectrum.hpp"
+#include "reference/spectrum.hpp"
 
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
