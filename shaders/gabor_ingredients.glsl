@@ -34,7 +34,7 @@ int gabor_impl_poisson_count(float mean, uint cell_word)
         float end = exp(-min(mean, 64.0));
         float product = 1.0;
         do {
-            uint word = gabor_mix(cell_word + uint(draws++) * GABOR_SPREAD, cell_word);
+            uint word = gabor_impl_mix(cell_word + uint(draws++) * GABOR_IMPL_CELL_STRIDE, cell_word);
             product *= (float(int(word >> 8u)) + 0.5) / 16777216.0;
         } while (product > end);
         ++parts;
@@ -125,7 +125,7 @@ vec2 gabor_point(int index, uint word, uint cell_word)
         uvec2 fraction = gabor_impl_sobol_point(uint(index) + (GABOR_POINTS == 4 ? cell_word : 0u));
         if (GABOR_POINTS == 5)
             fraction = uvec2(gabor_impl_owen_scrambled(fraction.x, cell_word),
-                             gabor_impl_owen_scrambled(fraction.y, gabor_mix(cell_word, 1u)));
+                             gabor_impl_owen_scrambled(fraction.y, gabor_impl_mix(cell_word, 1u)));
         return vec2(ivec2(fraction >> 8u)) / 16777216.0;
     }
     return gabor_impl_unit_square(word);
@@ -143,8 +143,8 @@ float gabor_impl_ingredient_weight(uint word)
 float gabor_impl_ingredient_wave(float turns, uint word)
 {
     if (GABOR_KERNEL == 2)
-        turns += float(int(gabor_mix(word, 2u) >> 8u)) / 16777216.0;
-    return gabor_sin_turns(GABOR_KERNEL == 0 ? turns + 0.25 : turns);
+        turns += float(int(gabor_impl_mix(word, 2u) >> 8u)) / 16777216.0;
+    return gabor_impl_sine(GABOR_KERNEL == 0 ? turns + 0.25 : turns);
 }
 
 float gabor_impl_ingredient_envelope(vec2 d)
@@ -179,17 +179,17 @@ float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed)
     cell += ivec2(floor(local));
     local -= floor(local);
     vec2 first = floor(local - reach);
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(gabor_impl_wrapped_cell(cell.y + int(first.y) + j), seed_word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrapped_cell(cell.y + int(first.y) + j), seed_word);
         for (int i = 0; i < visited; ++i) {
             int column = gabor_impl_wrapped_cell(cell.x + int(first.x) + i);
-            uint cell_word = gabor_impulse_word(column, row_word, -1);
+            uint cell_word = gabor_impl_impulse_word(column, row_word, -1);
             vec2 corner = first + vec2(float(i), float(j));
             int count = gabor_count(cell_word);
             for (int k = 0; k < count; ++k) {
-                uint word = gabor_impulse_word(column, row_word, k);
+                uint word = gabor_impl_impulse_word(column, row_word, k);
                 vec2 d = (local - gabor_point(k, word, cell_word)) - corner;
                 sum += gabor_impl_ingredient_weight(word) * gabor_impl_ingredient_envelope(d)
                      * gabor_impl_ingredient_wave(dot(wave, d), word);

@@ -50,7 +50,7 @@ precision highp int;
 #ifndef GABOR_3D_IMPULSES
 #define GABOR_3D_IMPULSES 1
 #endif
-#if GABOR_3D_IMPULSES < 1
+#if !defined(GABOR_UNCHECKED) && GABOR_3D_IMPULSES < 1
 #error GABOR_3D_IMPULSES is an int, at least 1
 #endif
 
@@ -78,14 +78,14 @@ void gabor_impl_check_macros_3d()
 // all of the fourth cumulant away.
 uint gabor_impulse_word_3d(int column, uint row_word, int index)
 {
-    return gabor_row_word(column, row_word + uint(index) * 0x85ebca6bu);
+    return gabor_impl_row_word(column, row_word + uint(index) * 0x85ebca6bu);
 }
 
 // Place of an impulse in its cell, plus 1: in [1, 2)^3. The places of all words are a lattice, whose shortest waves, of
 // phase and place together, have more than 150 periods in a cell.
 vec3 gabor_place_plus_one_3d(uint word)
 {
-    return vec3(gabor_place_plus_one(word), uintBitsToFloat(0x3f800000u | ((word * GABOR_SPREAD) >> 9u)));
+    return vec3(gabor_impl_position_plus_one(word), uintBitsToFloat(0x3f800000u | ((word * GABOR_IMPL_CELL_STRIDE) >> 9u)));
 }
 
 // Phase of the impulse, in turns: 256 of them, evenly spread.
@@ -97,11 +97,11 @@ float gabor_phase_3d(uint word)
 // Direction of an impulse: uniform on the unit sphere, for its height is uniform (Archimedes).
 vec3 gabor_sphere_3d(uint word)
 {
-    vec2 uniform_plus_one = gabor_place_plus_one(gabor_mix(word, 0x85ebca6bu));
+    vec2 uniform_plus_one = gabor_impl_position_plus_one(gabor_impl_mix(word, 0x85ebca6bu));
     float height = 2.0 * uniform_plus_one.x - 3.0;
     float turns = uniform_plus_one.y - 1.0;
     float across = sqrt((1.0 - height) * (1.0 + height));
-    return vec3(across * gabor_sin_turns(turns + 0.25), across * gabor_sin_turns(turns), height);
+    return vec3(across * gabor_impl_sine(turns + 0.25), across * gabor_impl_sine(turns), height);
 }
 
 // A direction brought to the plane that is perpendicular to a unit normal, or anywhere if that is 0, and to length 1.
@@ -293,14 +293,14 @@ GaborField3d gabor_field_3d(GaborPlace3d place, GaborKernel3d kernel, uint seed)
     vec3 cell_side = 1.0 / place.radius;
     float time = fract(place.time);
 
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     GaborField3d sum = GaborField3d(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
     GABOR_UNROLL for (int h = 0; h < visited; ++h) {
-        uint slice_word = gabor_row_word(gabor_wrap(cell.z + h, place.period.z), seed_word);
+        uint slice_word = gabor_impl_row_word(gabor_impl_wrap(cell.z + h, place.period.z), seed_word);
         GABOR_UNROLL for (int j = 0; j < visited; ++j) {
-            uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), slice_word);
+            uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), slice_word);
             GABOR_UNROLL for (int i = 0; i < visited; ++i) {
-                int column = gabor_wrap(cell.x + i, place.period.x);
+                int column = gabor_impl_wrap(cell.x + i, place.period.x);
                 GABOR_UNROLL for (int k = 0; k < GABOR_3D_IMPULSES; ++k) {
                     uint word = gabor_impulse_word_3d(column, row_word, k);
                     vec3 impulse = gabor_place_plus_one_3d(word);
@@ -317,10 +317,10 @@ GaborField3d gabor_field_3d(GaborPlace3d place, GaborKernel3d kernel, uint seed)
                             magnitude = tangent.w * gabor_damping_3d(blurred);
                             wave -= blurred.x * kernel.blur_x + blurred.y * kernel.blur_y;
                         }
-                        float turns = dot(wave, d) + gabor_phase_3d(word) + gabor_tempo(word) * time;
+                        float turns = dot(wave, d) + gabor_phase_3d(word) + gabor_impl_phase_rate(word) * time;
                         vec3 q = gabor_window_3d(d);
                         vec3 slope = gabor_window_slope_3d(d) * q.yzx * q.zxy;
-                        vec2 unit = magnitude * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+                        vec2 unit = magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
                         vec2 value = (q.x * q.y * q.z) * unit;
                         vec2 turned = 6.2831853 * vec2(-value.y, value.x);
                         sum.value += value;

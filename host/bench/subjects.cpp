@@ -5,6 +5,9 @@
 #include "passes/bench/bench_interface.h"
 #include "passes/bench/gradient.h"
 #include "passes/bench/recipe.h"
+#include "passes/bench/recipe_lattice_2.h"
+#include "passes/bench/recipe_lattice_3.h"
+#include "passes/bench/recipe_lattice_4.h"
 #include "passes/bench/seminal.h"
 #include "passes/bench/space.h"
 #include "passes/bench/write.h"
@@ -12,10 +15,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace gabor::bench {
 
 namespace {
+
+constexpr render::RecipeModules modules{
+    recipe_spirv, {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
 // The options of passes/bench/seminal.comp: impulses per cell, the paper's advice, hoisted.
 void add_published(std::vector<Subject>& all) {
@@ -31,19 +38,22 @@ void add_drop_in(std::vector<Subject>& all) {
     for (const noise::Recipe& recipe : noise::recipes())
         all.push_back({fmt::format("gabor_noise, {}", recipe.name),
                        static_cast<double>(noise::visited_impulses(recipe)),
-                       recipe_spirv,
+                       modules.of(recipe),
                        &recipe,
                        {0},
                        true});
-    const noise::Recipe& one = noise::recipes().front();
-    std::uint32_t function = 0;
-    for (const char* name : {"gradient", "complex and phasor", "four", "tiled", "animated", "spread",
-                             "lobes, 3", "lobes, 16", "filtered"})
-        all.push_back({fmt::format("gabor_noise_{}, {}", name, one.name),
-                       static_cast<double>(noise::visited_impulses(one)),
-                       recipe_spirv,
-                       &one,
-                       {++function}});
+    constexpr std::array functions{"gradient", "complex and phasor", "four",      "tiled",   "animated",
+                                   "spread",   "lobes, 3",           "lobes, 16", "filtered"};
+    constexpr std::size_t of_lattice = 5; // the first functions
+    for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
+        const bool lattice = recipe->kind == noise::Recipe::Kind::lattice;
+        for (std::size_t i = 0; i < (lattice ? of_lattice : functions.size()); ++i)
+            all.push_back({fmt::format("gabor_noise_{}, {}", functions.at(i), recipe->name),
+                           static_cast<double>(noise::visited_impulses(*recipe)),
+                           modules.of(*recipe),
+                           recipe,
+                           {static_cast<std::uint32_t>(i + 1)}});
+    }
 }
 
 // The option of passes/bench/space.comp is the function; each visits 3 x 3 x 3 cells.

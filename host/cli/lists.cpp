@@ -36,12 +36,14 @@ void print_recipes(bool as_json) {
         list.push_back({{"name", recipe.name},
                         {"is", recipe.is},
                         {"visited", noise::visited_impulses(recipe)},
+                        {"file", noise::drop_in(recipe)},
                         {"macros", macros}});
         if (as_json)
             continue;
-        fmt::print("{:<8}{}; {} impulses visited\n", recipe.name, recipe.is, noise::visited_impulses(recipe));
+        fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.is,
+                   noise::visited_impulses(recipe), recipe.taps > 0 ? "nodes" : "impulses");
         for (const noise::Macro& macro : noise::macros(recipe))
-            fmt::print("        #define {} {}\n", macro.name, macro.value);
+            fmt::print("          #define {} {}\n", macro.name, macro.value);
     }
     if (as_json)
         fmt::print("{}\n", list.dump(2));

@@ -16,12 +16,21 @@ namespace gabor::noise {
 
 namespace {
 
-// What shaders/gabor_noise.glsl does by itself is the first.
+constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
+    return {name, 1, 0.5f * static_cast<float>(taps), 0, 0, {}, is, Recipe::Kind::lattice, taps};
+}
+
+// Of each kind the first is what its drop-in does by itself.
 constexpr std::array known{
-    Recipe{"one", 1, 1.0f, 0.675f, 256, {3, -4.5f, 2.5f}, "one impulse per cell, the fastest"},
+    lattice("lattice", 3, "exactly normal at every place, the best for its price"),
+    lattice("lattice-2", 2, "the same with two nodes along each axis, the fastest"),
+    lattice("lattice-4", 4, "with four, whose covariance depends the least on the place"),
+    Recipe{"one", 1, 1.0f, 0.675f, 256, {3, -4.5f, 2.5f}, "one random impulse per cell"},
     Recipe{"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, "the lowest sidelobes"},
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},
 };
+
+constexpr Recipe in_space{"solid", 1, 1.0f, 1.0f, 256, {3.1f, -3.9f, 1.8f}, "27 impulses"};
 
 std::string fields(const Recipe& recipe) {
     return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius,
@@ -35,6 +44,14 @@ std::span<const Recipe> recipes() {
     return known;
 }
 
+std::span<const Recipe> sparse_recipes() {
+    return std::span(known).subspan(3);
+}
+
+std::string_view drop_in(const Recipe& recipe) {
+    return recipe.kind == Recipe::Kind::lattice ? "gabor_lattice.glsl" : "gabor_noise.glsl";
+}
+
 Recipe find_recipe(std::string_view text) {
     const auto found = std::ranges::find(known, text, &Recipe::name);
     if (found != known.end())
@@ -46,8 +63,8 @@ Recipe find_recipe(std::string_view text) {
         std::sscanf(copy.c_str(), "N=%d,R=%f,A=%f,phases=%d,window=%f:%f:%f%n", &own.impulses, &own.radius,
                     &own.weight_floor, &own.phases, &own.window[0], &own.window[1], &own.window[2], &length);
     if (read == 7 && static_cast<std::size_t>(length) == copy.size() && acceptable(own)) {
-        const auto same = std::ranges::find(known, fields(own), fields);
-        return same == known.end() ? own : *same;
+        const auto same = std::ranges::find(sparse_recipes(), fields(own), fields);
+        return same == sparse_recipes().end() ? own : *same;
     }
     throw RequestError(fmt::format("'{}': it takes {}", text, accepted_recipes()));
 }
@@ -58,16 +75,22 @@ std::string accepted_recipes() {
     return fmt::format(
         "{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
         "or 256 phases",
-        fmt::join(names, ", "), fields(known.front()), most_impulses, largest_radius);
+        fmt::join(names, ", "), fields(sparse_recipes().front()), most_impulses, largest_radius);
 }
 
 std::string spelled_out(const Recipe& recipe) {
-    const auto same = std::ranges::find(known, fields(recipe), fields);
-    return same == known.end() ? fields(recipe) : std::string(same->name);
+    if (recipe.kind == Recipe::Kind::lattice)
+        return std::string(recipe.name);
+    const auto same = std::ranges::find(sparse_recipes(), fields(recipe), fields);
+    return same == sparse_recipes().end() ? fields(recipe) : std::string(same->name);
 }
 
 std::vector<Macro> macros(const Recipe& recipe) {
-    const Recipe& standard = known.front();
+    if (recipe.kind == Recipe::Kind::lattice)
+        return recipe.taps == known.front().taps
+                   ? std::vector<Macro>()
+                   : std::vector<Macro>{{"GABOR_TAPS", fmt::format("{}", recipe.taps)}};
+    const Recipe& standard = sparse_recipes().front();
     const auto literal = [](float value) { // a point makes it a float in GLSL
         const std::string text = fmt::format("{}", value);
         return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
@@ -98,11 +121,21 @@ bool acceptable(const Recipe& recipe) {
 }
 
 int visited_cells(const Recipe& recipe) {
+    if (recipe.kind == Recipe::Kind::lattice)
+        return recipe.taps;
     return static_cast<int>(std::ceil(2 * recipe.radius)) + 1;
 }
 
 int visited_impulses(const Recipe& recipe) {
     return visited_cells(recipe) * visited_cells(recipe) * recipe.impulses;
+}
+
+int visited_impulses_3d(const Recipe& recipe) {
+    return visited_cells(recipe) * visited_impulses(recipe);
+}
+
+const Recipe& recipe_3d() {
+    return in_space;
 }
 
 } // namespace gabor::noise

@@ -8,10 +8,10 @@
 
 namespace gabor::noise {
 
-/// A noise of the drop-ins, with its compile-time trade-offs: for the sparse one the GABOR_ macros of
-/// shaders/gabor_noise.glsl.
+/// A noise of the drop-ins, with its compile-time trade-offs: the GABOR_ macros of
+/// shaders/gabor_lattice.glsl, or of shaders/gabor_noise.glsl, the sparse one.
 struct Recipe {
-    enum class Kind { sparse }; ///< which drop-in
+    enum class Kind { sparse, lattice }; ///< which drop-in
 
     std::string_view name;
     int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)
@@ -21,12 +21,20 @@ struct Recipe {
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
     std::string_view is;         ///< what it is, for help texts
     Kind kind = Kind::sparse;
+    int taps =
+        0; ///< of the lattice's, nodes along each axis that reach a point (GABOR_TAPS); R is half of it
 
     bool operator==(const Recipe&) const = default;
 };
 
 /// The known recipes; the first is the default.
 std::span<const Recipe> recipes();
+
+/// Those of the sparse noise; the first is what its drop-in does by itself.
+std::span<const Recipe> sparse_recipes();
+
+/// The drop-in's file in shaders/.
+std::string_view drop_in(const Recipe& recipe);
 
 /// The recipe of that name, or the one that is `spelled_out`, by its name where it has one. Throws
 /// RequestError, saying what is accepted, for anything else.
@@ -44,18 +52,23 @@ struct Macro {
     std::string value;
 };
 
-/// Those of a recipe that differ from the drop-in's own.
+/// Those of a recipe that differ from its drop-in's own.
 std::vector<Macro> macros(const Recipe& recipe);
 
-/// Whether these are values that the drop-in takes, and within reason.
+/// Whether these are values that the sparse noise takes, and within reason.
 bool acceptable(const Recipe& recipe);
 constexpr int most_impulses = 16;
 constexpr float largest_radius = 3;
 
-/// Cells visited along each axis: ceil(2 R) + 1.
+/// Cells visited along each axis: ceil(2 R) + 1, or the lattice's nodes.
 int visited_cells(const Recipe& recipe);
 
-/// Impulses visited for each evaluation of the noise: (ceil(2 R) + 1)^2 N.
+/// Impulses, or nodes, visited for each evaluation of the noise, and of that in space.
 int visited_impulses(const Recipe& recipe);
+int visited_impulses_3d(const Recipe& recipe);
+
+/// The recipe of shaders/gabor_noise_3d.glsl, whose GABOR_3D_ macros are its fields; `phases` and
+/// `weight_floor` are fixed there.
+const Recipe& recipe_3d();
 
 } // namespace gabor::noise

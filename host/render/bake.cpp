@@ -3,6 +3,9 @@
 #include "noise/variance.hpp"
 
 #include "passes/bake.h"
+#include "passes/bake_lattice_2.h"
+#include "passes/bake_lattice_3.h"
+#include "passes/bake_lattice_4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +15,15 @@ namespace gabor::render {
 
 namespace {
 
+constexpr RecipeModules modules{bake_spirv,
+                                {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
+
 std::vector<passes::Run> runs_along(const Request& request, int side, int first, int count, int longest) {
     const double radius = axis_along(request, side).radius;
-    return make_runs(first, count, radius / request.scale, radius, longest);
+    // The lattice's windows stretch with its nodes to fit a period.
+    const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
+    return make_runs(first, count, radius / request.scale, lattice ? double{request.recipe.radius} : radius,
+                     longest);
 }
 
 Block block_for(const vulkan::Device& device, const noise::Recipe& recipe) {
@@ -40,10 +49,13 @@ passes::BakePush make_push(const Request& request) {
     push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
     push.period = {x.period, y.period};
     push.time = wrapped_time(request);
-    // The variance is in proportion to the number of impulses per unit area.
-    push.amplitude = static_cast<float>(
-        recipe.radius /
-        std::sqrt(x.radius * y.radius * noise::variance(recipe, lobe.frequency, lobe.angle(), request.time)));
+    // The sparse noise's variance is in proportion to the number of impulses per unit area.
+    push.amplitude =
+        recipe.kind == noise::Recipe::Kind::lattice
+            ? 1.0f
+            : static_cast<float>(recipe.radius / std::sqrt(x.radius * y.radius *
+                                                           noise::variance(recipe, lobe.frequency,
+                                                                           lobe.angle(), request.time)));
     push.pixel = static_cast<float>(1 / request.scale);
     push.seed = request.seed;
     return push;
@@ -59,6 +71,8 @@ std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
 }
 
 Block gpu_block(const noise::Recipe& recipe) {
+    if (recipe.kind == noise::Recipe::Kind::lattice)
+        return {8, 16};
     return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
 }
 
@@ -100,7 +114,8 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(vulkan::constant(fixed_rows));
     constants.push_back(request.quadrature);
     constants.push_back(request.gradient);
-    return {device, bake_spirv, {3, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    constants.push_back(wrapped_time(request) != 0);
+    return {device, modules.of(request.recipe), {3, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 
 bool Bake::can_fill(const Request& request) {

@@ -9,6 +9,16 @@
 
 namespace gabor::render {
 
+/// A pass that includes passes/recipe.glsl, compiled for each drop-in.
+struct RecipeModules {
+    std::span<const std::uint32_t> sparse;
+    std::array<std::span<const std::uint32_t>, 3> lattice; ///< with 2, 3 and 4 taps
+
+    std::span<const std::uint32_t> of(const noise::Recipe& recipe) const {
+        return recipe.taps == 0 ? sparse : lattice.at(static_cast<std::size_t>(recipe.taps - 2));
+    }
+};
+
 /// The specialization constants of passes/recipe.glsl.
 std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 

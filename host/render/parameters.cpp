@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -147,7 +146,9 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.height; }),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "How quality is bought",
+        {"recipe", Kind::recipe, "", none, none, "",
+         "How quality is bought; `one` draws what a lattice has not: lobes, spreads, the filter, noise in "
+         "space",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),
@@ -232,17 +233,16 @@ const std::array exclusions{
               },
               "noise in space has an orientation_spread of 0 or 90"},
     Exclusion{"view", "recipe",
-              [](const Request& r) { return in_space(r) && r.recipe != noise::recipes().front(); },
+              [](const Request& r) {
+                  return in_space(r) && r.recipe != noise::recipes().front() &&
+                         r.recipe != noise::sparse_recipes().front();
+              },
               "noise in space has a recipe of its own"},
     Exclusion{"view", "values", [](const Request& r) { return in_space(r) && r.values > 1; },
               "noise in space has one value"},
 };
 
 // ---- Values ----
-
-std::string number_text(double value) {
-    return fmt::format("{}", value);
-}
 
 std::string range_text(const Range& range) {
     return fmt::format("{:.10g} to {:.10g}", range.low, range.high);
@@ -283,7 +283,7 @@ void check_lobes(const std::vector<Lobe>& lobes) {
 }
 
 void check_value(const Parameter& p, const Value& value) {
-    const auto refused = [&] { refuse(written(p, value), accepted(p)); };
+    const auto refused = [&] { refuse(written(value), accepted(p)); };
     if (has_range(p.kind)) {
         const double number = std::get<double>(value);
         if (!within(number, p.range) || (p.kind == Kind::integer && number != std::floor(number)))
@@ -307,77 +307,6 @@ auto of_parameter(const Parameter& p, Work work) {
     } catch (const RequestError& error) {
         throw RequestError(fmt::format("{} {}", p.name, error.what()));
     }
-}
-
-// ---- JSON ----
-
-std::vector<Lobe> lobes_of(const nlohmann::json& json) {
-    if (!json.is_array())
-        throw RequestError("the lobes must be a list");
-    std::vector<Lobe> lobes;
-    for (const nlohmann::json& entry : json) {
-        if (!entry.is_object())
-            throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
-        Lobe& lobe = lobes.emplace_back();
-        for (const auto& [name, value] : entry.items()) {
-            const auto found = std::ranges::find(of_lobe, name, &LobeParameter::name);
-            if (found == of_lobe.end()) {
-                std::vector<std::string_view> names;
-                std::ranges::transform(of_lobe, std::back_inserter(names), &LobeParameter::name);
-                throw RequestError(
-                    fmt::format("unknown '{}' in a lobe: a lobe has {}", name, fmt::join(names, ", ")));
-            }
-            if (!value.is_number())
-                throw RequestError(fmt::format("{} of a lobe must be a number", name));
-            lobe.*found->member = value.get<double>();
-        }
-        if (lobes.size() > most_lobes)
-            break;
-    }
-    return lobes;
-}
-
-Value value_of(const Parameter& p, const nlohmann::json& json) {
-    const auto must = [&](bool holds) {
-        if (!holds)
-            refuse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), accepted(p));
-    };
-    switch (p.kind) {
-    case Kind::flag:
-        must(json.is_boolean());
-        return json.get<bool>();
-    case Kind::integer:
-        must(json.is_number_integer());
-        return json.get<double>();
-    case Kind::number:
-    case Kind::angle:
-        must(json.is_number());
-        return json.get<double>();
-    case Kind::lobes:
-        return lobes_of(json);
-    default:
-        must(json.is_string());
-        return json.get<std::string>();
-    }
-}
-
-nlohmann::ordered_json json_of(const Parameter& p, const Value& value) {
-    if (p.kind == Kind::integer)
-        return static_cast<std::int64_t>(std::get<double>(value));
-    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&value)) {
-        nlohmann::ordered_json list = nlohmann::ordered_json::array();
-        for (const Lobe& lobe : *lobes) {
-            nlohmann::ordered_json& entry = list.emplace_back();
-            for (const LobeParameter& value_of_lobe : of_lobe)
-                entry[std::string(value_of_lobe.name)] = lobe.*value_of_lobe.member;
-        }
-        return list;
-    }
-    if (const auto* text = std::get_if<std::string>(&value))
-        return *text;
-    if (const auto* number = std::get_if<double>(&value))
-        return *number;
-    return std::get<bool>(value);
 }
 
 } // namespace
@@ -460,12 +389,14 @@ Value read(const Parameter& p, std::string_view text) {
     return value;
 }
 
-std::string written(const Parameter& p, const Value& value) {
+std::string written(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value))
         return *text;
     if (const auto* number = std::get_if<double>(&value))
-        return number_text(*number);
-    return json_of(p, value).dump();
+        return fmt::format("{}", *number);
+    if (const auto* on = std::get_if<bool>(&value))
+        return *on ? "true" : "false";
+    return lobes_to_json(std::get<std::vector<Lobe>>(value));
 }
 
 void set(Request& request, const Values& values) {
@@ -537,58 +468,6 @@ void check(const Request& request) {
             fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
                         "kernel radii, {} pixels",
                         request.width, request.height, request.scale, std::ceil(2 * request.scale)));
-}
-
-std::string to_json(const Request& request) {
-    nlohmann::ordered_json json;
-    const bool plain = request.lobes.size() == 1 && request.lobes.front().power == 1;
-    for (const Parameter& p : parameters())
-        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && plain))
-            json[std::string(p.name)] = json_of(p, *value);
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-Request from_json(std::string_view text) {
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object())
-        throw RequestError("the parameters are not a JSON object");
-    Values values;
-    Request with_view_and_lobes;
-    bool lobes_given = false;
-    for (const auto& [name, value] : json.items()) {
-        const Parameter& p = parameter(name);
-        values.emplace_back(&p, of_parameter(p, [&, &entry = value] { return value_of(p, entry); }));
-    }
-    // An empty list is the lobe of the other values; lobes that are given leave these aside.
-    std::erase_if(values, [&](const auto& each) {
-        if (each.first->kind != Kind::lobes)
-            return false;
-        lobes_given = !std::get<std::vector<Lobe>>(each.second).empty();
-        return !lobes_given;
-    });
-    for (const auto& [p, value] : values) {
-        of_parameter(*p, [&, &row = *p, &given = value] { check_value(row, given); });
-        if (p->kind == Kind::choice || p->kind == Kind::lobes)
-            p->put(with_view_and_lobes, value);
-    }
-    std::erase_if(values, [&](const auto& each) {
-        return !each.first->get(with_view_and_lobes) || (lobes_given && each.first->of == one_lobe);
-    });
-    Request request;
-    set(request, values);
-    check(request);
-    return request;
-}
-
-std::vector<Lobe> lobes_from_json(std::string_view text) {
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_object() && !json.contains("lobes"))
-        throw RequestError("the object has no 'lobes'");
-    if (!json.is_object() && !json.is_array())
-        throw RequestError("not a JSON list of lobes, nor an object with 'lobes'");
-    std::vector<Lobe> lobes = lobes_of(json.is_object() ? json["lobes"] : json);
-    check_lobes(lobes);
-    return lobes;
 }
 
 } // namespace gabor::render

@@ -66,7 +66,7 @@ std::string accepted(const Parameter& parameter);
 /// The value that a text stands for: "12", "45deg", "0.7854rad", "true", "horizon", a JSON list of lobes.
 /// Throws RequestError, "'text': it takes ...". `written` is the way back.
 Value read(const Parameter& parameter, std::string_view text);
-std::string written(const Parameter& parameter, const Value& value);
+std::string written(const Value& value);
 
 /// Puts values in, view and lobes first, whatever their order: which other parameters there are depends on
 /// them. Throws RequestError where a value is outside its range, or the request has no such parameter.
@@ -89,12 +89,13 @@ void check(const Request& request);
 
 /// The request as one JSON object, as kept in the `gabor` attribute of EXR files, and back. `from_json` lets
 /// absent values be as they are by default, and ignores those that such a request does not have; throws
-/// RequestError on any other thing.
+/// RequestError on anything else.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);
 
-/// The lobes of a JSON list, or of the `lobes` of a request's object. Throws RequestError where there are
-/// none.
+/// The lobes of a JSON list, or of the `lobes` of a request's object, and back. Throws RequestError where
+/// there is no such list.
 std::vector<noise::Lobe> lobes_from_json(std::string_view json);
+std::string lobes_to_json(const std::vector<noise::Lobe>& lobes);
 
 } // namespace gabor::render

@@ -3,12 +3,18 @@
 #include "render/bake.hpp"
 
 #include "passes/pixels.h"
+#include "passes/pixels_lattice_2.h"
+#include "passes/pixels_lattice_3.h"
+#include "passes/pixels_lattice_4.h"
 
 #include <cmath>
 
 namespace gabor::render {
 
 namespace {
+
+constexpr RecipeModules modules{pixels_spirv,
+                                {pixels_lattice_2_spirv, pixels_lattice_3_spirv, pixels_lattice_4_spirv}};
 
 bool in_perspective(const Request& request) {
     return std::holds_alternative<Horizon>(request.view);
@@ -48,7 +54,7 @@ std::vector<passes::Lobe> pixels_lobes(const Request& request) {
 }
 
 std::vector<std::uint32_t> pixels_constants(const Request& request) {
-    const auto of_recipe = recipe_constants(request.recipe);
+    const auto of_recipe = recipe_constants(drawing_recipe(request));
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
     constants.push_back(is_one_wave(request) ? 0 : static_cast<std::uint32_t>(request.lobes.size()));
     constants.push_back(request.sum && request.lobes.size() > 1);
@@ -59,6 +65,7 @@ std::vector<std::uint32_t> pixels_constants(const Request& request) {
     constants.push_back(request.gradient);
     constants.push_back(request.phasor);
     constants.push_back(static_cast<std::uint32_t>(request.values));
+    constants.push_back(wrapped_time(request) != 0);
     return constants;
 }
 
@@ -86,7 +93,8 @@ Pixels::Pixels(const vulkan::Device& device, const Request& request, const image
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
                const Paint& paint)
-    : pass_(device, pixels_spirv, {5, sizeof(passes::PixelsPush)}, pixels_constants(request)),
+    : pass_(device, modules.of(drawing_recipe(request)), {5, sizeof(passes::PixelsPush)},
+            pixels_constants(request)),
       columns_(
           upload(device, lines_along(request, request.width, region.x, region.width, request.width / 2.0))),
       rows_(upload(device,

@@ -49,7 +49,7 @@ class BandBuffer {
 } // namespace
 
 Axis axis_along(const Request& request, int side) {
-    const double radius = double{request.recipe.radius};
+    const double radius = double{drawing_recipe(request).radius};
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!plane || !plane->tileable)
         return {radius, 0};

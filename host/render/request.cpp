@@ -8,6 +8,16 @@ bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
 }
 
+bool needs_sparse(const Request& request) {
+    return request.lobes.size() > 1 || !request.lobes.front().is_one_wave() || request.filter ||
+           in_space(request);
+}
+
+noise::Recipe drawing_recipe(const Request& request) {
+    const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
+    return lattice && needs_sparse(request) ? noise::sparse_recipes().front() : request.recipe;
+}
+
 bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }

@@ -27,6 +27,9 @@ struct ShaderFile {
     ShaderStage stage;
 };
 constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::compute},
+                                  ShaderFile{"passes/pixels.comp@2", ShaderStage::compute},
+                                  ShaderFile{"passes/pixels.comp@3", ShaderStage::compute},
+                                  ShaderFile{"passes/pixels.comp@4", ShaderStage::compute},
                                   ShaderFile{"viewer/ingredients.comp", ShaderStage::compute},
                                   ShaderFile{"passes/solid.comp", ShaderStage::compute},
                                   ShaderFile{"viewer/show.vert", ShaderStage::vertex},

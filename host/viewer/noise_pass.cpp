@@ -1,7 +1,5 @@
 #include "viewer/noise_pass.hpp"
 
-#include "noise/reference_3d.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,10 +28,12 @@ NoisePass of_drop_in(const render::Request& request) {
         pass.name = "in space";
         pass.visited = noise::visited_impulses_3d(noise::recipe_3d());
     } else {
-        pass.shader = "passes/pixels.comp";
+        const noise::Recipe recipe = render::drawing_recipe(request);
+        pass.shader =
+            recipe.taps > 0 ? fmt::format("passes/pixels.comp@{}", recipe.taps) : "passes/pixels.comp";
         pass.constants = render::pixels_constants(request);
-        pass.name = noise::spelled_out(request.recipe);
-        pass.visited = noise::visited_impulses(request.recipe);
+        pass.name = noise::spelled_out(recipe);
+        pass.visited = noise::visited_impulses(recipe);
         if (request.sum)
             pass.visited *= static_cast<double>(request.lobes.size());
     }

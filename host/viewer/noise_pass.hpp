@@ -24,12 +24,12 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
 
 /// The compute pass that evaluates the noise of one pane.
 struct NoisePass {
-    std::string shader; ///< relative to shaders/
+    std::string shader; ///< as ShaderCompiler::compile takes it
     std::vector<std::uint32_t> constants;
     render::Request request;                       ///< with the channels that the output needs
     std::optional<study::Ingredients> ingredients; ///< where it is no noise of the drop-in
     std::string name;
-    double visited = 0; ///< impulses for each pixel; the mean where their number is random
+    double visited = 0; ///< impulses or nodes for each pixel; the mean where their number is random
     std::vector<std::string> channels;
 
     int channel_count() const { return static_cast<int>(channels.size()); }

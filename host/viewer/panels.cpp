@@ -178,7 +178,7 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
 void noise_panel(Session& session) {
     render::Request& request = session.document().request;
     control(session, "recipe");
-    if (ImGui::TreeNode("ingredients")) {
+    if (request.recipe.kind == noise::Recipe::Kind::sparse && ImGui::TreeNode("ingredients")) {
         recipe_ingredients(request);
         ImGui::TreePop();
     }
@@ -233,7 +233,7 @@ void files_panel(Session& session) {
     const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
     if (ImGui::Button("Copy GLSL", {width, 0}))
         copy_glsl(session);
-    tooltip("Ctrl C: a function that draws this view with gabor_noise.glsl, on the clipboard");
+    tooltip("Ctrl C: a function that draws this view with the drop-in, on the clipboard");
 
     if (ImGui::BeginCombo("begin with", "a preset")) {
         for (const render::Preset& preset : render::presets()) {

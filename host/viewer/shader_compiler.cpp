@@ -101,7 +101,10 @@ bool ShaderCompiler::changed() {
 }
 
 Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
-    const std::string name(path);
+    const std::size_t at = path.find('@');
+    const std::string name(path.substr(0, at));
+    const std::string preamble =
+        at == path.npos ? "" : fmt::format("#define GABOR_TAPS {}\n", path.substr(at + 1));
     std::string text;
     if (!read(name, text))
         return {{}, fmt::format("{}: there is no such shader", name)};
@@ -110,6 +113,7 @@ Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
     const char* label = name.c_str();
     glslang::TShader shader(language(stage));
     shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
+    shader.setPreamble(preamble.c_str());
     shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);

@@ -35,7 +35,8 @@ class ShaderCompiler {
     ShaderCompiler(const ShaderCompiler&) = delete;
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
-    /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it.
+    /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it; PATH@N
+    /// is PATH with GABOR_TAPS N.
     Compiled compile(std::string_view path, ShaderStage stage);
 
     /// Whether any file that was read has another time or size than it had then. Asking takes note: the next

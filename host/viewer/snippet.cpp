@@ -28,6 +28,10 @@ std::string lobe(const noise::Lobe& lobe) {
                        literal(lobe.power));
 }
 
+bool on_lattice(const render::Request& request) {
+    return render::drawing_recipe(request).kind == noise::Recipe::Kind::lattice;
+}
+
 // The noise at `place`, as seen through `footprint` where there is a filter.
 std::string value(const render::Request& request, std::string_view kernel, std::string_view seed) {
     return request.filter ? fmt::format("gabor_field_filtered(place, {}, footprint, {}).y", kernel, seed)
@@ -39,8 +43,12 @@ std::string noise_at_place(const render::Request& request) {
     const std::string seed = fmt::format("{}u", request.seed);
     const noise::Lobe& first = lobes.front();
     if (lobes.size() == 1 && first.is_one_wave())
-        return fmt::format("    GaborKernel kernel = gabor_kernel({}, {});\n    return {};\n",
-                           literal(first.frequency), literal(first.angle()), value(request, "kernel", seed));
+        return fmt::format("    GaborKernel kernel = gabor_kernel({}, {});\n{}    return {};\n",
+                           literal(first.frequency), literal(first.angle()),
+                           on_lattice(request) && render::axis_along(request, request.width).period > 0
+                               ? "    kernel = gabor_kernel_stretched(kernel, place.radius);\n"
+                               : "",
+                           value(request, "kernel", seed));
     if (lobes.size() == 1)
         return fmt::format("    GaborKernel kernel = gabor_kernel_lobe({});\n    return {};\n", lobe(first),
                            value(request, "kernel", seed));
@@ -55,7 +63,7 @@ std::string noise_at_place(const render::Request& request) {
                                   value(request, "kernel", seed));
     return text + fmt::format(R"(    float sum = 0.0; // of independent noises
     for (int i = 0; i < {}; ++i) {{
-        uint own_seed = gabor_mix({} + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        uint own_seed = gabor_lobe_seed({}, i);
         GaborKernel kernel = gabor_kernel_lobe(lobes.lobe[i]);
         sum += sqrt(lobes.lobe[i].power / {}) * {};
     }}
@@ -76,16 +84,19 @@ std::string of_plane(const Document& document, Extent extent) {
     const passes::Line x = place(document.camera.x, extent.width, x_axis.radius);
     const passes::Line y = place(document.camera.y, extent.height, y_axis.radius);
     const double time = request.time - std::floor(request.time);
-    std::string text =
-        fmt::format(R"(
+    std::string text = fmt::format(R"(
 // pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
 // Mean 0, variance 1; gabor_unorm(noise_of_view(pixel)) is what to show.
 float noise_of_view(vec2 pixel)
 {{
-    GaborPlace place = GaborPlace(ivec2({}, {}), {}, {}, ivec2({}, {}), {});
+    GaborPlace place = GaborPlace(ivec2({}, {}), {}, {}, ivec2({}, {}), {}{});
 )",
-                    extent.width, extent.height, x.cell, y.cell, vec2(x.local, y.local),
-                    vec2(x_axis.radius, y_axis.radius), x_axis.period, y_axis.period, literal(time));
+                                   extent.width, extent.height, x.cell, y.cell, vec2(x.local, y.local),
+                                   vec2(x_axis.radius, y_axis.radius), x_axis.period, y_axis.period,
+                                   !on_lattice(request) ? ""
+                                   : time != 0          ? "true, "
+                                                        : "false, ",
+                                   literal(time));
     if (horizon) {
         const double sky = render::sky_rows(extent.height);
         text +=
@@ -150,16 +161,17 @@ float noise_of_body(vec3 p, vec3 normal)
 std::string snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
     const bool space = render::in_space(request);
+    const noise::Recipe recipe = render::drawing_recipe(request);
     std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
     if (!space) {
-        for (const noise::Macro& macro : noise::macros(request.recipe))
+        for (const noise::Macro& macro : noise::macros(recipe))
             text += fmt::format("#define {} {}\n", macro.name, macro.value);
         if (request.lobes.size() > 1)
             text += fmt::format("#define GABOR_LOBES {}\n", request.lobes.size());
     }
     if (!request.paint.empty())
         text += "// Frequency and orientation were painted; here they are those beside the paint.\n";
-    text += "#include \"gabor_noise.glsl\" // or paste it here\n";
+    text += fmt::format("#include \"{}\" // or paste it here\n", noise::drop_in(recipe));
     return text + (space ? of_space(request) : of_plane(document, extent));
 }
 

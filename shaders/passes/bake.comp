@@ -3,13 +3,15 @@
 
 // A whole picture, faster than pixel by pixel: each invocation fills a block of pixels that visit the same cells.
 //
-// With impulse c at (x_c, y_c) the kernel is separable as a complex number, and n(x, y) is the imaginary part of
+// For the sparse noise, with impulse c at (x_c, y_c) the kernel is separable as a complex number, and n(x, y) is the imaginary part of
 //
 //     sum_c [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))] q(y - y_c) e^(2 pi i F.y (y - y_0))
 //
 // where y_0 is the block's first row. The bracket is made once for each column of the block, q(y - y_c) once for each
 // row, and the last factor, which all impulses share, once for each pixel; exponentials at even distances follow from
 // the first by rotation. Derivatives have q' for q and gain the factor 2 pi i F.
+//
+// For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
@@ -21,7 +23,12 @@ layout(constant_id = 8) const int block_columns = 8;
 layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
 layout(constant_id = 10) const bool with_quadrature = false; // the real part beside the noise
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
-const int impulses = visited * visited * recipe_impulses;
+layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
+#ifdef GABOR_TAPS
+const int terms = GABOR_TAPS; // rows of nodes
+#else
+const int terms = visited * visited * recipe_impulses; // impulses
+#endif
 
 const int channels = 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0);
 
@@ -36,6 +43,35 @@ vec2 rotated(vec2 z, vec2 by)
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
 
+// A window and its derivative per kernel radius.
+struct Window {
+    float value;
+    float slope;
+};
+
+#ifdef GABOR_TAPS
+
+// Those of an axis' nodes.
+//   x  place in node spacings from the first node
+GaborWindows windows_at(float x, float nodes_per_radius)
+{
+    GaborWindows windows = gabor_impl_windows(GABOR_TAPS == 2 ? x : x - 1.0);
+    windows.slope *= nodes_per_radius / GABOR_RADIUS;
+    return windows;
+}
+
+vec2 node_amplitude(uint word)
+{
+    vec2 a = gabor_impl_amplitude(word);
+    if (!animated)
+        return a;
+    uint second = gabor_impl_next_word(word);
+    return gabor_impl_amplitude_at(gabor_impl_wave(time), a, gabor_impl_amplitude(second),
+                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
+}
+
+#endif
+
 void main()
 {
     if (gl_GlobalInvocationID.x >= column_runs)
@@ -45,28 +81,59 @@ void main()
     vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
-    // Of each impulse its y distance from the first row, and the bracket above for each column.
-    float distance_y[impulses];
-    vec2 bracket[impulses * block_columns];
-    vec2 bracket_slope[impulses * block_columns]; // with q' for q
+    // The bracket above for each column.
+    vec2 bracket[terms * block_columns];
+    vec2 bracket_slope[terms * block_columns]; // with q' for q
 
-    uint seed_word = gabor_seed_word(seed);
-    [[unroll]] for (int c = 0; c < impulses; ++c) {
+#ifdef GABOR_TAPS
+    GaborWindows across_windows[block_columns];
+    vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
+    [[unroll]] for (int k = 0; k < block_columns; ++k) {
+        across_windows[k] = windows_at(local.x + float(k) * pixel * radius.x, radius.x);
+        turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
+    }
+    uint salt = gabor_impl_salt(seed);
+    [[unroll]] for (int c = 0; c < terms; ++c) {
+        uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
+        vec2 node[GABOR_TAPS];
+        [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
+            uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
+            float turns = dot(wave, (local - vec2(i, c)) * cell_side);
+            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+                    * rotated(node_amplitude(gabor_impl_node_word(column_word, row_word)), gabor_impl_wave(turns));
+        }
+        [[unroll]] for (int k = 0; k < block_columns; ++k) {
+            vec2 sum = vec2(0.0);
+            vec2 slope = vec2(0.0);
+            [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
+                sum += across_windows[k].value[i] * node[i];
+                slope += across_windows[k].slope[i] * node[i];
+            }
+            bracket[c * block_columns + k] = rotated(sum, turned[k]);
+            if (with_gradient)
+                bracket_slope[c * block_columns + k] = rotated(slope, turned[k]);
+        }
+    }
+#else
+    float distance_y[terms]; // of each impulse from the first row
+    uint seed_word = gabor_impl_seed_word(seed);
+    [[unroll]] for (int c = 0; c < terms; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_row_word(gabor_wrap(down.cell + offset.y, period.y), seed_word);
-        uint word = gabor_impulse_word(gabor_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
-        vec2 impulse = gabor_place_plus_one(word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
+        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
+        vec2 impulse = gabor_impl_position_plus_one(word);
         vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_phase(impulse, float(GABOR_PHASES)) + gabor_tempo(word) * time;
-        vec2 z = amplitude * gabor_magnitude(word) * vec2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+        float turns = dot(wave, d) + gabor_impl_phase(impulse, float(GABOR_PHASES)) + gabor_impl_phase_rate(word) * time;
+        vec2 z = amplitude * gabor_impl_magnitude(word) * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            bracket[c * block_columns + k] = z * gabor_window(d.x + float(k) * pixel);
+            bracket[c * block_columns + k] = z * gabor_impl_window(d.x + float(k) * pixel);
             if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * gabor_window_slope(d.x + float(k) * pixel);
+                bracket_slope[c * block_columns + k] = z * gabor_impl_window_slope(d.x + float(k) * pixel);
             z = rotated(z, column_turn);
         }
     }
+#endif
 
     vec2 carrier = vec2(1.0, 0.0);
     int row = down.first - first_row;
@@ -81,14 +148,21 @@ void main()
             slope_x[k] = vec2(0.0);
             slope_y[k] = vec2(0.0);
         }
-        [[unroll]] for (int c = 0; c < impulses; ++c) {
+#ifdef GABOR_TAPS
+        GaborWindows down_windows = windows_at(local.y + float(r) * pixel * radius.y, radius.y);
+#endif
+        [[unroll]] for (int c = 0; c < terms; ++c) {
+#ifdef GABOR_TAPS
+            Window q = Window(down_windows.value[c], down_windows.slope[c]);
+#else
             float y = distance_y[c] + float(r) * pixel;
-            float q = gabor_window(y);
+            Window q = Window(gabor_impl_window(y), gabor_impl_window_slope(y));
+#endif
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
-                envelope[k] += q * bracket[c * block_columns + k];
+                envelope[k] += q.value * bracket[c * block_columns + k];
                 if (with_gradient) {
-                    slope_x[k] += q * bracket_slope[c * block_columns + k];
-                    slope_y[k] += gabor_window_slope(y) * bracket[c * block_columns + k];
+                    slope_x[k] += q.value * bracket_slope[c * block_columns + k];
+                    slope_y[k] += q.slope * bracket[c * block_columns + k];
                 }
             }
         }

@@ -24,7 +24,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     vec2 radius;      // as in GaborPlace
     ivec2 period;     // as in GaborPlace
     float time;       // as in GaborPlace, within [0, 1)
-    float amplitude;  // as in GaborKernel, times what fewer cells per radius take
+    float amplitude;  // as in GaborKernel, times what fewer cells per radius take; 1 for the lattice
     float pixel;      // kernel radii per pixel
     uint seed;
     int width;

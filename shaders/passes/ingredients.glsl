@@ -13,8 +13,8 @@ layout(constant_id = 9) const float hex_b_x = 0.0;
 layout(constant_id = 10) const float hex_b_y = 1.0;
 layout(constant_id = 11) const float hex_overhang = 0.0;
 
-// Where gabor_noise.glsl asks with #if whether this is a good value, a constant counts as 0, and the sum as 1.
-#define GABOR_IMPULSES (ingredient_impulses + 1 / (ingredient_impulses + 1))
+#define GABOR_UNCHECKED
+#define GABOR_IMPULSES ingredient_impulses
 #define GABOR_POINTS ingredient_points
 #define GABOR_WEIGHTS ingredient_weights
 #define GABOR_KERNEL ingredient_kernel

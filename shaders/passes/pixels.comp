@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A picture pixel by pixel, with all that the drop-in can do: spectra, the filter, views, painted parameters.
+// A picture pixel by pixel, with all that the drop-ins can do: views, painted parameters, and with the sparse one spectra
+// and the filter.
 
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 16
@@ -19,6 +20,7 @@ layout(constant_id = 12) const bool with_quadrature = false;
 layout(constant_id = 13) const bool with_gradient = false;
 layout(constant_id = 14) const bool with_phasor = false;
 layout(constant_id = 15) const int values = 1; // uncorrelated ones
+layout(constant_id = 16) const bool animated = false; // for the lattice: whether time is not 0
 const int channels = values + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
@@ -41,16 +43,28 @@ vec2 painted_at(vec2 pixel)
                mix(paint[high.y * paint_size.x + low.x], paint[high.y * paint_size.x + high.x], between.x), between.y);
 }
 
+struct Values {
+    GaborField field;
+    float removed;
+};
+
+#ifdef GABOR_TAPS
+
+Values values_at(ivec2 pixel, ivec2 cell, vec2 local, vec2 dx, vec2 dy)
+{
+    vec2 here = painted ? painted_at(vec2(pixel)) : vec2(frequency, orientation);
+    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(here.x, here.y), radius);
+    GaborPlace place = GaborPlace(cell, local, radius, period, animated, time);
+    return Values(gabor_field(place, kernel, seed), 0.0);
+}
+
+#else
+
 GaborLobe lobe_at(int i)
 {
     Lobe lobe = lobes[i];
     return gabor_lobe(lobe.frequency, lobe.orientation, lobe.frequency_spread, lobe.orientation_spread, lobe.power);
 }
-
-struct Values {
-    GaborField field;
-    float removed;
-};
 
 Values evaluate(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint instance)
 {
@@ -74,7 +88,7 @@ Values evaluate_sum(GaborPlace place, GaborFootprint footprint)
     for (int i = 0; i < lobe_count; ++i)
         total_power += lobes[i].power;
     for (int i = 0; i < lobe_count; ++i) {
-        uint instance = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        uint instance = gabor_lobe_seed(seed, i);
         Values one = evaluate(place, gabor_kernel_lobe(lobe_at(i)), footprint, instance);
         float share = lobes[i].power / total_power;
         sum.field.value += sqrt(share) * one.field.value;
@@ -101,6 +115,16 @@ GaborKernel kernel_at(vec2 pixel)
         all.lobe[0] = gabor_lobe(wave.x, wave.y, lobes[0].frequency_spread, lobes[0].orientation_spread, 1.0);
     return gabor_kernel_lobes(all);
 }
+
+//   dx, dy  how far apart neighbouring pixels are along the picture's axes, in kernel radii
+Values values_at(ivec2 pixel, ivec2 cell, vec2 local, vec2 dx, vec2 dy)
+{
+    GaborPlace place = GaborPlace(cell, local, radius, period, time);
+    GaborFootprint footprint = gabor_footprint(dx, dy);
+    return summed ? evaluate_sum(place, footprint) : evaluate(place, kernel_at(vec2(pixel)), footprint, seed);
+}
+
+#endif
 
 void write_pixel(int at, Values values_here)
 {
@@ -133,7 +157,7 @@ void main()
     Line column = columns[pixel_at.x];
     Line row = rows[pixel_at.y];
 
-    GaborPlace place = GaborPlace(ivec2(column.cell, row.cell), vec2(column.local, row.local), radius, period, time);
+    vec2 local = vec2(column.local, row.local);
     vec2 dx = vec2(pixel, 0.0);
     vec2 dy = vec2(0.0, pixel);
     if (horizon) {
@@ -143,13 +167,9 @@ void main()
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
         float near = pixel / row.local;
-        place.local = near * vec2(column.local, -focal_length) * radius + camera;
+        local = near * vec2(column.local, -focal_length) * radius + camera;
         dx = vec2(near, 0.0);
         dy = near / row.local * vec2(-column.local, focal_length);
     }
-    GaborFootprint footprint = gabor_footprint(dx, dy);
-    if (summed)
-        write_pixel(at, evaluate_sum(place, footprint));
-    else
-        write_pixel(at, evaluate(place, kernel_at(vec2(pixel_at)), footprint, seed));
+    write_pixel(at, values_at(pixel_at, ivec2(column.cell, row.cell), local, dx, dy));
 }

@@ -10,8 +10,8 @@ layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; }
 // Two numbers in [0, 1).
 vec2 place_random(uint instance)
 {
-    uint x = gabor_mix(instance * GABOR_SPREAD, place_seed);
-    uint y = gabor_mix(x, place_seed ^ GABOR_SPREAD_IMPULSES);
+    uint x = gabor_impl_mix(instance * GABOR_IMPL_CELL_STRIDE, place_seed);
+    uint y = gabor_impl_mix(x, place_seed ^ GABOR_IMPL_IMPULSE_STRIDE);
     return vec2(ivec2(x >> 8u, y >> 8u)) / 16777216.0;
 }
 
@@ -19,7 +19,7 @@ vec2 place_random(uint instance)
 vec2 place_of(uint index, out uint seed)
 {
     uint instance = first + (index >> (2u * grid_bits));
-    seed = gabor_mix(instance * GABOR_SPREAD + noise_seed, noise_seed);
+    seed = gabor_impl_mix(instance * GABOR_IMPL_CELL_STRIDE + noise_seed, noise_seed);
     uint mask = (1u << grid_bits) - 1u;
     vec2 node = vec2(ivec2(index & mask, (index >> grid_bits) & mask));
     return origin * place_random(instance) + (node + 0.5) * spacing;

@@ -17,12 +17,12 @@ void main()
     if (cell.x >= side || cell.y >= side)
         return;
     uint index = cell.y * side + cell.x;
-    uint row_word = gabor_row_word(int(cell.y), gabor_seed_word(seed));
-    uint cell_word = gabor_impulse_word(int(cell.x), row_word, -1);
+    uint row_word = gabor_impl_row_word(int(cell.y), gabor_impl_seed_word(seed));
+    uint cell_word = gabor_impl_impulse_word(int(cell.x), row_word, -1);
     int count = gabor_count(cell_word);
     counts[index] = count;
     for (int k = 0; k < min(count, int(capacity)); ++k) {
-        uint word = gabor_impulse_word(int(cell.x), row_word, k);
+        uint word = gabor_impl_impulse_word(int(cell.x), row_word, k);
         places[index * capacity + uint(k)] = vec2(cell) + gabor_point(k, word, cell_word);
     }
 }

@@ -1,6 +1,11 @@
-// The drop-in with its recipe as specialization constants: one SPIR-V module serves every recipe.
+// The drop-in of a recipe. Where GABOR_TAPS is defined it is the lattice's, one SPIR-V module for each number of taps;
+// else the sparse one's with its recipe as specialization constants, one module for all.
 
 #extension GL_EXT_control_flow_attributes : require
+
+#ifdef GABOR_TAPS
+#include "gabor_lattice.glsl"
+#else
 
 layout(constant_id = 0) const int recipe_impulses = 1;
 layout(constant_id = 1) const float recipe_radius = 1.0;
@@ -15,11 +20,13 @@ layout(constant_id = 20) const int native_sine = 0;
 
 #define GABOR_UNROLL [[unroll]]
 #define GABOR_NATIVE_SINE native_sine
-// Where gabor_noise.glsl asks with #if whether these are good values, a constant counts as 0, and the sums as 1 and 2.
-#define GABOR_IMPULSES (recipe_impulses + 1 / (recipe_impulses + 1))
+#define GABOR_UNCHECKED
+#define GABOR_IMPULSES recipe_impulses
 #define GABOR_RADIUS recipe_radius
 #define GABOR_WEIGHT_FLOOR recipe_weight_floor
-#define GABOR_PHASES (recipe_phases + 2 / (recipe_phases + 1))
+#define GABOR_PHASES recipe_phases
 #define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
 
 #include "gabor_noise.glsl"
+
+#endif

@@ -6,8 +6,8 @@ layout(constant_id = 2) const float recipe_window_x = 3.1;
 layout(constant_id = 3) const float recipe_window_y = -3.9;
 layout(constant_id = 4) const float recipe_window_z = 1.8;
 
-// Where gabor_noise_3d.glsl asks with #if whether this is a good value, a constant counts as 0, and the sum as 1.
-#define GABOR_3D_IMPULSES (recipe_impulses + 1 / (recipe_impulses + 1))
+#define GABOR_UNCHECKED
+#define GABOR_3D_IMPULSES recipe_impulses
 #define GABOR_3D_RADIUS recipe_radius
 #define GABOR_3D_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
 

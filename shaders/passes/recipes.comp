@@ -32,9 +32,9 @@ float magnitude(uint word)
 float envelope(vec2 d)
 {
     if (window == 0)
-        return gabor_window(d.x) * gabor_window(d.y);
+        return gabor_impl_window(d.x) * gabor_impl_window(d.y);
     if (window == 1)
-        return gabor_window(length(d));
+        return gabor_impl_window(length(d));
     return dot(d, d) <= 1.0 ? exp(-3.14159265 * dot(d, d)) : 0.0;
 }
 
@@ -44,21 +44,21 @@ float noise(vec2 p, uint seed)
     int columns = int(ceil(2.0 * radius + largest_shift)) + 1;
     int rows = int(ceil(2.0 * radius)) + 1;
     vec2 first = floor(p - radius - vec2(largest_shift, 0.0));
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     float sum = 0.0;
     for (int j = 0; j < rows; ++j) {
         float row = first.y + float(j);
         float shift = brick == 1 ? fract(0.5 * row) : 0.0;
-        uint row_word = gabor_row_word(int(row), seed_word);
+        uint row_word = gabor_impl_row_word(int(row), seed_word);
         for (int i = 0; i < columns; ++i) {
             float column = first.x + float(i);
             for (int k = 0; k < impulses; ++k) {
-                uint word = gabor_impulse_word(int(column), row_word, k);
-                uint more = gabor_mix(word, 3u);
-                vec2 place = gabor_place_plus_one(word) - 1.5;
+                uint word = gabor_impl_impulse_word(int(column), row_word, k);
+                uint more = gabor_impl_mix(word, 3u);
+                vec2 place = gabor_impl_position_plus_one(word) - 1.5;
                 vec2 d = (p - (jitter * place + vec2(column + shift, row) + 0.5)) / radius;
                 float phase = float(int((more ^ word) & 0xffu)) / 256.0;
-                sum += magnitude(more) * envelope(d) * gabor_sin_turns(dot(wave, d) + phase);
+                sum += magnitude(more) * envelope(d) * gabor_impl_sine(dot(wave, d) + phase);
             }
         }
     }

@@ -33,7 +33,7 @@
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
 
-#define GABOR_NOISE_VERSION 10000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
 // Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.

@@ -27,7 +27,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 10000u;
+const GABOR_NOISE_VERSION: u32 = 10100u;
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
 // the hash-prospector project), the salt entering between them too, so that no two sequences share a run.

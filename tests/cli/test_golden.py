@@ -29,7 +29,7 @@ REQUESTS = [("--quadrature", "--gradient"), ("--tileable", "--time=0.3"), ("--ph
 class Golden(ProgramTest):
     def rendered(self):
         blocks = {}
-        for recipe in ("one", "pure", "paper"):
+        for recipe in ("one", "pure", "paper", "lattice", "lattice-2", "lattice-4"):
             for request in REQUESTS:
                 for corner, at in CORNERS.items():
                     self.succeed("render", "-o", "out.exr", f"--recipe={recipe}", f"--region={at},{at},{SIDE},{SIDE}",

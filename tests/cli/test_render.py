@@ -12,7 +12,7 @@ from png import read_grey_png
 from program import ProgramTest, gabor
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
-DEFAULTS = {"recipe": "one", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
+DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
             "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
             "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1}
 # What only some views have, and lists of lobes.
@@ -249,7 +249,7 @@ class Periods(RenderTest):
 
 class Noise(RenderTest):
     def test_mean_and_variance(self):
-        for recipe in ("one", "paper"):
+        for recipe in ("lattice", "lattice-2", "lattice-4", "one", "paper"):
             for frequency in (0.3, 4):
                 with self.subTest(recipe=recipe, frequency=frequency):
                     pixels = self.render(recipe=recipe, frequency=frequency, scale=8, seed=3).pixels.astype(float)

@@ -243,7 +243,7 @@ class Channels(SpectraTest):
     def test_pixel_by_pixel_it_is_the_noise_of_the_blocks(self):
         options = {"size": "300x200", "scale": 20, "orientation": 25, "time": 0.2}
         for flags in ([], ["--tileable"]):
-            for recipe in ("one", "pure", "paper"):
+            for recipe in ("lattice", "lattice-2", "lattice-4", "one", "pure", "paper"):
                 blocks = self.render("--quadrature", "--gradient", *flags, output="a.exr", recipe=recipe, **options)
                 pixels = self.render("--quadrature", "--gradient", "--phasor", *flags, output="b.exr", recipe=recipe,
                                      **options)
@@ -262,7 +262,8 @@ class Channels(SpectraTest):
 
     def test_blocks_are_pixels_on_both_sides_of_a_cell_at_large_scales(self):
         for scale in (999.5, 1507, 4096):
-            for recipe, cell in (("one", scale), ("paper", scale), ("pure", scale / 1.5)):
+            for recipe, cell in (("lattice", scale / 1.5), ("lattice-2", scale), ("lattice-4", scale / 2), ("one", scale),
+                                 ("paper", scale), ("pure", scale / 1.5)):
                 x, y = int(2 * cell) - 40, int(cell) - 21
                 self.assert_blocks_are_pixels(recipe=recipe, scale=scale, size="16384x16384", frequency=6,
                                               orientation=25, region=f"{x},{y},83,61")
@@ -272,6 +273,20 @@ class Channels(SpectraTest):
             for y in (0, 65536 - 45):
                 self.assert_blocks_are_pixels(scale=7.7, size="65536x65536", frequency=2, orientation=25,
                                               region=f"{x},{y},37,45")
+
+    def test_headers_name_the_recipe_that_drew(self):
+        """The lattice draws single waves; what it does not draw, `one` does, asked for or not."""
+        for options in (["--filter"], ["--frequency-spread=0.2"], ["--orientation-spread=90"], ["--preset=fabric"],
+                        ["--view=slice"], ["--view=sphere"]):
+            for recipe in ("lattice-4", "one"):
+                self.succeed("render", "-o", f"{recipe}.exr", "--size=64x64", *options, f"--recipe={recipe}"
+                             if "--view" not in options[0] or recipe == "one" else "--seed=0")
+            drawn, one = (Exr(self.folder / f"{recipe}.exr") for recipe in ("lattice-4", "one"))
+            self.assertEqual((drawn.parameters["recipe"], one.parameters["recipe"]), ("one", "one"), options)
+            for name, values in one.channels.items():
+                self.assertEqual(drawn.channels[name].tobytes(), values.tobytes(), options)
+        for options in ([], ["--view=horizon"], ["--values=4"], ["--time=0.5"]):
+            self.assertEqual(self.render(*options, size="64x64").parameters["recipe"], "lattice")
 
     def test_several_values_do_not_correlate(self):
         exr = self.render(size="1024x1024", scale=4, frequency=1, values=4)

@@ -1,7 +1,7 @@
 // The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes,
 // without sampling.
 
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The words of impulses as random numbers. GABOR_DRAWS says how many are drawn for each figure;
 // tools/test-long draws 10^8.
 
-#include "noise/reference.hpp"
+#include "reference/reference.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

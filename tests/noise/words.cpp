@@ -1,7 +1,7 @@
 // Writes the words of the first impulses of SIDE x SIDE cells around the origin to stdout, row by row, for
 // tools/hash-picture: words SIDE SEED.
 
-#include "noise/reference.hpp"
+#include "reference/reference.hpp"
 
 #include <cstdio>
 #include <cstdlib>

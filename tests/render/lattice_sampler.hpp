@@ -1,6 +1,6 @@
 #pragma once
 
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 #include "sampler.hpp"
 
 #include "passes/sample_lattice_2.h"

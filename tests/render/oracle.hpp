@@ -1,6 +1,6 @@
 #pragma once
 
-#include "noise/reference.hpp"
+#include "reference/reference.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "noise/reference_3d.hpp"
+#include "reference/reference_3d.hpp"
 #include "sampler.hpp"
 
 #include "passes/sample_3d.h"

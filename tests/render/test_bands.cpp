@@ -1,4 +1,5 @@
-#include "noise/reference.hpp"
+#include "reference/lattice.hpp"
+#include "reference/reference.hpp"
 #include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,6 +24,44 @@ std::vector<float> rendered(const vulkan::Device& device, const render::Request&
     return pixels;
 }
 
+// The reference of any recipe, and its place x, y cells from the origin where cells are as axes say.
+struct AnyReference {
+    AnyReference(const noise::Recipe& recipe, const noise::Lobe& lobe, std::uint32_t seed)
+        : recipe_(recipe), sparse_(noise::sparse_recipes().front(), lobe.frequency, lobe.angle(), seed),
+          lattice_(std::max(recipe.taps, 2), lobe.frequency, lobe.angle(), seed) {
+        if (recipe.taps == 0)
+            sparse_ = noise::Reference(recipe, lobe.frequency, lobe.angle(), seed);
+    }
+
+    struct Field {
+        std::complex<double> value;
+        std::complex<double> slope_x;
+        std::complex<double> slope_y;
+    };
+
+    Field field(double x, double y, const render::Axis& x_axis, const render::Axis& y_axis,
+                double time = 0) const {
+        const double column = std::floor(x);
+        const double row = std::floor(y);
+        if (recipe_.taps > 0) {
+            const auto f = lattice_.field({static_cast<std::int32_t>(column), static_cast<std::int32_t>(row),
+                                           x - column, y - row, x_axis.radius, y_axis.radius, x_axis.period,
+                                           y_axis.period, time != 0, time});
+            return {f.value, f.slope_x, f.slope_y};
+        }
+        const auto f = sparse_.field({static_cast<std::int32_t>(column), static_cast<std::int32_t>(row),
+                                      static_cast<float>(x - column), static_cast<float>(y - row),
+                                      static_cast<float>(x_axis.radius), static_cast<float>(y_axis.radius),
+                                      x_axis.period, y_axis.period, static_cast<float>(time)});
+        return {f.value, f.slope_x, f.slope_y};
+    }
+
+  private:
+    noise::Recipe recipe_;
+    noise::Reference sparse_;
+    noise::Lattice lattice_;
+};
+
 } // namespace
 
 TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]") {
@@ -44,19 +83,18 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                                           .seed = 99};
             const image::Window region{65536 - 70, 65536 - 45, 70, 45};
             const std::vector<float> pixels = rendered(device, request, region);
-            const noise::Reference reference(recipe, frequency, 123 * std::numbers::pi / 180, 99);
+            const AnyReference reference(recipe, request.lobes.front(), 99);
+            const render::Axis axis{recipe.radius, 0};
             REQUIRE(pixels.size() == 70 * 45);
             for (int y = 0; y < region.height; ++y) {
                 for (int x = 0; x < region.width; ++x) {
                     const double px = (region.x + x + 0.5) / scale * recipe.radius;
                     const double py = (region.y + y + 0.5) / scale * recipe.radius;
-                    const noise::Place here = noise::place_at(
-                        recipe, static_cast<int>(px), static_cast<int>(py),
-                        static_cast<float>(px - std::floor(px)), static_cast<float>(py - std::floor(py)));
                     // In units of what single precision carries of the phase, and of the difference of a low
                     // sine from 0, which its amplitude makes large again.
                     const double difference =
-                        std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] - reference(here)) /
+                        std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] -
+                                 reference.field(px, py, axis, axis).value.imag()) /
                         std::max({1.0, frequency / 4, recipe.phases == 2 ? 0.1 / frequency : 0});
                     if (!(difference <= largest)) {
                         largest = difference;
@@ -72,24 +110,29 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
 
 TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") {
     const vulkan::Device device;
-    const render::Request request{.width = 2500,
-                                  .height = 4000,
-                                  .scale = 20,
-                                  .recipe = noise::find_recipe("one"),
-                                  .lobes = {{3, 20}},
-                                  .seed = 1}; // more than two bands
-    const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
-    for (const image::Window& region : {image::Window{0, 0, 1, 1}, image::Window{2499, 3999, 1, 1},
-                                        image::Window{1, 1700, 2499, 333}, image::Window{777, 13, 9, 3987}}) {
-        const std::vector<float> part = rendered(device, request, region);
-        REQUIRE(part.size() ==
-                static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height));
-        std::size_t i = 0;
-        bool same = true;
-        for (int y = region.y; y < region.y + region.height; ++y)
-            for (int x = region.x; x < region.x + region.width; ++x)
-                same &= part[i++] == whole[static_cast<std::size_t>(y) * 2500 + static_cast<std::size_t>(x)];
-        CHECK(same);
+    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) {
+        INFO(recipe);
+        const render::Request request{.width = 2500,
+                                      .height = 4000,
+                                      .scale = 20,
+                                      .recipe = noise::find_recipe(recipe),
+                                      .lobes = {{3, 20}},
+                                      .seed = 1}; // more than two bands
+        const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
+        for (const image::Window& region :
+             {image::Window{0, 0, 1, 1}, image::Window{2499, 3999, 1, 1}, image::Window{1, 1700, 2499, 333},
+              image::Window{777, 13, 9, 3987}}) {
+            const std::vector<float> part = rendered(device, request, region);
+            REQUIRE(part.size() ==
+                    static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height));
+            std::size_t i = 0;
+            bool same = true;
+            for (int y = region.y; y < region.y + region.height; ++y)
+                for (int x = region.x; x < region.x + region.width; ++x)
+                    same &=
+                        part[i++] == whole[static_cast<std::size_t>(y) * 2500 + static_cast<std::size_t>(x)];
+            CHECK(same);
+        }
     }
 }
 
@@ -117,7 +160,7 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
                                       .time = 3.3,
                                       .view = render::Plane{.tileable = true}};
         const std::vector<float> pixels = rendered(device, request, {0, 0, request.width, request.height});
-        const noise::Reference reference(recipe, 3, 25 * std::numbers::pi / 180, 5);
+        const AnyReference reference(recipe, request.lobes.front(), 5);
         const double cells_x = std::floor(131 / 16.3 * recipe.radius);
         const double cells_y = std::floor(100 / 16.3 * recipe.radius);
         double largest = 0;
@@ -127,18 +170,12 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
                 for (int x = 0; x < request.width; ++x) {
                     const double u = (x + 0.5) / 131 * cells_x;
                     const double v = (y + 0.5) / 100 * cells_y;
-                    noise::Place place;
-                    place.cell_x = static_cast<int>(u) + round * static_cast<int>(cells_x);
-                    place.cell_y = static_cast<int>(v) - round * static_cast<int>(cells_y);
-                    place.local_x = static_cast<float>(u - std::floor(u));
-                    place.local_y = static_cast<float>(v - std::floor(v));
-                    place.radius_x = static_cast<float>(cells_x / 131 * 16.3);
-                    place.radius_y = static_cast<float>(cells_y / 100 * 16.3);
-                    place.period_x = static_cast<int>(cells_x);
-                    place.period_y = static_cast<int>(cells_y);
-                    place.time = 0.3f;
+                    const render::Axis x_axis{cells_x / 131 * 16.3, static_cast<int>(cells_x)};
+                    const render::Axis y_axis{cells_y / 100 * 16.3, static_cast<int>(cells_y)};
+                    const AnyReference::Field field =
+                        reference.field(u + round * cells_x, v - round * cells_y, x_axis, y_axis, 0.3);
                     const double value = pixels[static_cast<std::size_t>(y * request.width + x)];
-                    largest = std::max(largest, std::abs(value - reference(place)));
+                    largest = std::max(largest, std::abs(value - field.value.imag()));
                 }
             }
         }
@@ -163,15 +200,14 @@ TEST_CASE("quadrature and gradient are those of the reference", "[render]") {
             REQUIRE(channels == (with_quadrature ? 4 : 3));
             const std::vector<float> values = rendered(device, request, {0, 0, 90, 70});
             REQUIRE(values.size() == 90 * 70 * channels);
-            const noise::Reference reference(recipe, 4, 70 * std::numbers::pi / 180, 5);
+            const AnyReference reference(recipe, request.lobes.front(), 5);
+            const render::Axis axis{recipe.radius, 0};
             double largest = 0;
             double largest_slope = 0;
             for (int i = 0; i < 90 * 70; ++i) {
                 const double u = (i % 90 + 0.5) / 21.3 * recipe.radius;
                 const double v = (i / 90 + 0.5) / 21.3 * recipe.radius;
-                const noise::Reference::Field field = reference.field(noise::place_at(
-                    recipe, static_cast<int>(u), static_cast<int>(v), static_cast<float>(u - std::floor(u)),
-                    static_cast<float>(v - std::floor(v))));
+                const AnyReference::Field field = reference.field(u, v, axis, axis);
                 const float* pixel = &values[static_cast<std::size_t>(i) * channels];
                 largest = std::max(largest, std::abs(pixel[0] - field.value.imag()));
                 if (with_quadrature)

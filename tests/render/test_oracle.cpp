@@ -94,7 +94,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
 TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
     const vulkan::Device device;
     Draw draw(5);
-    for (const noise::Recipe& recipe : noise::recipes()) {
+    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);
         Largest value, slope, tiled, animated;
         for (int batch = 0; batch < 16; ++batch) {
@@ -159,7 +159,7 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
 
 TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
     Draw draw(6);
-    for (const noise::Recipe& recipe : noise::recipes()) {
+    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         const noise::Reference reference(recipe, 3, 0.7, 9);
         for (int i = 0; i < 2000; ++i) {
             // Places that a float holds, on and across the edges of cells and windows.
@@ -182,7 +182,7 @@ TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
 
 TEST_CASE("phase and intensity give the value back", "[oracle]") {
     const vulkan::Device device;
-    for (const noise::Recipe& recipe : noise::recipes()) {
+    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);
         Draw draw(7);
         for (test::Sample& sample : sampler.samples())
@@ -199,7 +199,7 @@ TEST_CASE("phase and intensity give the value back", "[oracle]") {
 TEST_CASE("the device's own sine gives the same noise as exactly as the driver makes it", "[oracle]") {
     const vulkan::Device device;
     Draw draw(8);
-    for (const noise::Recipe& recipe : noise::recipes()) {
+    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch, test::Sine::native);
         for (test::Sample& sample : sampler.samples())
             sample = {draw.place(recipe), 4, 0.3f, 8};
@@ -273,7 +273,7 @@ TEST_CASE("frequencies outside the range are clamped and never give NaN", "[orac
 
 TEST_CASE("painted frequency and orientation leave no seam", "[oracle]") {
     const vulkan::Device device;
-    for (const noise::Recipe& recipe : noise::recipes()) {
+    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);
         const std::span<test::Sample> samples = sampler.samples();
         constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells, and their edges

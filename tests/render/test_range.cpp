@@ -167,12 +167,12 @@ void check_finite(const noise::Recipe& recipe, Make make) {
 } // namespace
 
 TEST_CASE("any frequency at all gives a finite noise", "[range]") {
-    for (const noise::Recipe& recipe : noise::recipes())
+    for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, Draw& draw) { s.frequency = draw.any(); });
 }
 
 TEST_CASE("any orientation at all gives a finite noise", "[range]") {
-    for (const noise::Recipe& recipe : noise::recipes())
+    for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, Draw& draw) {
             s.frequency = draw.any();
             s.orientation = draw.any();
@@ -180,7 +180,7 @@ TEST_CASE("any orientation at all gives a finite noise", "[range]") {
 }
 
 TEST_CASE("any cell of the world and any place in it give a finite noise", "[range]") {
-    for (const noise::Recipe& recipe : noise::recipes())
+    for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [&](test::Sample& s, Draw& draw) {
             s.place.cell_x = draw.cell();
             s.place.cell_y = draw.cell();
@@ -192,7 +192,7 @@ TEST_CASE("any cell of the world and any place in it give a finite noise", "[ran
 }
 
 TEST_CASE("any finite time gives a finite noise", "[range]") {
-    for (const noise::Recipe& recipe : noise::recipes())
+    for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, Draw& draw) {
             s.frequency = draw.any();
             s.place.time = draw.within(std::numeric_limits<float>::max());
@@ -200,7 +200,7 @@ TEST_CASE("any finite time gives a finite noise", "[range]") {
 }
 
 TEST_CASE("any period of the world, and those that are too short, give a finite noise", "[range]") {
-    for (const noise::Recipe& recipe : noise::recipes())
+    for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, Draw& draw) {
             s.move_to(draw.within(world / 2), s.place.local_y);
             s.period_x = draw.within(world / 2);

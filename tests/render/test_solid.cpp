@@ -1,5 +1,5 @@
 #include "error.hpp"
-#include "noise/reference_3d.hpp"
+#include "reference/reference_3d.hpp"
 #include "render/parameters.hpp"
 #include "render/solid.hpp"
 

@@ -1,6 +1,6 @@
 #include "ingredients_reference.hpp"
 
-#include "noise/reference.hpp"
+#include "reference/reference.hpp"
 #include "study/ingredients.hpp"
 
 #include <algorithm>

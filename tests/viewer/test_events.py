@@ -89,8 +89,8 @@ class Events(ViewerTest):
             self.xdotool("key", "--delay", 0, chord)
             if chord == "n":
                 time.sleep(0.3) # each its own step of undo
-        self.wait_for(lambda: self.read("noise.json"))
-        self.assertEqual(json.loads(self.read("noise.json"))["seed"], 2)
+        # What `answers` sent more than once may be saved before.
+        self.wait_for(lambda: json.loads(self.read("noise.json") or b"{}").get("seed") == 2)
         self.close()
 
     def test_a_dropped_picture_is_never_overwritten(self):

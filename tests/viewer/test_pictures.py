@@ -11,7 +11,11 @@ from exr import Exr
 from png import read_grey_png
 
 PICTURES = {
-    "one": {},
+    "lattice": {},
+    "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
+    "lattice-4, later": {"recipe": "lattice-4", "frequency": 5, "orientation": -50, "time": 0.3},
+    "lattice, tileable": {"orientation": 40, "tileable": True},
+    "one": {"recipe": "one"},
     "paper": {"recipe": "paper", "frequency": 2.5, "orientation": 30, "seed": 9},
     "pure, later": {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 4000000000, "time": 0.3},
     "lobes": {"lobes": [{"frequency": 3, "orientation": 20}, {"frequency": 5, "orientation": 100, "power": 0.5}],
@@ -127,9 +131,8 @@ class Pictures(ViewerTest):
 
 
 def draw(context, snippet, width, height):
-    drop_in = (SHADERS / "gabor_noise.glsl").read_text()
     include = next(line for line in snippet.splitlines() if line.startswith("#include"))
-    assert "gabor_noise.glsl" in include
+    drop_in = (SHADERS / include.split('"')[1]).read_text()
     fragment = ("#version 330 core\n" + snippet.replace(include, drop_in)
                 + "out float value;\nvoid main() { value = noise_of_view(gl_FragCoord.xy); }\n")
     vertex = "#version 330 core\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }\n"

@@ -86,8 +86,8 @@ class Window(ViewerTest):
             quit""", "--window", "1280x800")
         recipes = [json.loads((self.folder / f"{name}.json").read_text())["recipe"]
                    for name in ("before", "after", "undone", "redone")]
-        self.assertEqual(recipes[0], "one")
-        self.assertNotEqual(recipes[1], "one")
+        self.assertEqual(recipes[0], "lattice")
+        self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
@@ -113,7 +113,7 @@ class Window(ViewerTest):
             set scale 64
             set frequency 1
             compare seminal
-            settle
+            wait 200
             window seminal.png
             quit""", "--window", "1280x800")
         seminal = read_colour_png(self.folder / "seminal.png")[100:700, 480:900, 0].astype(float)
@@ -150,7 +150,7 @@ class Window(ViewerTest):
 
         noise = shaders / "passes/pixels.comp"
         pass_text = noise.read_text()
-        after("before.png", drop_in, good.replace("vec2 gabor_place_plus_one", "vec2 spoilt("))
+        after("before.png", drop_in, good.replace("vec2 gabor_impl_position_plus_one", "vec2 spoilt("))
         after("broken.png", drop_in, good)
         after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
         after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The drop-in with any recipe, as one would call it.
+// The drop-in of any recipe, as one would call it.
 
 #define GABOR_LOBES 16
 
@@ -26,6 +26,7 @@ float value(vec2 p, uint instance)
         return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);
     case 5:
         return gabor_noise_animated(p, 0.3, frequency, orientation, instance);
+#ifndef GABOR_TAPS
     case 6:
         return gabor_noise_spread(p, frequency, orientation, 0.2, 1.5707963, instance);
     case 7:
@@ -38,6 +39,7 @@ float value(vec2 p, uint instance)
     case 9:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
         return filtered.x + filtered.y;
+#endif
     default:
         return gabor_noise(p, frequency, orientation, instance);
     }

@@ -77,5 +77,5 @@ void main()
     answers[i].noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
     answers[i].unorm = gabor_unorm(field.value.y);
     answers[i].phasor = gabor_phasor(field.value);
-    answers[i].word = gabor_impulse_word(s.cell.x, gabor_row_word(s.cell.y, gabor_seed_word(s.seed)), int(s.index));
+    answers[i].word = gabor_impl_impulse_word(s.cell.x, gabor_impl_row_word(s.cell.y, gabor_impl_seed_word(s.seed)), int(s.index));
 }

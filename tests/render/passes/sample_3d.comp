@@ -90,8 +90,8 @@ void main()
     vec4 gradient = gabor_noise_3d_gradient(p, s.frequency, direction, s.seed);
     vec2 complex = gabor_noise_3d_complex(p, s.frequency, direction, s.seed);
     vec3 tile = vec3(s.tile[0], s.tile[1], s.tile[2]);
-    uint slice_word = gabor_row_word(cell.z, gabor_seed_word(s.seed));
-    uint word = gabor_impulse_word_3d(cell.x, gabor_row_word(cell.y, slice_word), s.index);
+    uint slice_word = gabor_impl_row_word(cell.z, gabor_impl_seed_word(s.seed));
+    uint word = gabor_impulse_word_3d(cell.x, gabor_impl_row_word(cell.y, slice_word), s.index);
     vec3 sphere = gabor_sphere_3d(word);
     for (int c = 0; c < 2; ++c) {
         answers[i].value[c] = field.value[c];

@@ -1,4 +1,4 @@
-#include "noise/lattice.hpp"
+#include "reference/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +111,9 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
                 word = next_word(word);
             }
             if (place.animated)
-                amplitudes[0] = (amplitudes[0] + std::cos(tau_time) * amplitudes[1] +
-                                 std::sin(tau_time) * amplitudes[2]) /
-                                std::numbers::sqrt2;
+                amplitudes[0] = (1 + std::cos(tau_time)) / 2 * amplitudes[0] +
+                                (1 - std::cos(tau_time)) / 2 * amplitudes[1] +
+                                std::sin(tau_time) / std::numbers::sqrt2 * amplitudes[2];
             const Complex wave =
                 std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));
             const Complex kernel = wx.value * wy.value * wave;

@@ -10,13 +10,8 @@ namespace gabor::noise {
 
 using Vector3 = std::array<double, 3>;
 
-/// The recipes of shaders/gabor_noise_3d.glsl, whose GABOR_3D_ macros are a recipe's fields: its default, and
-/// the one with the lowest sidelobes. `phases` is always 256, and `weight_floor` 1.
-const Recipe& recipe_3d();
+/// The recipe with the lowest sidelobes, as noise::recipe_3d.
 const Recipe& pure_recipe_3d();
-
-/// Impulses visited for each evaluation: (ceil(2 R) + 1)^3 N.
-int visited_impulses_3d(const Recipe& recipe);
 
 /// Variance of sum_i q(d.x) q(d.y) q(d.z) sin(2 pi (f_i.d + phase_i)) by Campbell's theorem: the number
 /// of impulses per unit volume times the mean energy of the kernels, whatever the f_i.

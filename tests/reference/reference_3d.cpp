@@ -1,7 +1,7 @@
-#include "noise/reference_3d.hpp"
+#include "reference/reference_3d.hpp"
 
-#include "noise/reference.hpp"
 #include "noise/variance.hpp"
+#include "reference/reference.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@ namespace {
 using Matrix3 = std::array<Vector3, 3>; // by rows
 using std::numbers::pi;
 
-constexpr Recipe normal{"solid", 1, 1.0f, 1.0f, 256, {3.1f, -3.9f, 1.8f}, "27 impulses, the fastest"};
 constexpr Recipe pure{"solid-pure", 1, 1.5f, 1.0f, 256, {0.7f, -0.9f, 1.2f}, "the lowest sidelobes"};
 
 double dot(const Vector3& a, const Vector3& b) {
@@ -111,16 +110,8 @@ std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
 
 } // namespace
 
-const Recipe& recipe_3d() {
-    return normal;
-}
-
 const Recipe& pure_recipe_3d() {
     return pure;
-}
-
-int visited_impulses_3d(const Recipe& recipe) {
-    return visited_cells(recipe) * visited_impulses(recipe);
 }
 
 double variance_3d(const Recipe& recipe) {

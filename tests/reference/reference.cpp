@@ -1,4 +1,4 @@
-#include "noise/reference.hpp"
+#include "reference/reference.hpp"
 
 #include "noise/variance.hpp"
 

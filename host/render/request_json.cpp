@@ -1,0 +1,155 @@
+#include "error.hpp"
+#include "render/parameters.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace gabor::render {
+
+namespace {
+
+using Kind = Parameter::Kind;
+using nlohmann::json;
+using nlohmann::ordered_json;
+using noise::Lobe;
+
+// Names of files may hold any bytes.
+template <typename Json>
+std::string dumped(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Lobe lobe_of(const json& entry) {
+    if (!entry.is_object())
+        throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
+    Lobe lobe;
+    for (const auto& [name, value] : entry.items()) {
+        const auto found = std::ranges::find(lobe_parameters(), name, &LobeParameter::name);
+        if (found == lobe_parameters().end()) {
+            std::vector<std::string_view> names;
+            std::ranges::transform(lobe_parameters(), std::back_inserter(names), &LobeParameter::name);
+            throw RequestError(
+                fmt::format("unknown '{}' in a lobe: a lobe has {}", name, fmt::join(names, ", ")));
+        }
+        if (!value.is_number())
+            throw RequestError(fmt::format("{} of a lobe must be a number", name));
+        lobe.*found->member = value.get<double>();
+    }
+    return lobe;
+}
+
+std::vector<Lobe> lobes_of(const json& list) {
+    if (!list.is_array())
+        throw RequestError("the lobes must be a list of lobes");
+    std::vector<Lobe> lobes;
+    std::ranges::transform(list, std::back_inserter(lobes), lobe_of);
+    return lobes;
+}
+
+ordered_json json_of(const std::vector<Lobe>& lobes) {
+    ordered_json list = ordered_json::array();
+    for (const Lobe& lobe : lobes) {
+        ordered_json& entry = list.emplace_back();
+        for (const LobeParameter& p : lobe_parameters())
+            entry[std::string(p.name)] = lobe.*p.member;
+    }
+    return list;
+}
+
+Value value_of(const Parameter& p, const json& value) {
+    const auto must = [&](bool holds) {
+        if (!holds)
+            throw RequestError(fmt::format("{} '{}': it takes {}", p.name, dumped(value), accepted(p)));
+    };
+    switch (p.kind) {
+    case Kind::flag:
+        must(value.is_boolean());
+        return value.get<bool>();
+    case Kind::integer:
+        must(value.is_number_integer());
+        return value.get<double>();
+    case Kind::number:
+    case Kind::angle:
+        must(value.is_number());
+        return value.get<double>();
+    case Kind::lobes:
+        return lobes_of(value);
+    default:
+        must(value.is_string());
+        return value.get<std::string>();
+    }
+}
+
+ordered_json json_of(const Parameter& p, const Value& value) {
+    if (p.kind == Kind::integer)
+        return static_cast<std::int64_t>(std::get<double>(value));
+    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&value))
+        return json_of(*lobes);
+    if (const auto* text = std::get_if<std::string>(&value))
+        return *text;
+    if (const auto* number = std::get_if<double>(&value))
+        return *number;
+    return std::get<bool>(value);
+}
+
+bool is_of_lobe(const Parameter& p) {
+    return std::ranges::find(lobe_parameters(), p.name, &LobeParameter::name) != lobe_parameters().end();
+}
+
+} // namespace
+
+std::string to_json(const Request& request) {
+    Request drawn = request;
+    drawn.recipe = drawing_recipe(request);
+    ordered_json object;
+    // A single lobe of power 1 is written by its values.
+    const bool by_values = request.lobes.size() == 1 && request.lobes.front().power == 1;
+    for (const Parameter& p : parameters())
+        if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
+            object[std::string(p.name)] = json_of(p, *value);
+    return dumped(object);
+}
+
+Request from_json(std::string_view text) {
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object())
+        throw RequestError("the parameters are not a JSON object");
+    Values deciding; // which other parameters there are
+    Values others;
+    bool has_lobes = false;
+    for (const auto& [name, entry] : object.items()) {
+        const Parameter& p = parameter(name);
+        const Value value = value_of(p, entry);
+        const auto* lobes = std::get_if<std::vector<Lobe>>(&value);
+        if (lobes && lobes->empty())
+            continue; // the lobe of the other values
+        has_lobes |= lobes != nullptr;
+        (lobes || p.kind == Kind::choice ? deciding : others).emplace_back(&p, value);
+    }
+    Request request;
+    set(request, deciding);
+    std::erase_if(others, [&](const auto& each) {
+        return !each.first->get(request) || (has_lobes && is_of_lobe(*each.first));
+    });
+    set(request, others);
+    check(request);
+    return request;
+}
+
+std::vector<Lobe> lobes_from_json(std::string_view text) {
+    const json list = json::parse(text, nullptr, false);
+    if (list.is_object() && !list.contains("lobes"))
+        throw RequestError("the object has no 'lobes'");
+    if (!list.is_object() && !list.is_array())
+        throw RequestError("not a JSON list of lobes, nor an object with 'lobes'");
+    return lobes_of(list.is_object() ? list["lobes"] : list);
+}
+
+std::string lobes_to_json(const std::vector<Lobe>& lobes) {
+    return dumped(json_of(lobes));
+}
+
+} // namespace gabor::render

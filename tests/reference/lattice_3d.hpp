@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+namespace gabor::noise {
+
+/// Solid and surface noise of shaders/gabor_lattice_3d.glsl in double precision, from the equations and not
+/// from the shader: the oracle.
+class Lattice3d {
+  public:
+    using Vector = std::array<double, 3>;
+
+    /// Where to evaluate: as GaborPlace3d.
+    struct Place {
+        std::array<std::int32_t, 3> cell{};
+        std::array<float, 3> local{};
+        std::array<float, 3> radius{1.5f, 1.5f, 1.5f}; ///< nodes per kernel radius
+        std::array<std::int32_t, 3> period{};          ///< in nodes, 0 for none
+        float time = 0;                                ///< in periods of time, for animated noise
+    };
+
+    /// The noise as a complex number, whose imaginary part is the noise itself, and its gradient per kernel
+    /// radius.
+    struct Field {
+        std::complex<double> value;
+        std::array<std::complex<double>, 3> slope;
+    };
+
+    struct Filtered {
+        double value;
+        double removed; ///< variance that the footprint takes away
+    };
+
+    /// `wave` in cycles per kernel radius; `channel`, 0 to 3, is one of the four independent noises.
+    Lattice3d(const Vector& wave, std::uint32_t seed, int channel = 0, bool animated = false);
+
+    Field field(const Place& place) const;
+
+    /// The sum of the 27 waves that the field is between nodes, each damped by a normal footprint with the
+    /// covariance (dx dx^T + dy dy^T) / 4, nodes fading within a quarter of the footprint from their windows'
+    /// ends.
+    Filtered filtered(const Place& place, const Vector& dx, const Vector& dy) const;
+
+  private:
+    struct Node {
+        std::array<double, 3> offset; ///< of the place from it, in node spacings
+        std::complex<double> amplitude;
+    };
+    std::vector<Node> nodes(const Place& place) const;
+
+    Vector wave_;
+    std::uint32_t seed_;
+    int channel_;
+    bool animated_;
+};
+
+/// One noise of a sum of independent ones.
+struct WeightedWave {
+    double weight;
+    Lattice3d::Vector wave;
+    std::uint32_t seed;
+};
+
+/// The sums of gabor_noise_3d_isotropic, gabor_noise_surface and gabor_noise_surface_isotropic. Normals and
+/// directions have length 1.
+std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed);
+std::vector<WeightedWave> surface_waves(const Lattice3d::Vector& normal, double frequency,
+                                        const Lattice3d::Vector& direction, std::uint32_t seed);
+std::vector<WeightedWave> surface_isotropic_waves(const Lattice3d::Vector& normal, double frequency,
+                                                  std::uint32_t seed);
+
+} // namespace gabor::noise

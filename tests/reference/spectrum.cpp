@@ -1,0 +1,150 @@
+#include "reference/spectrum.hpp"
+
+#include "reference/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace gabor::noise {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int taps = 3;
+
+// Of a normal filter: its two principal axes, as long as its standard deviations.
+std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Vector dy) {
+    const double xx = (dx[0] * dx[0] + dy[0] * dy[0]) / 4;
+    const double yy = (dx[1] * dx[1] + dy[1] * dy[1]) / 4;
+    const double xy = (dx[0] * dx[1] + dy[0] * dy[1]) / 4;
+    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double longer = std::sqrt(std::max(0.0, xx * c * c + 2 * xy * c * s + yy * s * s));
+    const double shorter = std::sqrt(std::max(0.0, xx * s * s - 2 * xy * c * s + yy * c * c));
+    return {{{c * longer, s * longer}, {-s * shorter, c * shorter}}};
+}
+
+// The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule
+// over six deviations each way: `step` is the longest allowed along an axis.
+double normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
+                   const std::function<double(double, double)>& function) {
+    std::array<int, 2> half{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double deviation = widening * std::hypot(axes[i][0], axes[i][1]);
+        half[i] = deviation < 1e-7 ? 0 : std::max(18, static_cast<int>(std::ceil(6 * deviation / step)));
+    }
+    double sum = 0;
+    double weights = 0;
+    for (int j = -half[1]; j <= half[1]; ++j) {
+        for (int i = -half[0]; i <= half[0]; ++i) {
+            const double u = half[0] ? 6.0 * i / half[0] : 0;
+            const double v = half[1] ? 6.0 * j / half[1] : 0;
+            const double weight = std::exp(-(u * u + v * v) / 2);
+            sum += weight * function(widening * (u * axes[0][0] + v * axes[1][0]),
+                                     widening * (u * axes[0][1] + v * axes[1][1]));
+            weights += weight;
+        }
+    }
+    return sum / weights;
+}
+
+// integral of h(t) h(t + x) over that of h^2: with c = cos(pi x), the overlap of two Hann windows x apart.
+double hann_correlation(double x) {
+    x = std::abs(x);
+    if (x >= 2)
+        return 0;
+    return ((2 - x) * (1 + 0.5 * std::cos(pi * x)) + 1.5 / pi * std::sin(pi * x)) / 3;
+}
+
+} // namespace
+
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
+    std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
+    word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
+}
+
+// A range is cut into n pieces with a lobe in the middle of each, n the whole part of c. While the rest of c
+// goes from 0.8 to 1 these fade out and n + 1 others fade in.
+std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
+                                       double orientation_spread, std::uint32_t seed) {
+    struct Piece {
+        double middle; // of the range from -1 to 1
+        double share;
+        int index;
+    };
+    const auto pieces = [](double c) {
+        std::vector<Piece> result;
+        const int whole = static_cast<int>(c);
+        const double fade = std::max(0.0, (c - whole - 0.8) / 0.2);
+        for (const int n : {whole, whole + 1}) {
+            const double share = n == whole ? 1 - fade : fade;
+            for (int i = 0; i < n && share > 0; ++i)
+                result.push_back({(2 * i + 1.0) / n - 1, share / n, i + n % 2 * 64});
+        }
+        return result;
+    };
+    std::vector<SpectrumLobe> lobes;
+    for (const Piece& along : pieces(std::clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0))) {
+        const double magnitude = frequency * (1 + frequency_spread * along.middle);
+        const double count = orientation_spread * 2 / pi * (4.44 * magnitude + 0.6) + 0.8;
+        for (const Piece& around : pieces(std::clamp(count, 1.0, 64.0)))
+            lobes.push_back({magnitude, orientation + orientation_spread * around.middle, 1,
+                             along.share * around.share,
+                             lattice_lobe_seed(seed, 128 * along.index + around.index)});
+    }
+    return lobes;
+}
+
+// Each lobe is a noise of its own, in units of its own kernel radius.
+Spectrum::Field Spectrum::field(double x, double y) const {
+    double power = 0;
+    for (const SpectrumLobe& lobe : lobes_)
+        power += lobe.power;
+    Field sum{};
+    for (const SpectrumLobe& lobe : lobes_) {
+        const Lattice lattice(taps, lobe.frequency * lobe.radius, lobe.orientation, lobe.seed);
+        LatticePlace place;
+        place.local_x = x / lobe.radius * place.radius_x;
+        place.local_y = y / lobe.radius * place.radius_y;
+        const Lattice::Field field = lattice.field(place);
+        const double scale = std::sqrt(lobe.power / power);
+        sum.value += scale * field.value;
+        sum.slope_x += scale / lobe.radius * field.slope_x;
+        sum.slope_y += scale / lobe.radius * field.slope_y;
+    }
+    return sum;
+}
+
+double Spectrum::filtered(double x, double y, Vector dx, Vector dy) const {
+    double step = 1;
+    for (const SpectrumLobe& lobe : lobes_)
+        step = std::min({step, 0.06 * lobe.radius, 0.15 / (lobe.frequency + 1e-9)});
+    return normal_mean(principal_axes(dx, dy), 1, step,
+                       [&](double u, double v) { return field(x - u, y - v).value.imag(); });
+}
+
+// The filtered noise's variance is the mean of its covariance between two points that the filter draws
+// independently, whose difference is normal with twice the covariance.
+double Spectrum::removed(Vector dx, Vector dy) const {
+    double kept = 0;
+    double power = 0;
+    for (const SpectrumLobe& lobe : lobes_) {
+        const double fx = lobe.frequency * std::cos(lobe.orientation);
+        const double fy = lobe.frequency * std::sin(lobe.orientation);
+        kept += lobe.power * normal_mean(principal_axes(dx, dy), std::numbers::sqrt2, 0.03 * lobe.radius,
+                                         [&](double u, double v) {
+                                             return hann_correlation(u / lobe.radius) *
+                                                    hann_correlation(v / lobe.radius) *
+                                                    std::cos(2 * pi * (fx * u + fy * v));
+                                         });
+        power += lobe.power;
+    }
+    return 1 - kept / power;
+}
+
+} // namespace gabor::noise

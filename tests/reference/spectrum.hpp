@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+namespace gabor::noise {
+
+/// As GaborLobe in shaders/gabor_spectrum.glsl, with the seed of its own noise.
+struct SpectrumLobe {
+    double frequency = 4; ///< cycles per unit of length
+    double orientation = 0;
+    double radius = 1; ///< of its kernel
+    double power = 1;
+    std::uint32_t seed = 0;
+};
+
+/// The seed of lobe `index` in a sum of independent noises.
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
+
+/// The lobes whose sum has waves within `orientation_spread` radians of the orientation and within the share
+/// `frequency_spread` of the frequency.
+std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
+                                       double orientation_spread, std::uint32_t seed);
+
+/// A sum of lattice noises in double precision, from the equations and not from the shader: the oracle.
+class Spectrum {
+  public:
+    explicit Spectrum(std::vector<SpectrumLobe> lobes) : lobes_(std::move(lobes)) {}
+
+    /// The imaginary part is the noise, its slopes are per unit of length.
+    struct Field {
+        std::complex<double> value;
+        std::complex<double> slope_x;
+        std::complex<double> slope_y;
+    };
+
+    Field field(double x, double y) const;
+
+    using Vector = std::array<double, 2>;
+
+    /// The noise through a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
+    /// against the normal density.
+    double filtered(double x, double y, Vector dx, Vector dy) const;
+
+    /// The share of its variance that the same filter removes, by quadrature of the noise's covariance.
+    double removed(Vector dx, Vector dy) const;
+
+  private:
+    std::vector<SpectrumLobe> lobes_;
+};
+
+} // namespace gabor::noise

@@ -1,0 +1,114 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// What gabor_lattice_3d.glsl answers at any places, for the tests.
+
+#include "gabor_lattice.glsl"
+#include "gabor_lattice_3d.glsl"
+
+layout(local_size_x = 64) in;
+
+// One function for each pipeline, for all of them in one take minutes to compile. As in sampler_lattice_3d.hpp.
+layout(constant_id = 0) const int entry = 0;
+layout(constant_id = 1) const int filtered = 0; // the functions by place
+layout(constant_id = 2) const int animated = 0;
+
+// In scalars, for a vec3 would be padded.
+struct Sample {
+    int cell[3];
+    float local[3];
+    float radius[3];
+    int period[3];
+    float time;
+    float frequency;
+    float direction[3];
+    float normal[3];
+    float dx[3];
+    float dy[3];
+    float p[3];    // of the functions of a position
+    float tile[3]; // periods of gabor_noise_3d_tiled, kernel radii
+    uint seed;
+};
+
+struct Answer {
+    float value[8];
+};
+
+layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
+
+layout(push_constant) uniform Push {
+    uint count;
+    int wanted; // not used
+};
+
+vec3 vector(float v[3])
+{
+    return vec3(v[0], v[1], v[2]);
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    Sample s = samples[i];
+    float f = s.frequency;
+    vec3 direction = vector(s.direction);
+    vec3 normal = vector(s.normal);
+    vec3 p = vector(s.p);
+    vec3 wave = gabor_wave_3d(f, direction);
+    GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
+                                      ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
+                                      filtered != 0, vector(s.dx), vector(s.dy), 0);
+    vec4 first = vec4(0.0);
+    vec4 second = vec4(0.0);
+    switch (entry) {
+    case 0:
+        GaborField3d field = gabor_field_3d(place, wave, s.seed);
+        first = vec4(field.value, field.slope_x);
+        second = vec4(field.slope_y, field.slope_z);
+        break;
+    case 1:
+        first.xy = gabor_value_3d(place, wave, s.seed);
+        break;
+    case 2:
+        first.xy = gabor_isotropic_3d(place, f, s.seed);
+        break;
+    case 3:
+        first.xy = gabor_surface_3d(place, normal, f, direction, s.seed);
+        break;
+    case 4:
+        first.xy = gabor_surface_isotropic_3d(place, normal, f, s.seed);
+        break;
+    case 5:
+        first = gabor_noise_3d_gradient(p, f, direction, s.seed);
+        second = vec4(gabor_noise_3d(p, f, direction, s.seed), gabor_noise_3d_complex(p, f, direction, s.seed), 0.0);
+        break;
+    case 6:
+        first = gabor_noise_3d_four(p, f, direction, s.seed);
+        break;
+    case 7:
+        first.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
+        break;
+    case 8:
+        first.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
+        break;
+    case 9:
+        first.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
+        break;
+    case 10:
+        first.x = gabor_noise_3d_isotropic(p, f, s.seed);
+        break;
+    case 11:
+        first.x = gabor_noise_surface(p, normal, f, direction, s.seed);
+        break;
+    default:
+        first.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
+        break;
+    }
+    for (int c = 0; c < 4; ++c) {
+        answers[i].value[c] = first[c];
+        answers[i].value[4 + c] = second[c];
+    }
+}

@@ -1,0 +1,75 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// What gabor_spectrum.glsl answers at any places, for the tests.
+
+#define GABOR_LOBES 3
+
+#include "gabor_lattice.glsl"
+#include "gabor_spectrum.glsl"
+
+layout(local_size_x = 64) in;
+
+struct Sample {
+    vec2 p;
+    vec2 dx;
+    vec2 dy;
+    float frequency;
+    float orientation;
+    float frequency_spread;
+    float orientation_spread;
+    uint seed;
+    float padding;
+    float lobes[12]; // frequency, orientation, radius, power of each
+};
+
+struct Answer {
+    vec2 filtered; // value and removed variance
+    vec2 lobes_filtered;
+    vec2 lobes_complex;
+    vec2 spread_complex;
+    vec3 spread; // with its gradient
+    float spread_alone;
+    vec3 lobes;
+    float lobes_alone;
+};
+
+layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
+
+// Which of the answers are wanted; millions of some would take too long together with the others.
+#define ALL 0u
+#define FILTERED 1u
+#define SPREAD 2u
+
+layout(push_constant) uniform Push {
+    uint count;
+    uint wanted;
+};
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    Sample s = samples[i];
+    GaborLobes lobes;
+    lobes.count = GABOR_LOBES;
+    for (int k = 0; k < GABOR_LOBES; ++k)
+        lobes.lobe[k] = gabor_lobe(s.lobes[4 * k], s.lobes[4 * k + 1], s.lobes[4 * k + 2], s.lobes[4 * k + 3]);
+    if (wanted != SPREAD)
+        answers[i].filtered = gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed);
+    if (wanted != FILTERED)
+        answers[i].spread = gabor_noise_spread_gradient(s.p, s.frequency, s.orientation, s.frequency_spread,
+                                                        s.orientation_spread, s.seed);
+    if (wanted == ALL) {
+        answers[i].spread_alone = gabor_noise_spread(s.p, s.frequency, s.orientation, s.frequency_spread,
+                                                     s.orientation_spread, s.seed);
+        answers[i].spread_complex = gabor_noise_spread_complex(s.p, s.frequency, s.orientation, s.frequency_spread,
+                                                               s.orientation_spread, s.seed);
+        answers[i].lobes = gabor_noise_lobes_gradient(s.p, lobes, s.seed);
+        answers[i].lobes_alone = gabor_noise_lobes(s.p, lobes, s.seed);
+        answers[i].lobes_complex = gabor_noise_lobes_complex(s.p, lobes, s.seed);
+        answers[i].lobes_filtered = gabor_noise_lobes_filtered(s.p, s.dx, s.dy, lobes, s.seed);
+    }
+}

@@ -1,0 +1,360 @@
+// Every function of gabor_lattice_3d.glsl, on the device, against the double-precision reference.
+
+#include "sampler_lattice_3d.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace gabor;
+using noise::Lattice3d;
+using test::Entry3d;
+using test::Largest;
+using test::LatticeSample3d;
+using test::LatticeSampler3d;
+
+namespace {
+
+constexpr std::size_t per_batch = 1 << 9;
+
+Lattice3d::Vector wave_of(const LatticeSample3d& sample) {
+    Lattice3d::Vector wave = test::unit(sample.direction);
+    for (double& coordinate : wave)
+        coordinate *= sample.frequency;
+    return wave;
+}
+
+std::array<float, 3> vector(test::Draw& draw, float reach) {
+    return {draw.uniform(-reach, reach), draw.uniform(-reach, reach), draw.uniform(-reach, reach)};
+}
+
+// In all octants up to 10^6, or in any cell; one coordinate in four on or next to where the nodes change, and
+// one in eight next to a node.
+Lattice3d::Place draw_place(test::Draw& draw) {
+    const float reach = std::exp2(draw.uniform(0, 20));
+    Lattice3d::Place place;
+    const bool far = draw.word() % 2;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        float& local = place.local[axis];
+        local = draw.uniform(-reach, reach);
+        if (draw.word() % 4 == 0)
+            local = std::nextafter(std::round(local) + (draw.word() % 3 ? 0.5f : 0.0f),
+                                   draw.word() % 2 ? 1e9f : -1e9f);
+        if (far) {
+            place.cell[axis] = draw.cell();
+            local -= std::floor(local);
+        }
+    }
+    return place;
+}
+
+// A position in all octants, and the place that the functions of a position see: p * 1.5 in single precision.
+Lattice3d::Place draw_position(test::Draw& draw, std::array<float, 3>& p) {
+    const float reach = std::exp2(draw.uniform(0, 18));
+    p = vector(draw, reach);
+    Lattice3d::Place place;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        place.local[axis] = p[axis] * 1.5f;
+    return place;
+}
+
+// Waves turn by up to 2 pi F per radius, and the shader's phases are single precision.
+double tolerance(double frequency) {
+    return 2e-5 * std::max(1.0, frequency / 4);
+}
+
+double slope_tolerance(double frequency) {
+    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 4);
+}
+
+enum class Period { none, any };
+
+// Samples anywhere, at a frequency; `here` is the place of each position.
+struct Samples {
+    std::vector<LatticeSample3d> all;
+    std::vector<Lattice3d::Place> here;
+
+    Samples(test::Draw& draw, std::size_t count, float frequency, float footprint, Period period) {
+        for (std::size_t i = 0; i < count; ++i) {
+            LatticeSample3d sample{draw_place(draw), frequency, vector(draw, 3), vector(draw, 3)};
+            here.push_back(draw_position(draw, sample.p));
+            sample.seed = draw.word();
+            sample.place.time = here.back().time = draw.uniform(-2, 2);
+            if (draw.word() % 4 == 0) // near where the projection to a tangent plane ends
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    sample.direction[axis] = sample.normal[axis] + draw.uniform(-0.3f, 0.3f);
+            const float reach = footprint * std::exp2(draw.uniform(-8, 0));
+            sample.dx = vector(draw, reach);
+            sample.dy = vector(draw, reach);
+            if (draw.word() % 4 == 0) // thin, and nearly parallel
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    sample.dy[axis] = sample.dx[axis] * 0.3f + draw.uniform(-1e-3f, 1e-3f);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (period == Period::any) {
+                    sample.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
+                    sample.place.radius[axis] = 1.5f * draw.uniform(0.8f, 1.25f);
+                }
+                sample.tile[axis] = draw.uniform(0.5f, 9);
+            }
+            all.push_back(sample);
+        }
+    }
+};
+
+// What an entry answers, and what `expected` says: value, tolerance for each number of an answer.
+template <typename Expected>
+void compare(LatticeSampler3d& sampler, const Samples& samples, Largest& largest, const Expected& expected) {
+    std::ranges::copy(samples.all, sampler.samples().begin());
+    const auto answers = sampler.answers(samples.all.size());
+    for (std::size_t i = 0; i < samples.all.size(); ++i) {
+        const std::vector<std::array<double, 2>> numbers = expected(samples.all[i], samples.here[i]);
+        for (std::size_t c = 0; c < numbers.size(); ++c)
+            largest.see(answers[i].value[c], numbers[c][0], numbers[c][1], samples.all[i]);
+    }
+}
+
+} // namespace
+
+TEST_CASE("noise on the lattice in space agrees with the reference", "[oracle]") {
+    const vulkan::Device device;
+    fmt::print("lattice in space on {}; largest differences in units of the tolerance\n", device.info().name);
+    const auto check = [&](const char* name, Entry3d entry, bool animated, Period period,
+                           const auto& expected) {
+        test::Draw draw(21);
+        LatticeSampler3d sampler(device, per_batch, entry, false, animated);
+        Largest largest;
+        for (int batch = 0; batch < 24; ++batch) {
+            // The frequencies cover 0.1 to 64 evenly in octaves.
+            const float frequency = batch == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(batch * 0.405));
+            compare(sampler, Samples(draw, per_batch, frequency, 0, period), largest, expected);
+        }
+        largest.check(name);
+    };
+    const auto field_of = [](const LatticeSample3d& sample, const Lattice3d::Place& place,
+                             bool animated = false) {
+        return Lattice3d(wave_of(sample), sample.seed, 0, animated).field(place);
+    };
+    const auto value_of = [&](const LatticeSample3d& sample, const Lattice3d::Place& place) {
+        return field_of(sample, place).value.imag();
+    };
+    const auto by_place = [&](bool animated) {
+        return [&, animated](const LatticeSample3d& sample, const Lattice3d::Place&) {
+            const Lattice3d::Field field = field_of(sample, sample.place, animated);
+            const double tight = tolerance(sample.frequency);
+            // Where a node's window ends its slope's derivative jumps by pi^2 / 2, as far off as `local`
+            // rounds.
+            double loose = slope_tolerance(sample.frequency);
+            for (const float local : sample.place.local)
+                loose = std::max(loose, 5 * 0x1p-23 * std::abs(double{local}));
+            std::vector<std::array<double, 2>> numbers{{field.value.real(), tight},
+                                                       {field.value.imag(), tight}};
+            for (const auto& slope : field.slope) {
+                numbers.push_back({slope.real(), loose});
+                numbers.push_back({slope.imag(), loose});
+            }
+            return numbers;
+        };
+    };
+    check("gabor_field_3d", Entry3d::field, false, Period::none, by_place(false));
+    check("  with periods", Entry3d::field, false, Period::any, by_place(false));
+    check("  animated", Entry3d::field, true, Period::none, by_place(true));
+    check("gabor_value_3d", Entry3d::value, false, Period::none,
+          [&](const LatticeSample3d& sample, const Lattice3d::Place&) {
+              return std::vector<std::array<double, 2>>{
+                  {value_of(sample, sample.place), tolerance(sample.frequency)}, {0, 1e-9}};
+          });
+    check("gradient, plain, complex", Entry3d::gradient, false, Period::none,
+          [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+              const Lattice3d::Field field = field_of(sample, here);
+              const double tight = tolerance(sample.frequency);
+              const double loose = slope_tolerance(sample.frequency);
+              return std::vector<std::array<double, 2>>{
+                  {field.value.imag(), tight},    {field.slope[0].imag(), loose},
+                  {field.slope[1].imag(), loose}, {field.slope[2].imag(), loose},
+                  {field.value.imag(), tight},    {field.value.real(), tight},
+                  {field.value.imag(), tight}};
+          });
+    check("gabor_noise_3d_four", Entry3d::four, false, Period::none,
+          [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+              std::vector<std::array<double, 2>> numbers;
+              for (int channel = 0; channel < 4; ++channel)
+                  numbers.push_back(
+                      {Lattice3d(wave_of(sample), sample.seed, channel).field(here).value.imag(),
+                       tolerance(sample.frequency)});
+              return numbers;
+          });
+    check("gabor_noise_3d_animated", Entry3d::animated, false, Period::none,
+          [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+              return std::vector<std::array<double, 2>>{
+                  {field_of(sample, here, true).value.imag(), tolerance(sample.frequency)}};
+          });
+    check("gabor_noise_3d_tiled", Entry3d::tiled, false, Period::none,
+          [&](const LatticeSample3d& sample, const Lattice3d::Place&) {
+              // Where a float still holds it: p rounds on its way by 10^-6, and the wave turns by 2 pi F in a
+              // radius.
+              std::vector<std::array<double, 2>> numbers;
+              Lattice3d::Place tile;
+              for (std::size_t axis = 0; axis < 3; ++axis) {
+                  const double period = sample.tile[axis];
+                  const double p = sample.p[axis];
+                  if (std::abs(p) > 8)
+                      return numbers;
+                  const double nodes = std::max(std::floor(period * 1.5 + 0.5), 3.0);
+                  tile.radius[axis] = static_cast<float>(nodes / period);
+                  tile.local[axis] = static_cast<float>(p * nodes / period);
+                  tile.period[axis] = static_cast<std::int32_t>(nodes);
+              }
+              numbers.push_back({value_of(sample, tile), 1e-4 * (1 + sample.frequency)});
+              return numbers;
+          });
+}
+
+TEST_CASE("sums of directions and surface noise on the lattice agree with the reference", "[oracle]") {
+    const vulkan::Device device;
+    fmt::print("sums on the lattice in space; largest differences in units of the tolerance\n");
+    constexpr std::size_t few = 1 << 6; // each is a sum of up to 32 directions
+    const auto check = [&](const char* name, Entry3d by_place, Entry3d by_position, const auto& waves_of) {
+        for (const bool filtered : {false, true}) {
+            test::Draw draw(22);
+            LatticeSampler3d place(device, few, by_place, filtered);
+            LatticeSampler3d position(device, few, by_position);
+            Largest largest;
+            for (int batch = 0; batch < 10; ++batch) {
+                const float frequency = 0.2f * static_cast<float>(batch);
+                const Samples samples(draw, few, frequency, 2, Period::none);
+                // Of a direction near the normal a quarter of its length is left, at least.
+                const double tight = 4 * tolerance(frequency);
+                compare(place, samples, largest, [&](const LatticeSample3d& sample, const Lattice3d::Place&) {
+                    Lattice3d::Filtered sum{};
+                    for (const noise::WeightedWave& w : waves_of(sample)) {
+                        const Lattice3d one(w.wave, w.seed);
+                        const Lattice3d::Filtered value =
+                            filtered
+                                ? one.filtered(sample.place, test::wide(sample.dx), test::wide(sample.dy))
+                                : Lattice3d::Filtered{one.field(sample.place).value.imag(), 0};
+                        sum.value += w.weight * value.value;
+                        sum.removed += w.weight * w.weight * value.removed;
+                    }
+                    return std::vector<std::array<double, 2>>{{sum.value, tight}, {sum.removed, tight}};
+                });
+                if (filtered)
+                    continue;
+                compare(position, samples, largest,
+                        [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+                            double sum = 0;
+                            for (const noise::WeightedWave& w : waves_of(sample))
+                                sum += w.weight * Lattice3d(w.wave, w.seed).field(here).value.imag();
+                            return std::vector<std::array<double, 2>>{{sum, tight}};
+                        });
+            }
+            largest.check(fmt::format("{}{}", name, filtered ? ", filtered" : ""));
+        }
+    };
+    check("isotropic", Entry3d::isotropic, Entry3d::noise_isotropic, [](const LatticeSample3d& sample) {
+        return noise::isotropic_waves(sample.frequency, sample.seed);
+    });
+    check("surface", Entry3d::surface, Entry3d::noise_surface, [](const LatticeSample3d& sample) {
+        return noise::surface_waves(test::unit(sample.normal), sample.frequency, test::unit(sample.direction),
+                                    sample.seed);
+    });
+    check("surface, isotropic", Entry3d::surface_isotropic, Entry3d::noise_surface_isotropic,
+          [](const LatticeSample3d& sample) {
+              return noise::surface_isotropic_waves(test::unit(sample.normal), sample.frequency, sample.seed);
+          });
+}
+
+TEST_CASE("noise on the lattice seen through a footprint agrees with the reference", "[oracle]") {
+    const vulkan::Device device;
+    fmt::print("the lattice in space through a footprint; largest differences in units of the tolerance\n");
+    for (const Entry3d entry : {Entry3d::value, Entry3d::filtered}) {
+        test::Draw draw(23);
+        LatticeSampler3d sampler(device, per_batch, entry, true);
+        Largest largest;
+        for (int batch = 0; batch < 8; ++batch) {
+            const float frequency = draw.uniform(0, batch % 2 ? 2.0f : 16.0f);
+            const Period period = entry == Entry3d::value && batch % 4 == 3 ? Period::any : Period::none;
+            compare(
+                sampler, Samples(draw, per_batch, frequency, 4, period), largest,
+                [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+                    const Lattice3d::Filtered value =
+                        Lattice3d(wave_of(sample), sample.seed)
+                            .filtered(entry == Entry3d::value ? sample.place : here, test::wide(sample.dx),
+                                      test::wide(sample.dy));
+                    const double tight = 2 * tolerance(frequency);
+                    return std::vector<std::array<double, 2>>{{value.value, tight}, {value.removed, tight}};
+                });
+        }
+        largest.check(entry == Entry3d::value ? "gabor_value_3d" : "gabor_noise_3d_filtered");
+    }
+}
+
+TEST_CASE("the gradient on the lattice is what differences of the reference say", "[oracle]") {
+    test::Draw draw(24);
+    for (int i = 0; i < 500; ++i) {
+        const Lattice3d reference({draw.uniform(-3, 3), draw.uniform(-3, 3), draw.uniform(-3, 3)},
+                                  draw.word());
+        Lattice3d::Place place;
+        for (float& coordinate : place.local) // a float holds them, and those next to them
+            coordinate = std::floor(draw.uniform(-8, 8) * 256) / 256;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            constexpr float h = 0x1p-12f;
+            Lattice3d::Place before = place;
+            Lattice3d::Place after = place;
+            before.local[axis] -= h;
+            after.local[axis] += h;
+            const double difference =
+                (reference.field(after).value.imag() - reference.field(before).value.imag()) / (2 * h) * 1.5;
+            REQUIRE(reference.field(place).slope[axis].imag() == Approx(difference).margin(5e-3));
+        }
+    }
+}
+
+TEST_CASE("odd requests to the lattice in space give what is documented and never NaN", "[oracle]") {
+    const vulkan::Device device;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const float odd[] = {0, -0.0f, 1e-38f, 1e-30f, -3, 1e30f, 3e38f, infinity, -infinity};
+    std::vector<LatticeSample3d> samples;
+    for (const float x : odd) {
+        for (int where = 0; where < 5; ++where) {
+            LatticeSample3d sample;
+            sample.place.local = {0.3f, 0.8f, 0.1f};
+            if (where == 0)
+                sample.frequency = x;
+            if (where == 1)
+                sample.direction = {x, 0, 0};
+            if (where == 2)
+                sample.normal = {x, x, 0};
+            if (where == 3)
+                sample.normal = sample.direction = {x, 0, x};
+            if (where == 4)
+                sample.dx = sample.dy = {x, x, 0};
+            samples.push_back(sample);
+        }
+    }
+    for (const Entry3d entry : {Entry3d::field, Entry3d::isotropic, Entry3d::surface,
+                                Entry3d::surface_isotropic, Entry3d::filtered}) {
+        LatticeSampler3d sampler(device, samples.size(), entry);
+        std::ranges::copy(samples, sampler.samples().begin());
+        const auto answers = sampler.answers(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            INFO("entry " << static_cast<int>(entry) << ", " << to_string(samples[i]));
+            for (int c = 0; c < 8; ++c)
+                CHECK(std::isfinite(answers[i].value[c]));
+            CHECK(std::abs(answers[i].value[0]) < 10);
+        }
+    }
+    // A frequency counts by its magnitude, a direction without its length.
+    LatticeSampler3d sampler(device, 3, Entry3d::value);
+    for (int i = 0; i < 3; ++i) {
+        LatticeSample3d& sample = sampler.samples()[static_cast<std::size_t>(i)] = samples.front();
+        sample.frequency = i == 1 ? -3.0f : 3.0f;
+        sample.direction = {i == 2 ? 1e20f : 1, 0, 0};
+    }
+    const auto same = sampler.answers(3);
+    CHECK(same[1].value[0] == same[0].value[0]);
+    CHECK(same[2].value[0] == same[0].value[0]);
+}

@@ -1,0 +1,434 @@
+// gabor_spectrum.glsl on the device: lobes, spreads and the filter, against the double-precision reference.
+
+#include "oracle.hpp"
+#include "reference/spectrum.hpp"
+#include "sampler.hpp"
+#include "statistics/gaussianity.hpp"
+
+#include "passes/sample_spectrum.h"
+
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace gabor;
+using test::Draw;
+using test::Largest;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// As in passes/sample_spectrum.comp.
+struct Sample {
+    float p[2];
+    float dx[2];
+    float dy[2];
+    float frequency;
+    float orientation;
+    float frequency_spread;
+    float orientation_spread;
+    std::uint32_t seed;
+    float padding;
+    float lobes[12];
+};
+
+struct Answer {
+    float filtered[2];
+    float lobes_filtered[2];
+    float lobes_complex[2];
+    float spread_complex[2];
+    float spread[3];
+    float spread_alone;
+    float lobes[3];
+    float lobes_alone;
+};
+
+std::string to_string(const Sample& s) {
+    return fmt::format("({}, {}), footprint ({}, {}), ({}, {}), frequency {} +- {}, orientation {} +- {}, "
+                       "seed {}, lobes {}",
+                       s.p[0], s.p[1], s.dx[0], s.dx[1], s.dy[0], s.dy[1], s.frequency, s.frequency_spread,
+                       s.orientation, s.orientation_spread, s.seed, fmt::join(s.lobes, " "));
+}
+
+constexpr auto everything = static_cast<test::Wanted>(0);
+constexpr auto filtered_only = static_cast<test::Wanted>(1);
+constexpr auto spread_only = static_cast<test::Wanted>(2);
+
+struct Sampler : test::Probe<Sample, Answer> {
+    Sampler(const vulkan::Device& device, std::size_t capacity)
+        : Probe(device, capacity, sample_spectrum_spirv, {}) {}
+};
+
+std::vector<noise::SpectrumLobe> lobes_of(const Sample& s) {
+    std::vector<noise::SpectrumLobe> lobes;
+    for (int i = 0; i < 3; ++i) {
+        const float* l = s.lobes + 4 * i;
+        lobes.push_back({l[0], l[1], l[2], l[3], noise::lattice_lobe_seed(s.seed, i)});
+    }
+    return lobes;
+}
+
+noise::Spectrum one_wave(const Sample& s) {
+    return noise::Spectrum({{s.frequency, s.orientation, 1, 1, s.seed}});
+}
+
+// A footprint of standard deviations `deviation` and `ratio` times it, its longer axis at an angle.
+void set_footprint(Sample& sample, double deviation, double ratio, double angle) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    sample.dx[0] = static_cast<float>(2 * deviation * c);
+    sample.dx[1] = static_cast<float>(2 * deviation * s);
+    sample.dy[0] = static_cast<float>(-2 * deviation * ratio * s);
+    sample.dy[1] = static_cast<float>(2 * deviation * ratio * c);
+}
+
+} // namespace
+
+TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 12;
+    Sampler sampler(device, count);
+    Draw draw(31);
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        const float reach = std::exp2(draw.uniform(0, 8));
+        for (float& coordinate : s.p)
+            coordinate = draw.word() % 4 ? draw.uniform(-reach, reach)
+                                         : std::round(draw.uniform(-reach, reach)) / 1.5f;
+        s.frequency = draw.uniform(0, 6);
+        s.orientation = draw.uniform(-8, 8);
+        s.frequency_spread = draw.word() % 2 ? draw.uniform(0, 0.5) : 0;
+        s.orientation_spread = draw.uniform(0, static_cast<float>(pi / 2));
+        s.seed = draw.word();
+        for (int i = 0; i < 3; ++i) {
+            s.lobes[4 * i] = draw.uniform(0, 8);
+            s.lobes[4 * i + 1] = draw.uniform(-8, 8);
+            s.lobes[4 * i + 2] = std::exp2(draw.uniform(-1.5, 1.5));
+            s.lobes[4 * i + 3] = i && draw.word() % 8 == 0 ? 0 : draw.uniform(0.1f, 3);
+        }
+    }
+    Largest spread, spread_slope, lobes, lobes_slope;
+    const auto answers = sampler.answers(count, everything);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& s = sampler.samples()[i];
+        const Answer& a = answers[i];
+        // A position of 256 is rounded by 1.5e-5, in radii of 0.35 by three times that.
+        const double size = std::max({1.0, std::abs(double{s.p[0]}), std::abs(double{s.p[1]})});
+        const double tolerance = 1e-4 + 3e-6 * size * (1 + 6);
+        const noise::Spectrum range(noise::spread_lobes(s.frequency, s.orientation, s.frequency_spread,
+                                                        s.orientation_spread, s.seed));
+        const noise::Spectrum::Field field = range.field(s.p[0], s.p[1]);
+        spread.see(a.spread[0], field.value.imag(), tolerance, s);
+        spread.see(a.spread_alone, field.value.imag(), tolerance, s);
+        spread.see(a.spread_complex[0], field.value.real(), tolerance, s);
+        spread.see(a.spread_complex[1], field.value.imag(), tolerance, s);
+        spread_slope.see(a.spread[1], field.slope_x.imag(), 60 * tolerance, s);
+        spread_slope.see(a.spread[2], field.slope_y.imag(), 60 * tolerance, s);
+        const noise::Spectrum::Field sum = noise::Spectrum(lobes_of(s)).field(s.p[0], s.p[1]);
+        lobes.see(a.lobes[0], sum.value.imag(), tolerance, s);
+        lobes.see(a.lobes_alone, sum.value.imag(), tolerance, s);
+        lobes.see(a.lobes_complex[0], sum.value.real(), tolerance, s);
+        lobes.see(a.lobes_complex[1], sum.value.imag(), tolerance, s);
+        lobes_slope.see(a.lobes[1], sum.slope_x.imag(), 60 * tolerance, s);
+        lobes_slope.see(a.lobes[2], sum.slope_y.imag(), 60 * tolerance, s);
+    }
+    spread.check("gabor_noise_spread");
+    spread_slope.check("  its gradient");
+    lobes.check("gabor_noise_lobes");
+    lobes_slope.check("  its gradient");
+}
+
+namespace {
+
+// Footprints of all kinds, round, thin, diagonal and degenerate, with deviations from 1/256 to 2^largest.
+void draw_footprint(Sample& s, Draw& draw, float largest) {
+    const double deviation = std::exp2(draw.uniform(-8, largest));
+    const double ratio = draw.word() % 3 == 0 ? 0 : std::exp2(draw.uniform(-6, 0));
+    const double angle = draw.word() % 3 == 0 ? draw.word() % 8 * pi / 4 : draw.uniform(-4, 4);
+    set_footprint(s, deviation, ratio, angle);
+    if (draw.word() % 4 == 0) // nearly parallel steps
+        for (int k = 0; k < 2; ++k)
+            s.dy[k] = s.dx[k] * 0.1f * (1 + draw.uniform(-1e-3f, 1e-3f));
+}
+
+} // namespace
+
+TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 600;
+    Sampler sampler(device, count);
+    Draw draw(36);
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        s.p[0] = draw.uniform(-50, 50);
+        s.p[1] = draw.uniform(-50, 50);
+        s.frequency = draw.word() % 4 ? draw.uniform(0, 2) : 0;
+        s.orientation = draw.uniform(-3, 3);
+        s.seed = draw.word();
+        draw_footprint(s, draw, -1);
+        for (int i = 0; i < 3; ++i) {
+            s.lobes[4 * i] = draw.uniform(0, 2);
+            s.lobes[4 * i + 1] = draw.uniform(-3, 3);
+            s.lobes[4 * i + 2] = draw.uniform(1, 2); // so that its filter is no larger
+            s.lobes[4 * i + 3] = draw.uniform(0, 1);
+        }
+    }
+    struct Error {
+        double squares = 0;
+        int count = 0;
+        Largest removed;
+        void see(const float* answer, const noise::Spectrum& exact, const Sample& s) {
+            const noise::Spectrum::Vector dx{s.dx[0], s.dx[1]};
+            const noise::Spectrum::Vector dy{s.dy[0], s.dy[1]};
+            const double error = answer[0] - exact.filtered(s.p[0], s.p[1], dx, dy);
+            squares += error * error;
+            ++count;
+            removed.see(answer[1], exact.removed(dx, dy), 0.0105, s);
+        }
+        void check(const char* name, double bound) const {
+            const double rmse = std::sqrt(squares / count);
+            fmt::print("  {}: RMSE {:.2f} % of the deviation in {} places\n", name, 100 * rmse, count);
+            CHECK(count > 50);
+            CHECK(rmse <= bound);
+            removed.check("  removed variance");
+        }
+    };
+    Error small, large, lobes;
+    const auto answers = sampler.answers(count, everything);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& s = sampler.samples()[i];
+        const double length = std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1]));
+        (length < 1.0 / 3 ? small : large).see(answers[i].filtered, one_wave(s), s);
+        if (i % 4 == 0)
+            lobes.see(answers[i].lobes_filtered, noise::Spectrum(lobes_of(s)), s);
+    }
+    small.check("deviations up to 1/6", 0.005);
+    large.check("deviations up to 1/2", 0.01);
+    lobes.check("three lobes", 0.01);
+}
+
+TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
+          "[filter][law]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 40;
+    Sampler sampler(device, count);
+    Draw draw(32);
+    fmt::print("  RMSE and largest error in 1 % of the deviation, error of the removed variance in 1 %\n");
+    for (const double deviation : {0.02, 0.08, 0.1, 1.0 / 6, 0.25, 0.354, 0.5}) {
+        for (const double ratio : {0.0, 0.3, 1.0}) {
+            for (const double angle : {0.0, pi / 8, pi / 4, 2.0}) {
+                if (ratio == 1 && angle != 0)
+                    continue;
+                for (const double frequency : {0.0, 0.25, 0.5, 1.0, 2.0}) {
+                    double squares = 0;
+                    double largest = 0;
+                    double removed = 0;
+                    for (Sample& s : sampler.samples()) {
+                        s = {};
+                        s.p[0] = draw.uniform(-50, 50);
+                        s.p[1] = draw.uniform(-50, 50);
+                        s.frequency = static_cast<float>(frequency);
+                        s.orientation = draw.uniform(-3, 3);
+                        s.seed = draw.word();
+                        set_footprint(s, deviation, ratio, angle);
+                    }
+                    const auto answers = sampler.answers(count, filtered_only);
+                    for (std::size_t i = 0; i < count; ++i) {
+                        const Sample& s = sampler.samples()[i];
+                        const noise::Spectrum exact = one_wave(s);
+                        const double error =
+                            answers[i].filtered[0] -
+                            exact.filtered(s.p[0], s.p[1], {s.dx[0], s.dx[1]}, {s.dy[0], s.dy[1]});
+                        squares += error * error;
+                        largest = std::max(largest, std::abs(error));
+                        if (i % 10 == 0)
+                            removed = std::max(
+                                removed, std::abs(answers[i].filtered[1] -
+                                                  exact.removed({s.dx[0], s.dx[1]}, {s.dy[0], s.dy[1]})));
+                    }
+                    const double rmse = std::sqrt(squares / count);
+                    fmt::print(
+                        "  deviation {:.3f} x {:.1f} at {:.2f}, frequency {:4}: {:.2f} {:.2f}, {:.2f}\n",
+                        deviation, ratio, angle, frequency, 100 * rmse, 100 * largest, 100 * removed);
+                    CHECK(rmse <= (deviation < 0.17 ? 0.01 : 0.02));
+                    CHECK(removed <= 0.0105);
+                }
+            }
+        }
+    }
+}
+
+// Along a path the filtered noise changes between neighbours by about its slope times the step. Where paths
+// are as dense as the numbers that single precision has, what is left is rounding, or a jump.
+TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of the footprint", "[filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t steps = 1 << 14;
+    Sampler sampler(device, steps);
+    Draw draw(33);
+    Largest place, size, rotation;
+    std::size_t seen = 0;
+    for (int path = 0; path < 90; ++path) {
+        Sample s{};
+        s.p[0] = draw.uniform(-8, 8);
+        s.p[1] = draw.uniform(-8, 8);
+        s.frequency = path % 3 == 0 ? draw.uniform(0, 1) : draw.uniform(0, 5);
+        s.orientation = draw.uniform(-4, 4);
+        s.seed = draw.word();
+        draw_footprint(s, draw, 1);
+        const double deviation = std::exp2(draw.uniform(-6, 0));
+        const double ratio = path % 2 ? draw.uniform(0, 1) : 0;
+        const double direction = draw.uniform(-4, 4);
+        for (std::size_t i = 0; i < steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            Sample& here = sampler.samples()[i] = s;
+            if (path % 3 == 0) { // 2 kernel radii
+                here.p[0] += static_cast<float>(2 * t * std::cos(direction));
+                here.p[1] += static_cast<float>(2 * t * std::sin(direction));
+            } else if (path % 3 == 1) { // all paths together, all sizes from 1/256 to 2
+                set_footprint(here, std::exp2(-8 + 9 * (path / 3 + t) / 30), ratio, direction);
+            } else {
+                set_footprint(here, deviation, ratio, pi * t);
+            }
+        }
+        const auto answers = sampler.answers(steps, filtered_only);
+        Largest& largest = path % 3 == 0 ? place : path % 3 == 1 ? size : rotation;
+        for (std::size_t i = 2; i + 1 < steps; ++i) {
+            // From the slopes on both sides a smooth path's next value is known to second order.
+            const auto value = [&](std::size_t k) { return double{answers[k].filtered[0]}; };
+            const double expected =
+                value(i - 1) + 0.5 * ((value(i - 1) - value(i - 2)) + (value(i + 1) - value(i)));
+            largest.see(value(i), expected, 1e-4, sampler.samples()[i]);
+            CHECK_FALSE(std::isnan(value(i)));
+            ++seen;
+        }
+    }
+    place.check("in place");
+    size.check("in size");
+    rotation.check("in rotation");
+    CHECK(seen > 1000000);
+}
+
+TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 18;
+    Sampler sampler(device, count);
+    Draw draw(34);
+    for (const double deviation : {0.05, 1.0 / 6, 0.3, 0.5, 1.0}) {
+        for (const double frequency : {0.0, 0.6, 1.5}) {
+            double squares = 0;
+            Sample common{};
+            common.frequency = static_cast<float>(frequency);
+            common.orientation = draw.uniform(-3, 3);
+            set_footprint(common, deviation, draw.uniform(0, 1), draw.uniform(-3, 3));
+            for (Sample& s : sampler.samples()) {
+                s = common;
+                s.p[0] = draw.uniform(0, 64);
+                s.p[1] = draw.uniform(0, 64);
+                s.seed = draw.word();
+            }
+            const auto answers = sampler.answers(count, filtered_only);
+            for (const Answer& a : answers)
+                squares += double{a.filtered[0]} * a.filtered[0];
+            const double variance = squares / count;
+            fmt::print("  deviation {:.2f}, frequency {}: variance {:.4f}, and {:.4f} removed\n", deviation,
+                       frequency, variance, answers[0].filtered[1]);
+            CHECK(std::abs(variance + answers[0].filtered[1] - 1) <
+                  0.01 + 4 * variance * std::sqrt(2.0 / count));
+        }
+    }
+}
+
+// The expected value of cos(2k (angle of the wave)) over a range of waves tells how even it is: 0 for
+// isotropic noise. The power of the gradient's two parts and of their product is its first harmonic.
+TEST_CASE("isotropic noise: variance 1, both parts of the gradient alike, independent and normal", "[law]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 17;
+    Sampler sampler(device, count);
+    Draw draw(35);
+    for (const double frequency : {0.7, 2.0, 3.3}) {
+        statistics::Gaussianity law_x, law_y;
+        double squares = 0, xx = 0, yy = 0, xy = 0;
+        constexpr int rounds = 8;
+        // Of each wave 4 pi^2 F^2 along it, and pi^2 2/3 from the window along each axis.
+        const double expected = 2 * pi * pi * frequency * frequency + pi * pi / 3;
+        for (int round = 0; round < rounds; ++round) {
+            for (Sample& s : sampler.samples()) {
+                s = {};
+                s.p[0] = draw.uniform(0, 64);
+                s.p[1] = draw.uniform(0, 64);
+                s.frequency = static_cast<float>(frequency);
+                s.orientation = 0.3f;
+                s.orientation_spread = static_cast<float>(pi / 2);
+                s.seed = draw.word();
+            }
+            for (const Answer& a : sampler.answers(count, spread_only)) {
+                const double x = a.spread[1] / std::sqrt(expected);
+                const double y = a.spread[2] / std::sqrt(expected);
+                squares += double{a.spread[0]} * a.spread[0];
+                xx += x * x;
+                yy += y * y;
+                xy += x * y;
+                law_x.add(x);
+                law_y.add(y);
+            }
+        }
+        const double n = rounds * static_cast<double>(count);
+        fmt::print("  frequency {}: variance {:.4f}, of the gradient {:.4f} {:.4f}, covariance {:.4f}\n",
+                   frequency, squares / n, xx / n, yy / n, xy / n);
+        const double tolerance = 5 * std::sqrt(2 / n);
+        CHECK(std::abs(squares / n - 1) < tolerance);
+        CHECK(std::abs(xx / n - 1) < tolerance + 0.005);
+        CHECK(std::abs(yy / n - 1) < tolerance + 0.005);
+        CHECK(std::abs(xy / n) < tolerance + 0.005);
+        fmt::print("  cvm of the gradient's parts: {:.3f} and {:.3f}\n", law_x.index().value,
+                   law_y.index().value);
+        CHECK(law_x.index().value < 1);
+        CHECK(law_y.index().value < 1);
+    }
+}
+
+// The power spectrum of Hann's window, of power 1.
+static double hann_power(double k) {
+    if (std::abs(k) < 1e-9)
+        return 4.0 / 3;
+    if (std::abs(std::abs(k) - 0.5) < 1e-9)
+        return 1.0 / 3;
+    const double transform = std::sin(2 * pi * k) / (2 * pi * k * (1 - 4 * k * k));
+    return transform * transform * 4 / 3;
+}
+
+TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[spectrum]") {
+    for (const double frequency : {0.3, 0.5, 0.8, 1.0, 1.2, 1.5, 1.7, 2.0, 2.4, 3.0, 3.3, 4.0, 6.0, 8.0}) {
+        const auto lobes = noise::spread_lobes(frequency, 0.2, 0, pi / 2, 1);
+        std::vector<double> powers;
+        constexpr int directions = 180;
+        for (int i = 0; i < directions; ++i) {
+            const double angle = pi * i / directions;
+            double power = 0;
+            for (double k = 0.025; k < frequency + 2; k += 0.05) {
+                for (const noise::SpectrumLobe& lobe : lobes) {
+                    for (const double sign : {-1.0, 1.0}) {
+                        const double fx = k * std::cos(angle) - sign * frequency * std::cos(lobe.orientation);
+                        const double fy = k * std::sin(angle) - sign * frequency * std::sin(lobe.orientation);
+                        if (std::abs(fx) < 2 && std::abs(fy) < 2)
+                            power += lobe.power / 2 * k * 0.05 * hann_power(fx) * hann_power(fy);
+                    }
+                }
+            }
+            powers.push_back(power);
+        }
+        double mean = 0;
+        for (const double power : powers)
+            mean += power / directions;
+        double largest = 0;
+        for (const double power : powers)
+            largest = std::max(largest, std::abs(power / mean - 1));
+        fmt::print("  frequency {}: {} lobes, {:.2f} %\n", frequency, lobes.size(), 100 * largest);
+        CHECK(std::abs(2 * pi * mean - 1) < 0.01);
+        CHECK(largest <= 0.05);
+    }
+}
