@@ -18,9 +18,9 @@
 #ifndef GABOR_LATTICE_3D_GLSL
 #define GABOR_LATTICE_3D_GLSL
 #ifndef GABOR_LATTICE_GLSL
-#error "Include gabor_lattice.glsl before gabor_lattice_3d.glsl"
+#error Include gabor_lattice.glsl before gabor_lattice_3d.glsl
 #elif GABOR_TAPS != 3
-#error "gabor_lattice_3d.glsl needs GABOR_TAPS 3"
+#error gabor_lattice_3d.glsl needs GABOR_TAPS 3
 #endif
 
 // Where to evaluate, and how space and time close upon themselves: see GaborPlace.
@@ -137,7 +137,7 @@ GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
 }
 
 // An axis' factors and their derivatives.
-GaborMatrix gabor_impl_factors(GaborAxis axis)
+GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
 {
     return GaborMatrix(mat3(axis.real.xyz, axis.slope_real.xyz, vec3(0.0)),
                        mat3(axis.imaginary.xyz, axis.slope_imaginary.xyz, vec3(0.0)));
@@ -146,9 +146,9 @@ GaborMatrix gabor_impl_factors(GaborAxis axis)
 GaborField3d gabor_impl_windowed(GaborPlace3d place, vec3 wave, uint seed)
 {
     GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_factors(n.x), gabor_impl_factors(n.y));
-    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors(n.z));
-    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors(n.z));
+    gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
+    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors_3d(n.z));
+    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors_3d(n.z));
     vec2 value = gabor_impl_product(n.base, vec2(values.real[0].x, values.imaginary[0].x));
     vec2 slope_x = gabor_impl_product(n.base, vec2(values.real[0].y, values.imaginary[0].y));
     vec2 slope_y = gabor_impl_product(n.base, vec2(slopes.real[0].x, slopes.imaginary[0].x));
