@@ -14,7 +14,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_LATTICE_GLSL
-#error "Include gabor_lattice.glsl before gabor_spectrum.glsl"
+#error Include gabor_lattice.glsl before gabor_spectrum.glsl
 #endif
 #ifndef GABOR_SPECTRUM_GLSL
 #define GABOR_SPECTRUM_GLSL
@@ -440,7 +440,7 @@ vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint f
         ++j;
     } while (j < count.y);
     float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
-    if (footprint.resolved != footprint.covariance)
+    if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     return vec3(amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * sum, 1.0 - transmitted);
 }

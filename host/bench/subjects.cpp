@@ -56,11 +56,12 @@ void add_drop_in(std::vector<Subject>& all) {
     }
 }
 
-// The option of passes/bench/space.comp is the function; each visits 3 x 3 x 3 cells.
+// The option of passes/bench/space.comp is the function; each visits 3 x 3 x 3 nodes.
 void add_space(std::vector<Subject>& all) {
     std::uint32_t function = 0;
-    for (const char* name : {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient",
-                             "gabor_noise_surface", "gabor_noise_surface_isotropic"})
+    for (const char* name :
+         {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient", "gabor_noise_surface",
+          "gabor_noise_surface_isotropic", "gabor_noise_3d_filtered"})
         all.push_back({name, 27, space_spirv, nullptr, {++function}});
 }
 

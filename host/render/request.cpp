@@ -9,11 +9,13 @@ bool in_space(const Request& request) {
 }
 
 bool needs_sparse(const Request& request) {
-    return request.lobes.size() > 1 || !request.lobes.front().is_one_wave() || request.filter ||
-           in_space(request);
+    return !in_space(request) &&
+           (request.lobes.size() > 1 || !request.lobes.front().is_one_wave() || request.filter);
 }
 
 noise::Recipe drawing_recipe(const Request& request) {
+    if (in_space(request))
+        return noise::find_recipe("lattice");
     const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
     return lattice && needs_sparse(request) ? noise::sparse_recipes().front() : request.recipe;
 }

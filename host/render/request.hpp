@@ -73,12 +73,11 @@ struct Request {
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 
-/// Whether the request has what only the sparse noise has: several lobes or spreads, the filter, a view in
-/// space.
+/// Whether the request has what only the sparse noise has: several lobes or spreads, the filter of a plane.
 bool needs_sparse(const Request& request);
 
 /// The recipe that draws it: the one asked for, or `one` where that is a lattice and the request needs the
-/// sparse noise.
+/// sparse noise. In space it is always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
 /// Whether waves have all orientations: noise in space has one, or all.

@@ -37,7 +37,8 @@ std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
             request.quadrature,
             request.gradient,
             request.phasor,
-            static_cast<std::uint32_t>(rays)};
+            static_cast<std::uint32_t>(rays),
+            wrapped_time(request) != 0};
 }
 
 passes::SolidPush solid_push(const Request& request, int width, int height, int stride) {

@@ -126,34 +126,35 @@ std::string of_space(const render::Request& request) {
     const noise::Lobe& lobe = request.lobes.front();
     const render::Body* body = std::get_if<render::Body>(&request.view);
     const bool on_surface = body && !body->solid;
-    std::string arguments = literal(lobe.frequency);
-    if (!render::is_isotropic(lobe))
-        arguments += fmt::format(", vec3({}, {}, 0.0)", literal(std::cos(lobe.angle())),
-                                 literal(std::sin(lobe.angle())));
-    if (on_surface)
-        arguments += ", normal";
-    const std::string kernel =
-        fmt::format("gabor_kernel_{}({})",
-                    render::is_isotropic(lobe) ? (on_surface ? "surface_isotropic" : "isotropic_3d")
-                                               : (on_surface ? "surface" : "3d"),
-                    arguments);
-    const std::string filtered =
-        !request.filter ? ""
-                        : R"(    kernel = gabor_filtered_3d(kernel, dFdx(p), dFdy(p)); // in a fragment shader
+    const std::string frequency = literal(lobe.frequency);
+    const std::string direction =
+        fmt::format("vec3({}, {}, 0.0)", literal(std::cos(lobe.angle())), literal(std::sin(lobe.angle())));
+    std::string field = fmt::format("gabor_field_3d(place, gabor_wave_3d({}, {})", frequency, direction);
+    if (on_surface && render::is_isotropic(lobe))
+        field = fmt::format("gabor_surface_isotropic_3d(place, normal, {}", frequency);
+    else if (on_surface)
+        field = fmt::format("gabor_surface_3d(place, normal, {}, {}", frequency, direction);
+    else if (render::is_isotropic(lobe))
+        field = fmt::format("gabor_isotropic_3d(place, {}", frequency);
+    std::string settings;
+    if (const double time = render::wrapped_time(request); time != 0)
+        settings += fmt::format("    place.animated = true;\n    place.time = {};\n", literal(time));
+    if (request.filter)
+        settings += R"(    place.filtered = true;
+    place.dx = dFdx(p); // in a fragment shader
+    place.dy = dFdy(p);
 )";
-    return fmt::format(R"(#include "gabor_noise_3d.glsl" // and this one
+    return fmt::format(R"(#include "gabor_lattice_3d.glsl" // and this one
 
 // p: a point on or in the body, in kernel radii. normal: of the surface there, of length 1.
 // Mean 0, variance 1; gabor_unorm(noise_of_body(p, normal)) is what to show.
 float noise_of_body(vec3 p, vec3 normal)
 {{
-    GaborKernel3d kernel = {};
-{}    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_3D_RADIUS);
-    place.time = {};
-    return gabor_field_3d(place, kernel, {}u).value.y;
+    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
+{}    return {}, {}u).value.y;
 }}
 )",
-                       kernel, filtered, literal(double{render::wrapped_time(request)}), request.seed);
+                       settings, field, request.seed);
 }
 
 } // namespace

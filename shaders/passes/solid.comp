@@ -1,6 +1,5 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 
 // Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective.
 //
@@ -17,11 +16,11 @@ layout(constant_id = 4) const bool with_quadrature = false;
 layout(constant_id = 5) const bool with_gradient = false; // along the picture's right and down
 layout(constant_id = 6) const bool with_phasor = false;
 layout(constant_id = 7) const int rays = 4; // through a pixel for its coverage, along each axis; 0: that of its centre
+layout(constant_id = 8) const bool animated = false; // whether time is not 0
 const int channels = 2 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0);
 
-#define GABOR_UNROLL [[unroll]]
-#include "gabor_noise.glsl"
-#include "gabor_noise_3d.glsl"
+#include "gabor_lattice.glsl"
+#include "gabor_lattice_3d.glsl"
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
@@ -114,20 +113,19 @@ Hit hit_of(vec2 at, Axes axes)
 GaborField3d field_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
 {
     vec3 along = vec3(direction, 0.0);
-    GaborKernel3d kernel;
-    if (on_surface && isotropic)
-        kernel = gabor_kernel_surface_isotropic(frequency, normal);
-    else if (on_surface)
-        kernel = gabor_kernel_surface(frequency, along, normal);
-    else if (isotropic)
-        kernel = gabor_kernel_isotropic_3d(frequency);
-    else
-        kernel = gabor_kernel_3d(frequency, along);
-    if (filtered)
-        kernel = gabor_filtered_3d(kernel, dx, dy);
-    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_3D_RADIUS);
+    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
+    place.animated = animated;
     place.time = time;
-    return gabor_field_3d(place, kernel, seed);
+    place.filtered = filtered;
+    place.dx = dx;
+    place.dy = dy;
+    if (on_surface && isotropic)
+        return gabor_surface_isotropic_3d(place, normal, frequency, seed);
+    if (on_surface)
+        return gabor_surface_3d(place, normal, frequency, along, seed);
+    if (isotropic)
+        return gabor_isotropic_3d(place, frequency, seed);
+    return gabor_field_3d(place, gabor_wave_3d(frequency, along), seed);
 }
 
 void write_pixel(int at, GaborField3d field, float coverage, Axes axes)

@@ -104,6 +104,13 @@ inline float2 gabor_impl_amplitude(uint word)
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is theirs
+// at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+inline float2 gabor_impl_amplitude_at(float2 time, float2 a, float2 b, float2 c)
+{
+    return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+}
+
 // ---- Waves ---------------------------------------------------------------------------------------------------------
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
@@ -253,7 +260,7 @@ struct GaborSum {
 };
 
 // Adds a node to the sum over its row.
-//   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
+//   time  cosine and sine of time
 inline void gabor_impl_add_node(thread GaborSum& row, uint word, float2 factor, float2 slope, bool animated, float2 time)
 {
     // Always so; but at a branch compilers for CPUs keep the nodes, and with them the registers, in order.
@@ -265,7 +272,7 @@ inline void gabor_impl_add_node(thread GaborSum& row, uint word, float2 factor, 
         float2 c = gabor_impl_amplitude(third);
         float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
         if (animated)
-            a = 0.70710678 * (a + time.x * b + time.y * c);
+            a = gabor_impl_amplitude_at(time, a, b, c);
         row.value += gabor_impl_product(a, factor);
         row.slope_x += gabor_impl_product(a, slope);
         float4 real = float4(a.x, b.x, c.x, d.x);
@@ -358,6 +365,13 @@ inline GaborKernel gabor_kernel(float frequency, float orientation)
     return GaborKernel{wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
 }
 
+// The same kernel where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+inline GaborKernel gabor_kernel_stretched(GaborKernel kernel_, float2 radius)
+{
+    float2 step = kernel_.wave / radius;
+    return GaborKernel{kernel_.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
+}
+
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
 inline float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed)
 {
@@ -415,15 +429,13 @@ inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float o
     period = max(period, float2(0.0009765625));
     float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), float2(float(GABOR_TAPS)));
     float2 radius = nodes / period;
-    GaborKernel kernel_ = gabor_kernel(frequency, orientation);
-    kernel_.step_x = gabor_impl_wave(kernel_.wave.x / radius.x);
-    kernel_.step_y = gabor_impl_wave(kernel_.wave.y / radius.y);
+    GaborKernel kernel_ = gabor_kernel_stretched(gabor_kernel(frequency, orientation), radius);
     GaborPlace place = GaborPlace{int2(0), p * radius, radius, int2(nodes), false, 0.0};
     return gabor_field(place, kernel_, seed).value.y;
 }
 
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
 // between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 {

@@ -90,6 +90,12 @@ fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     return ((_e13 - (0.89289314f * clamp(_e15, vec2(-2011925800f), vec2(2011925800f)))) * ((_e24 * _e25) + vec2(7397391600000000000f)));
 }
 
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is theirs
+// at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+fn gabor_impl_amplitude_at(time: vec2<f32>, a: vec2<f32>, b: vec2<f32>, c: vec2<f32>) -> vec2<f32> {
+    return ((0.5f * ((a + b) + (time.x * (a - b)))) + ((0.70710677f * time.y) * c));
+}
+
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
 // half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
@@ -178,7 +184,7 @@ fn gabor_impl_windows(x: f32) -> GaborWindows {
         var s_1: f32;
         var cosine_1: f32;
         var sine_1: f32;
-        var c: vec2<f32>;
+        var c_1: vec2<f32>;
 
         x_1 = x;
         let _e2 = x_1;
@@ -199,46 +205,46 @@ fn gabor_impl_windows(x: f32) -> GaborWindows {
         let _e42 = sine_1;
         let _e44 = cosine_1;
         let _e45 = sine_1;
-        c = vec2<f32>((_e41 - _e42), (_e44 + _e45));
-        let _e50 = c;
-        let _e53 = c;
-        let _e55 = c;
-        let _e57 = c;
-        let _e64 = c;
-        let _e67 = c;
-        let _e70 = c;
-        let _e72 = c;
+        c_1 = vec2<f32>((_e41 - _e42), (_e44 + _e45));
+        let _e50 = c_1;
+        let _e53 = c_1;
+        let _e55 = c_1;
+        let _e57 = c_1;
+        let _e64 = c_1;
+        let _e67 = c_1;
+        let _e70 = c_1;
+        let _e72 = c_1;
         return GaborWindows((vec4(0.5f) + vec4<f32>(-(_e50.y), _e53.x, _e55.y, -(_e57.x))), (3.1415927f * vec4<f32>(-(_e64.x), -(_e67.y), _e70.x, _e72.y)));
     } else {
         var s_1: f32;
-        var c: f32;
-        var b_1: f32;
-        var a_1: f32;
+        var c_1: f32;
+        var b_2: f32;
+        var a_2: f32;
         var slope: f32;
 
         s_1 = (x * x);
         let _e4 = s_1;
         let _e7 = s_1;
         let _e9 = s_1;
-        c = (0.5f + (_e4 * (-1.09661f + (_e7 * (0.40054825f - (_e9 * 0.05644487f))))));
+        c_1 = (0.5f + (_e4 * (-1.09661f + (_e7 * (0.40054825f - (_e9 * 0.05644487f))))));
         let _e19 = s_1;
         let _e22 = s_1;
         let _e24 = s_1;
-        b_1 = (x * (0.9068996f + (_e19 * (-0.66301125f + (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
-        let _e36 = c;
-        a_1 = (0.5f - (0.5f * _e36));
-        let _e41 = b_1;
+        b_2 = (x * (0.9068996f + (_e19 * (-0.66301125f + (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
+        let _e36 = c_1;
+        a_2 = (0.5f - (0.5f * _e36));
+        let _e41 = b_2;
         slope = (1.8137994f * _e41);
-        let _e44 = a_1;
-        let _e45 = b_1;
-        let _e48 = c;
-        let _e50 = a_1;
-        let _e51 = b_1;
+        let _e44 = a_2;
+        let _e45 = b_2;
+        let _e48 = c_1;
+        let _e50 = a_2;
+        let _e51 = b_2;
         let _e55 = slope;
-        let _e57 = c;
+        let _e57 = c_1;
         let _e62 = slope;
         let _e64 = slope;
-        let _e66 = c;
+        let _e66 = c_1;
         return GaborWindows(vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f), vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f));
     }
 }
@@ -415,141 +421,9 @@ struct GaborSum {
 }
 
 // Adds a node to the sum over its row.
-//   time  cosine and sine of time: the amplitude is (A0 + A1 cos + A2 sin) / sqrt(2), normal at every time
+//   time  cosine and sine of time
 fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, factor: vec2<f32>, slope: vec2<f32>, animated: bool, time: vec2<f32>) {
     if GABOR_TAPS == 2 {
-        var a_1: vec2<f32>;
-        var second: u32;
-        var third: u32;
-        var b_1: vec2<f32>;
-        var c: vec2<f32>;
-        var d: vec2<f32>;
-        var real: vec4<f32>;
-        var imaginary: vec4<f32>;
-
-        if (factor.x > -2f) {
-            {
-                let _e10 = gabor_impl_amplitude(word);
-                a_1 = _e10;
-                let _e12 = gabor_impl_next_word(word);
-                second = _e12;
-                let _e14 = second;
-                let _e15 = gabor_impl_next_word(_e14);
-                third = _e15;
-                let _e17 = second;
-                let _e18 = gabor_impl_amplitude(_e17);
-                b_1 = _e18;
-                let _e20 = third;
-                let _e21 = gabor_impl_amplitude(_e20);
-                c = _e21;
-                let _e23 = third;
-                let _e24 = gabor_impl_next_word(_e23);
-                let _e25 = gabor_impl_amplitude(_e24);
-                d = _e25;
-                if animated {
-                    let _e28 = a_1;
-                    let _e30 = b_1;
-                    let _e34 = c;
-                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
-                }
-                let _e39 = (*row);
-                let _e41 = a_1;
-                let _e42 = gabor_impl_product(_e41, factor);
-                (*row).value = (_e39.value + _e42);
-                let _e45 = (*row);
-                let _e47 = a_1;
-                let _e48 = gabor_impl_product(_e47, slope);
-                (*row).slope_x = (_e45.slope_x + _e48);
-                let _e50 = a_1;
-                let _e52 = b_1;
-                let _e54 = c;
-                let _e56 = d;
-                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
-                let _e60 = a_1;
-                let _e62 = b_1;
-                let _e64 = c;
-                let _e66 = d;
-                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
-                let _e71 = (*row);
-                let _e74 = real;
-                let _e77 = imaginary;
-                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
-                let _e82 = (*row);
-                let _e85 = imaginary;
-                let _e88 = real;
-                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
-                return;
-            }
-        } else {
-            return;
-        }
-    } else if GABOR_TAPS == 4 {
-        var a_1: vec2<f32>;
-        var second: u32;
-        var third: u32;
-        var b_1: vec2<f32>;
-        var c_1: vec2<f32>;
-        var d: vec2<f32>;
-        var real: vec4<f32>;
-        var imaginary: vec4<f32>;
-
-        if (factor.x > -2f) {
-            {
-                let _e10 = gabor_impl_amplitude(word);
-                a_1 = _e10;
-                let _e12 = gabor_impl_next_word(word);
-                second = _e12;
-                let _e14 = second;
-                let _e15 = gabor_impl_next_word(_e14);
-                third = _e15;
-                let _e17 = second;
-                let _e18 = gabor_impl_amplitude(_e17);
-                b_1 = _e18;
-                let _e20 = third;
-                let _e21 = gabor_impl_amplitude(_e20);
-                c_1 = _e21;
-                let _e23 = third;
-                let _e24 = gabor_impl_next_word(_e23);
-                let _e25 = gabor_impl_amplitude(_e24);
-                d = _e25;
-                if animated {
-                    let _e28 = a_1;
-                    let _e30 = b_1;
-                    let _e34 = c_1;
-                    a_1 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
-                }
-                let _e39 = (*row);
-                let _e41 = a_1;
-                let _e42 = gabor_impl_product(_e41, factor);
-                (*row).value = (_e39.value + _e42);
-                let _e45 = (*row);
-                let _e47 = a_1;
-                let _e48 = gabor_impl_product(_e47, slope);
-                (*row).slope_x = (_e45.slope_x + _e48);
-                let _e50 = a_1;
-                let _e52 = b_1;
-                let _e54 = c_1;
-                let _e56 = d;
-                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
-                let _e60 = a_1;
-                let _e62 = b_1;
-                let _e64 = c_1;
-                let _e66 = d;
-                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
-                let _e71 = (*row);
-                let _e74 = real;
-                let _e77 = imaginary;
-                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
-                let _e82 = (*row);
-                let _e85 = imaginary;
-                let _e88 = real;
-                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
-                return;
-            }
-        } else {
-            return;
-        }
-    } else {
         var a_2: vec2<f32>;
         var second: u32;
         var third: u32;
@@ -579,37 +453,172 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, factor: vec2<f32
                 let _e25 = gabor_impl_amplitude(_e24);
                 d = _e25;
                 if animated {
-                    let _e28 = a_2;
-                    let _e30 = b_2;
-                    let _e34 = c_1;
-                    a_2 = (0.70710677f * ((_e28 + (time.x * _e30)) + (time.y * _e34)));
+                    let _e27 = a_2;
+                    let _e28 = b_2;
+                    let _e29 = c_1;
+                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
+                    a_2 = _e30;
                 }
-                let _e39 = (*row);
-                let _e41 = a_2;
-                let _e42 = gabor_impl_product(_e41, factor);
-                (*row).value = (_e39.value + _e42);
-                let _e45 = (*row);
-                let _e47 = a_2;
-                let _e48 = gabor_impl_product(_e47, slope);
-                (*row).slope_x = (_e45.slope_x + _e48);
-                let _e50 = a_2;
-                let _e52 = b_2;
-                let _e54 = c_1;
-                let _e56 = d;
-                real = vec4<f32>(_e50.x, _e52.x, _e54.x, _e56.x);
-                let _e60 = a_2;
-                let _e62 = b_2;
-                let _e64 = c_1;
-                let _e66 = d;
-                imaginary = vec4<f32>(_e60.y, _e62.y, _e64.y, _e66.y);
-                let _e71 = (*row);
-                let _e74 = real;
-                let _e77 = imaginary;
-                (*row).real = (_e71.real + ((factor.x * _e74) - (factor.y * _e77)));
-                let _e82 = (*row);
-                let _e85 = imaginary;
-                let _e88 = real;
-                (*row).imaginary = (_e82.imaginary + ((factor.x * _e85) + (factor.y * _e88)));
+                let _e32 = (*row);
+                let _e34 = a_2;
+                let _e35 = gabor_impl_product(_e34, factor);
+                (*row).value = (_e32.value + _e35);
+                let _e38 = (*row);
+                let _e40 = a_2;
+                let _e41 = gabor_impl_product(_e40, slope);
+                (*row).slope_x = (_e38.slope_x + _e41);
+                let _e43 = a_2;
+                let _e45 = b_2;
+                let _e47 = c_1;
+                let _e49 = d;
+                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
+                let _e53 = a_2;
+                let _e55 = b_2;
+                let _e57 = c_1;
+                let _e59 = d;
+                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
+                let _e64 = (*row);
+                let _e67 = real;
+                let _e70 = imaginary;
+                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
+                let _e75 = (*row);
+                let _e78 = imaginary;
+                let _e81 = real;
+                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
+                return;
+            }
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        var a_2: vec2<f32>;
+        var second: u32;
+        var third: u32;
+        var b_2: vec2<f32>;
+        var c_2: vec2<f32>;
+        var d: vec2<f32>;
+        var real: vec4<f32>;
+        var imaginary: vec4<f32>;
+
+        if (factor.x > -2f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_2 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_2 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_2 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e27 = a_2;
+                    let _e28 = b_2;
+                    let _e29 = c_2;
+                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
+                    a_2 = _e30;
+                }
+                let _e32 = (*row);
+                let _e34 = a_2;
+                let _e35 = gabor_impl_product(_e34, factor);
+                (*row).value = (_e32.value + _e35);
+                let _e38 = (*row);
+                let _e40 = a_2;
+                let _e41 = gabor_impl_product(_e40, slope);
+                (*row).slope_x = (_e38.slope_x + _e41);
+                let _e43 = a_2;
+                let _e45 = b_2;
+                let _e47 = c_2;
+                let _e49 = d;
+                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
+                let _e53 = a_2;
+                let _e55 = b_2;
+                let _e57 = c_2;
+                let _e59 = d;
+                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
+                let _e64 = (*row);
+                let _e67 = real;
+                let _e70 = imaginary;
+                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
+                let _e75 = (*row);
+                let _e78 = imaginary;
+                let _e81 = real;
+                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
+                return;
+            }
+        } else {
+            return;
+        }
+    } else {
+        var a_3: vec2<f32>;
+        var second: u32;
+        var third: u32;
+        var b_3: vec2<f32>;
+        var c_2: vec2<f32>;
+        var d: vec2<f32>;
+        var real: vec4<f32>;
+        var imaginary: vec4<f32>;
+
+        if (factor.x > -2f) {
+            {
+                let _e10 = gabor_impl_amplitude(word);
+                a_3 = _e10;
+                let _e12 = gabor_impl_next_word(word);
+                second = _e12;
+                let _e14 = second;
+                let _e15 = gabor_impl_next_word(_e14);
+                third = _e15;
+                let _e17 = second;
+                let _e18 = gabor_impl_amplitude(_e17);
+                b_3 = _e18;
+                let _e20 = third;
+                let _e21 = gabor_impl_amplitude(_e20);
+                c_2 = _e21;
+                let _e23 = third;
+                let _e24 = gabor_impl_next_word(_e23);
+                let _e25 = gabor_impl_amplitude(_e24);
+                d = _e25;
+                if animated {
+                    let _e27 = a_3;
+                    let _e28 = b_3;
+                    let _e29 = c_2;
+                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
+                    a_3 = _e30;
+                }
+                let _e32 = (*row);
+                let _e34 = a_3;
+                let _e35 = gabor_impl_product(_e34, factor);
+                (*row).value = (_e32.value + _e35);
+                let _e38 = (*row);
+                let _e40 = a_3;
+                let _e41 = gabor_impl_product(_e40, slope);
+                (*row).slope_x = (_e38.slope_x + _e41);
+                let _e43 = a_3;
+                let _e45 = b_3;
+                let _e47 = c_2;
+                let _e49 = d;
+                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
+                let _e53 = a_3;
+                let _e55 = b_3;
+                let _e57 = c_2;
+                let _e59 = d;
+                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
+                let _e64 = (*row);
+                let _e67 = real;
+                let _e70 = imaginary;
+                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
+                let _e75 = (*row);
+                let _e78 = imaginary;
+                let _e81 = real;
+                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
                 return;
             }
         } else {
@@ -686,7 +695,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var columns_1: GaborAxis;
         var rows: GaborAxis;
         var base: vec2<f32>;
-        var time_2: vec2<f32>;
+        var time_3: vec2<f32>;
         var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
@@ -723,10 +732,10 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
-        time_2 = _e72;
+        time_3 = _e72;
         let _e87 = columns_1;
         let _e88 = rows;
-        let _e92 = time_2;
+        let _e92 = time_3;
         let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
         let _e94 = rows;
         let _e97 = rows;
@@ -735,7 +744,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
         let _e110 = columns_1;
         let _e111 = rows;
-        let _e115 = time_2;
+        let _e115 = time_3;
         let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
         let _e117 = rows;
         let _e120 = rows;
@@ -780,7 +789,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var columns_1: GaborAxis;
         var rows: GaborAxis;
         var base: vec2<f32>;
-        var time_2: vec2<f32>;
+        var time_3: vec2<f32>;
         var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
@@ -817,10 +826,10 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
-        time_2 = _e72;
+        time_3 = _e72;
         let _e87 = columns_1;
         let _e88 = rows;
-        let _e92 = time_2;
+        let _e92 = time_3;
         let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
         let _e94 = rows;
         let _e97 = rows;
@@ -829,7 +838,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
         let _e110 = columns_1;
         let _e111 = rows;
-        let _e115 = time_2;
+        let _e115 = time_3;
         let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
         let _e117 = rows;
         let _e120 = rows;
@@ -838,7 +847,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
         let _e133 = columns_1;
         let _e134 = rows;
-        let _e138 = time_2;
+        let _e138 = time_3;
         let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
         let _e140 = rows;
         let _e143 = rows;
@@ -847,7 +856,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e139, vec2<f32>(_e140.real.z, _e143.imaginary.z), vec2<f32>(_e147.slope_real.z, _e150.slope_imaginary.z));
         let _e156 = columns_1;
         let _e157 = rows;
-        let _e161 = time_2;
+        let _e161 = time_3;
         let _e162 = gabor_impl_row(_e156, _e157.word.w, place.animated, _e161);
         let _e163 = rows;
         let _e166 = rows;
@@ -892,7 +901,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var columns_1: GaborAxis;
         var rows: GaborAxis;
         var base: vec2<f32>;
-        var time_2: vec2<f32>;
+        var time_3: vec2<f32>;
         var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
@@ -929,10 +938,10 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
-        time_2 = _e72;
+        time_3 = _e72;
         let _e87 = columns_1;
         let _e88 = rows;
-        let _e92 = time_2;
+        let _e92 = time_3;
         let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
         let _e94 = rows;
         let _e97 = rows;
@@ -941,7 +950,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
         let _e110 = columns_1;
         let _e111 = rows;
-        let _e115 = time_2;
+        let _e115 = time_3;
         let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
         let _e117 = rows;
         let _e120 = rows;
@@ -950,7 +959,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
         let _e133 = columns_1;
         let _e134 = rows;
-        let _e138 = time_2;
+        let _e138 = time_3;
         let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
         let _e140 = rows;
         let _e143 = rows;
@@ -1047,13 +1056,29 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     }
 }
 
-// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+// The same kernel where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+fn gabor_kernel_stretched(kernel: GaborKernel, radius: vec2<f32>) -> GaborKernel {
     var kernel_3: GaborKernel;
+    var step_2: vec2<f32>;
 
     kernel_3 = kernel;
+    let _e3 = kernel_3;
+    step_2 = (_e3.wave / radius);
+    let _e7 = kernel_3;
+    let _e9 = step_2;
+    let _e11 = gabor_impl_wave(_e9.x);
+    let _e12 = step_2;
+    let _e14 = gabor_impl_wave(_e12.y);
+    return GaborKernel(_e7.wave, _e11, _e14);
+}
+
+// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_5: GaborKernel;
+
+    kernel_5 = kernel;
     let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_3;
+    let _e6 = kernel_5;
     let _e7 = gabor_field(_e5, _e6, seed);
     return _e7.value.y;
 }
@@ -1199,8 +1224,8 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     if GABOR_TAPS == 2 {
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
-        var radius: vec2<f32>;
-        var kernel_4: GaborKernel;
+        var radius_1: vec2<f32>;
+        var kernel_6: GaborKernel;
         var place_1: GaborPlace;
 
         period_3 = period;
@@ -1210,30 +1235,24 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         nodes = max(floor(((_e10 * 1f) + vec2(0.5f))), vec2(2f));
         let _e25 = nodes;
         let _e26 = period_3;
-        radius = (_e25 / _e26);
+        radius_1 = (_e25 / _e26);
         let _e29 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e29;
-        let _e32 = kernel_4;
-        let _e35 = radius;
-        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
-        kernel_4.step_x = _e38;
-        let _e40 = kernel_4;
-        let _e43 = radius;
-        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
-        kernel_4.step_y = _e46;
-        let _e49 = radius;
-        let _e51 = radius;
-        let _e52 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
-        let _e58 = place_1;
-        let _e59 = kernel_4;
-        let _e60 = gabor_field(_e58, _e59, seed);
-        return _e60.value.y;
+        let _e30 = radius_1;
+        let _e31 = gabor_kernel_stretched(_e29, _e30);
+        kernel_6 = _e31;
+        let _e35 = radius_1;
+        let _e37 = radius_1;
+        let _e38 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
+        let _e44 = place_1;
+        let _e45 = kernel_6;
+        let _e46 = gabor_field(_e44, _e45, seed);
+        return _e46.value.y;
     } else if GABOR_TAPS == 4 {
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
-        var radius: vec2<f32>;
-        var kernel_4: GaborKernel;
+        var radius_1: vec2<f32>;
+        var kernel_6: GaborKernel;
         var place_1: GaborPlace;
 
         period_3 = period;
@@ -1243,30 +1262,24 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         nodes = max(floor(((_e10 * 2f) + vec2(0.5f))), vec2(4f));
         let _e25 = nodes;
         let _e26 = period_3;
-        radius = (_e25 / _e26);
+        radius_1 = (_e25 / _e26);
         let _e29 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e29;
-        let _e32 = kernel_4;
-        let _e35 = radius;
-        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
-        kernel_4.step_x = _e38;
-        let _e40 = kernel_4;
-        let _e43 = radius;
-        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
-        kernel_4.step_y = _e46;
-        let _e49 = radius;
-        let _e51 = radius;
-        let _e52 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
-        let _e58 = place_1;
-        let _e59 = kernel_4;
-        let _e60 = gabor_field(_e58, _e59, seed);
-        return _e60.value.y;
+        let _e30 = radius_1;
+        let _e31 = gabor_kernel_stretched(_e29, _e30);
+        kernel_6 = _e31;
+        let _e35 = radius_1;
+        let _e37 = radius_1;
+        let _e38 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
+        let _e44 = place_1;
+        let _e45 = kernel_6;
+        let _e46 = gabor_field(_e44, _e45, seed);
+        return _e46.value.y;
     } else {
         var period_3: vec2<f32>;
         var nodes: vec2<f32>;
-        var radius: vec2<f32>;
-        var kernel_4: GaborKernel;
+        var radius_1: vec2<f32>;
+        var kernel_6: GaborKernel;
         var place_1: GaborPlace;
 
         period_3 = period;
@@ -1276,30 +1289,24 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
         nodes = max(floor(((_e10 * 1.5f) + vec2(0.5f))), vec2(3f));
         let _e25 = nodes;
         let _e26 = period_3;
-        radius = (_e25 / _e26);
+        radius_1 = (_e25 / _e26);
         let _e29 = gabor_kernel(frequency, orientation);
-        kernel_4 = _e29;
-        let _e32 = kernel_4;
-        let _e35 = radius;
-        let _e38 = gabor_impl_wave((_e32.wave.x / _e35.x));
-        kernel_4.step_x = _e38;
-        let _e40 = kernel_4;
-        let _e43 = radius;
-        let _e46 = gabor_impl_wave((_e40.wave.y / _e43.y));
-        kernel_4.step_y = _e46;
-        let _e49 = radius;
-        let _e51 = radius;
-        let _e52 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e49), _e51, vec2<i32>(_e52), false, 0f);
-        let _e58 = place_1;
-        let _e59 = kernel_4;
-        let _e60 = gabor_field(_e58, _e59, seed);
-        return _e60.value.y;
+        let _e30 = radius_1;
+        let _e31 = gabor_kernel_stretched(_e29, _e30);
+        kernel_6 = _e31;
+        let _e35 = radius_1;
+        let _e37 = radius_1;
+        let _e38 = nodes;
+        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
+        let _e44 = place_1;
+        let _e45 = kernel_6;
+        let _e46 = gabor_field(_e44, _e45, seed);
+        return _e46.value.y;
     }
 }
 
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
 // between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {

@@ -37,12 +37,13 @@
 
 // ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
 // Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.
+// GABOR_UNCHECKED is for those who define them as constants that the preprocessor cannot know.
 
 // N, impulses per cell: an int, at least 1.
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1
 #endif
-#if GABOR_IMPULSES < 1
+#if !defined(GABOR_UNCHECKED) && GABOR_IMPULSES < 1
 #error GABOR_IMPULSES is an int, at least 1
 #endif
 
@@ -61,7 +62,7 @@
 #ifndef GABOR_PHASES
 #define GABOR_PHASES 256
 #endif
-#if GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0
+#if !defined(GABOR_UNCHECKED) && (GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0)
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 
@@ -74,7 +75,7 @@
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 1
 #endif
-#if GABOR_LOBES < 1
+#if !defined(GABOR_UNCHECKED) && GABOR_LOBES < 1
 #error GABOR_LOBES is an int, at least 1
 #endif
 
@@ -120,65 +121,69 @@ void gabor_impl_check_macros()
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
 // Odd constants that spread consecutive cells, and the impulses of one cell, over all 32 bits.
-#define GABOR_SPREAD 0x9e3779b1u
-#define GABOR_SPREAD_IMPULSES 0x85ebca6bu
+#define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u
+#define GABOR_IMPL_IMPULSE_STRIDE 0x85ebca6bu
 
 // One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
 // the hash-prospector project), the salt entering between them too, so that no two sequences share a run.
-uint gabor_mix(uint word, uint salt)
+uint gabor_impl_mix(uint word, uint salt)
 {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
-// The word of `seed`, from which those of the rows follow.
-uint gabor_seed_word(uint seed)
+// The seed of noise `index` of several that are independent of each other, as the lobes of a sum are.
+uint gabor_lobe_seed(uint seed, int index)
 {
-    return gabor_mix(seed * GABOR_SPREAD, 0x2545f491u);
+    return gabor_impl_mix(seed + uint(index) * GABOR_IMPL_IMPULSE_STRIDE, GABOR_IMPL_CELL_STRIDE);
+}
+
+// The word of `seed`, from which those of the rows follow.
+uint gabor_impl_seed_word(uint seed)
+{
+    return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
 
 // The word of a row of cells, from which those of its impulses follow.
-uint gabor_row_word(int row, uint seed_word)
+uint gabor_impl_row_word(int row, uint seed_word)
 {
-    return gabor_mix(uint(row) * GABOR_SPREAD + seed_word, seed_word);
+    return gabor_impl_mix(uint(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
 }
 
-// The word of impulse `index` in a cell; everything about the impulse is in its bits:
-//     0 to 22   y in the cell            8 to 30   x in the cell
-//     0 to 7    phase                    31        magnitude
-//     8 to 10   turns of its phase while time goes by 1
-// so the finest bits of a coordinate serve twice. Within 1/256 of a cell, far below what shows, x follows y.
-uint gabor_impulse_word(int column, uint row_word, int index)
+// The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
+// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
+// of x: only offsets in x below 1/256 of a cell depend on y.
+uint gabor_impl_impulse_word(int column, uint row_word, int index)
 {
-    uint salt = row_word + uint(index) * GABOR_SPREAD_IMPULSES;
-    return gabor_mix(uint(column) * GABOR_SPREAD + salt, salt);
+    uint salt = row_word + uint(index) * GABOR_IMPL_IMPULSE_STRIDE;
+    return gabor_impl_mix(uint(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
 
-// Place of an impulse in its cell, plus 1: in [1, 2)^2.
-float2 gabor_place_plus_one(uint word)
+// Position of an impulse in its cell, plus 1: in [1, 2)^2, which takes no conversion from integers.
+float2 gabor_impl_position_plus_one(uint word)
 {
     return float2(asfloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
                 asfloat(0x3f800000u | (word & 0x7fffffu)));
 }
 
-// Phase of the impulse at that place, in turns.
-float gabor_phase(float2 place_plus_one, float phases)
+// Phase of the impulse at that position, in turns.
+float gabor_impl_phase(float2 position_plus_one, float phases)
 {
-    return frac(place_plus_one.y * (8388608.0 / phases));
+    return frac(position_plus_one.y * (8388608.0 / phases));
 }
 
 // Turns of an impulse's phase while time goes by 1: -4 to -1 or 1 to 4.
-float gabor_tempo(uint word)
+float gabor_impl_phase_rate(uint word)
 {
-    float turns = float((word >> 8u) & 7u) - 4.0;
-    return turns < 0.0 ? turns : turns + 1.0;
+    float rate = float((word >> 8u) & 7u) - 4.0;
+    return rate < 0.0 ? rate : rate + 1.0;
 }
 
 // The wave, as (cos, sin), in four channels, each shifted by its own number of quarter turns.
-float4 gabor_four(float2 wave, uint word)
+float4 gabor_impl_four(float2 wave, uint word)
 {
-    uint quarters = gabor_mix(word, GABOR_SPREAD_IMPULSES);
+    uint quarters = gabor_impl_mix(word, GABOR_IMPL_IMPULSE_STRIDE);
     float4 shifted = float4((quarters & 1u) == 0u ? wave.y : wave.x, (quarters & 2u) == 0u ? wave.y : wave.x,
                         (quarters & 4u) == 0u ? wave.y : wave.x, (quarters & 8u) == 0u ? wave.y : wave.x);
     return shifted * float4((quarters & 16u) == 0u ? 1.0 : -1.0, (quarters & 32u) == 0u ? 1.0 : -1.0,
@@ -186,7 +191,7 @@ float4 gabor_four(float2 wave, uint word)
 }
 
 // Magnitude of an impulse's weight.
-float gabor_magnitude(uint word)
+float gabor_impl_magnitude(uint word)
 {
     return int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR;
 }
@@ -195,7 +200,7 @@ float gabor_magnitude(uint word)
 
 // sin(2 pi t) for any t: reduced to half a turn, then t (1/4 - t^2) times a minimax polynomial in t^2.
 // Absolute error below 3e-7 within +-1, growing with the rounding of t beyond.
-float gabor_sin_turns(float t)
+float gabor_impl_sine(float t)
 {
     t = frac(t) - 0.5;
     if (GABOR_NATIVE_SINE != 0)
@@ -210,7 +215,7 @@ float gabor_sin_turns(float t)
 
 // The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials. Its error stays
 // near 1e-7, for a large frequency multiplies it.
-float2 gabor_direction(float angle)
+float2 gabor_impl_direction(float angle)
 {
     float quarter = floor(angle * 0.63661977 + 0.5);
     float r = angle - quarter * 1.5703125;
@@ -225,7 +230,7 @@ float2 gabor_direction(float angle)
 }
 
 // Product of complex numbers.
-float2 gabor_times(float2 a, float2 b)
+float2 gabor_impl_product(float2 a, float2 b)
 {
     return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -241,7 +246,7 @@ struct GaborEnergy {
     float sum;
 };
 
-GaborEnergy gabor_energy()
+GaborEnergy gabor_impl_energy()
 {
     float3 c = GABOR_WINDOW;
     GaborEnergy energy;
@@ -252,11 +257,11 @@ GaborEnergy gabor_energy()
     return energy;
 }
 
-// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the share by which one axis
-// of a sine kernel of k cycles falls short of its energy at high frequency. For small a from 1 - L_n by the power
+// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
+// a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
 // series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-float gabor_deficit(float k, GaborEnergy energy)
+float gabor_impl_relative_energy(float k, GaborEnergy energy)
 {
     float a = 12.566371 * k;
     float z = a * a;
@@ -279,8 +284,8 @@ float gabor_deficit(float k, GaborEnergy energy)
         d4567 = float4(d4, d5, d6, d7);
     } else {
         float y = 1.0 / z;
-        float l0 = gabor_sin_turns(2.0 * k) / a;
-        float l1 = 3.0 * y * (l0 - gabor_sin_turns(2.0 * k + 0.25));
+        float l0 = gabor_impl_sine(2.0 * k) / a;
+        float l1 = 3.0 * y * (l0 - gabor_impl_sine(2.0 * k + 0.25));
         float l2 = 15.0 * y * (l1 - l0);
         float l3 = 35.0 * y * (l2 - l1);
         float l4 = 63.0 * y * (l3 - l2);
@@ -312,7 +317,7 @@ GaborLobe gabor_lobe(float frequency, float orientation, float frequency_spread,
     float magnitude = abs(frequency);
     magnitude = magnitude > 1.0e-6 ? min(magnitude, 1.0e6) : 1.0e-6;
     GaborLobe lobe;
-    lobe.wave = magnitude * gabor_direction(orientation);
+    lobe.wave = magnitude * gabor_impl_direction(orientation);
     lobe.spread.x = frequency_spread > 0.0 ? min(frequency_spread, 1.0) : 0.0;
     lobe.spread.y = orientation_spread > 0.0 ? 0.15915494 * min(orientation_spread, 1.5707963) : 0.0;
     lobe.power = power > 0.0 ? min(power, 1.0e9) : 0.0;
@@ -327,10 +332,10 @@ struct GaborLobes {
 
 // Gabor kernels ready to be summed: all that the noise needs to know of its spectrum.
 struct GaborKernel {
-    GaborLobes lobes; // the power of each is that of all before it, too
+    GaborLobes lobes; // each with the cumulative power, its own and that of those before it
     float phases;     // that impulses have
     float amplitude;  // K
-    float deficit;    // variance in proportion to that at high frequency: 1 but for two phases
+    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
 };
 
 // The kernels of some lobes' spectrum: each impulse has a wave of one lobe, chosen with a probability in proportion to
@@ -344,16 +349,16 @@ GaborKernel gabor_kernel_lobes(GaborLobes lobes)
     GaborKernel kernel_;
     kernel_.lobes = lobes;
     kernel_.lobes.count = clamp(lobes.count, 1, GABOR_LOBES);
-    float together = 0.0;
+    float total_power = 0.0;
     GABOR_UNROLL for (int i = 0; i < GABOR_LOBES; ++i) {
-        together += i < kernel_.lobes.count ? lobes.lobe[i].power : 0.0;
-        kernel_.lobes.lobe[i].power = together;
+        total_power += i < kernel_.lobes.count ? lobes.lobe[i].power : 0.0;
+        kernel_.lobes.lobe[i].power = total_power;
     }
     kernel_.phases = 256.0;
-    kernel_.deficit = 1.0;
+    kernel_.variance_factor = 1.0;
     float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
     float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR;
-    float energy = gabor_energy().sum;
+    float energy = gabor_impl_energy().sum;
     kernel_.amplitude = rsqrt(0.5 * density * power * energy * energy);
     return kernel_;
 }
@@ -378,27 +383,27 @@ GaborKernel gabor_kernel(float frequency, float orientation)
     GaborKernel kernel_ = gabor_kernel_lobe(lobe);
     kernel_.phases = float(GABOR_PHASES);
     if (GABOR_PHASES == 2) {
-        GaborEnergy energy = gabor_energy();
-        float x = gabor_deficit(lobe.wave.x, energy);
-        float y = gabor_deficit(lobe.wave.y, energy);
-        kernel_.deficit = x + y - x * y;
-        kernel_.amplitude *= rsqrt(kernel_.deficit);
+        GaborEnergy energy = gabor_impl_energy();
+        float x = gabor_impl_relative_energy(lobe.wave.x, energy);
+        float y = gabor_impl_relative_energy(lobe.wave.y, energy);
+        kernel_.variance_factor = x + y - x * y;
+        kernel_.amplitude *= rsqrt(kernel_.variance_factor);
     }
     return kernel_;
 }
 
 // A wave vector within a lobe's spread, as that is written.
-float2 gabor_within(GaborLobe lobe, float2 spread)
+float2 gabor_impl_wave_within(GaborLobe lobe, float2 spread)
 {
-    float2 turn = float2(gabor_sin_turns(spread.y + 0.25), gabor_sin_turns(spread.y));
-    return (1.0 + spread.x) * gabor_times(lobe.wave, turn);
+    float2 turn = float2(gabor_impl_sine(spread.y + 0.25), gabor_impl_sine(spread.y));
+    return (1.0 + spread.x) * gabor_impl_product(lobe.wave, turn);
 }
 
 // The wave vector of the impulse that has this word.
-float2 gabor_wave(GaborKernel kernel_, uint word)
+float2 gabor_impl_wave(GaborKernel kernel_, uint word)
 {
     GaborLobe lobe = kernel_.lobes.lobe[0];
-    uint choice = gabor_mix(word, GABOR_SPREAD);
+    uint choice = gabor_impl_mix(word, GABOR_IMPL_CELL_STRIDE);
     if (kernel_.lobes.count > 1) {
         float chosen = kernel_.lobes.lobe[GABOR_LOBES - 1].power * ((float(choice >> 16u) + 0.5) / 65536.0);
         GABOR_UNROLL for (int i = 1; i < GABOR_LOBES; ++i) {
@@ -408,12 +413,12 @@ float2 gabor_wave(GaborKernel kernel_, uint word)
     }
     if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0)
         return lobe.wave;
-    float2 drawn = float2(float(choice * GABOR_SPREAD >> 16u), float(choice & 0xffffu));
-    return gabor_within(lobe, lobe.spread * ((drawn + 0.5) / 32768.0 - 1.0));
+    float2 drawn = float2(float(choice * GABOR_IMPL_CELL_STRIDE >> 16u), float(choice & 0xffffu));
+    return gabor_impl_wave_within(lobe, lobe.spread * ((drawn + 0.5) / 32768.0 - 1.0));
 }
 
 // The window q along one axis, 0 from |x| = 1 on.
-float gabor_window(float x)
+float gabor_impl_window(float x)
 {
     float3 c = GABOR_WINDOW;
     float u = max(1.0 - x * x, 0.0);
@@ -421,7 +426,7 @@ float gabor_window(float x)
 }
 
 // Its derivative.
-float gabor_window_slope(float x)
+float gabor_impl_window_slope(float x)
 {
     float3 c = GABOR_WINDOW;
     float u = max(1.0 - x * x, 0.0);
@@ -475,7 +480,7 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y, float4 fo
 }
 
 // A cell's coordinate within a period.
-int gabor_wrap(int cell, int period)
+int gabor_impl_wrap(int cell, int period)
 {
     if (period == 0)
         return cell;
@@ -483,23 +488,23 @@ int gabor_wrap(int cell, int period)
     return within < 0 ? within + period : within;
 }
 
-// What a sine kernel's amplitude gains while time turns the phases: of J(0)^2 - J(a.x) J(a.y), gabor_kernel, the second
-// term is taken times 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the tempos k.
-float gabor_tempo_gain(GaborKernel kernel_, float time)
+// The gain that keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is
+// multiplied by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+float gabor_impl_phase_gain(GaborKernel kernel_, float time)
 {
     if (kernel_.phases != 2.0 || time == 0.0)
         return 1.0;
-    float4 sines = float4(gabor_sin_turns(time), gabor_sin_turns(2.0 * time), gabor_sin_turns(3.0 * time),
-                      gabor_sin_turns(4.0 * time));
+    float4 sines = float4(gabor_impl_sine(time), gabor_impl_sine(2.0 * time), gabor_impl_sine(3.0 * time),
+                      gabor_impl_sine(4.0 * time));
     float u = 0.5 * dot(sines, sines);
-    return rsqrt(1.0 + u * (1.0 - kernel_.deficit) / kernel_.deficit);
+    return rsqrt(1.0 + u * (1.0 - kernel_.variance_factor) / kernel_.variance_factor);
 }
 
-// What the sum of kernels is to be multiplied with: with fewer cells per radius there are fewer impulses.
-float gabor_scale(GaborKernel kernel_, GaborPlace place)
+// The factor of the sum of kernels: with fewer cells per radius there are fewer impulses.
+float gabor_impl_scale(GaborKernel kernel_, GaborPlace place)
 {
     return kernel_.amplitude * GABOR_RADIUS * rsqrt(place.radius.x * place.radius.y)
-         * gabor_tempo_gain(kernel_, frac(place.time));
+         * gabor_impl_phase_gain(kernel_, frac(place.time));
 }
 
 // The noise at a place, by its cell: what most functions below call.
@@ -509,45 +514,46 @@ float gabor_scale(GaborKernel kernel_, GaborPlace place)
 GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
-    float2 whole = floor(place.local);
-    float2 local = place.local - whole;
+    float2 cell_base = floor(place.local);
+    float2 local = place.local - cell_base;
     float2 first = floor(local - place.radius);
-    int2 cell = place.cell + (int2)(whole + first);
-    first -= 1.0; // what gabor_place_plus_one has too much
+    int2 cell = place.cell + (int2)(cell_base + first);
+    first -= 1.0; // what gabor_impl_position_plus_one adds
     float2 cell_side = 1.0 / place.radius;
     float time = frac(place.time);
 
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float4)(0.0));
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
-        uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         GABOR_UNROLL for (int i = 0; i < visited; ++i) {
-            int column = gabor_wrap(cell.x + i, place.period.x);
+            int column = gabor_impl_wrap(cell.x + i, place.period.x);
             GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
-                uint word = gabor_impulse_word(column, row_word, k);
-                float2 impulse = gabor_place_plus_one(word);
+                uint word = gabor_impl_impulse_word(column, row_word, k);
+                float2 impulse = gabor_impl_position_plus_one(word);
                 // The sum in the inner brackets is exact, which leaves one rounding.
                 float2 d = (local - (impulse + (first + float2(float(i), float(j))))) * cell_side;
                 // About half of the impulses reach here. GPUs skip what no pixel of a wave needs, and compilers for
                 // CPUs keep their registers in order, which without the branch they do not: lavapipe takes 2.5 x as
                 // long.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    float2 cycles = gabor_wave(kernel_, word);
-                    float turns = dot(cycles, d) + gabor_phase(impulse, kernel_.phases) + gabor_tempo(word) * time;
-                    float magnitude = gabor_magnitude(word);
-                    float2 window = float2(gabor_window(d.x), gabor_window(d.y));
-                    float2 wave = magnitude * float2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns));
+                    float2 cycles = gabor_impl_wave(kernel_, word);
+                    float turns = dot(cycles, d) + gabor_impl_phase(impulse, kernel_.phases)
+                                + gabor_impl_phase_rate(word) * time;
+                    float magnitude = gabor_impl_magnitude(word);
+                    float2 window = float2(gabor_impl_window(d.x), gabor_impl_window(d.y));
+                    float2 wave = magnitude * float2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F times it.
                     float2 turned = (6.2831853 * window.x * window.y) * float2(-wave.y, wave.x);
                     sum.value += (window.x * window.y) * wave;
-                    sum.slope_x += (gabor_window_slope(d.x) * window.y) * wave + cycles.x * turned;
-                    sum.slope_y += (gabor_window_slope(d.y) * window.x) * wave + cycles.y * turned;
-                    sum.four += (window.x * window.y) * gabor_four(wave, word);
+                    sum.slope_x += (gabor_impl_window_slope(d.x) * window.y) * wave + cycles.x * turned;
+                    sum.slope_y += (gabor_impl_window_slope(d.y) * window.x) * wave + cycles.y * turned;
+                    sum.four += (window.x * window.y) * gabor_impl_four(wave, word);
                 }
             }
         }
     }
-    float scale = gabor_scale(kernel_, place);
+    float scale = gabor_impl_scale(kernel_, place);
     return GaborField_of(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, scale * sum.four);
 }
 
@@ -559,8 +565,8 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 //     (q q e^(i omega d)) * filter = s^2 |C|^(-1/2) e^(i omega d - omega S omega / 2 - z C^-1 z / 2) E[P(m.x) P(m.y)]
 //     m = s C^-1 z + v:
 // again a window around a wave, but wider, weaker, and the wave slower.
-#define GABOR_NORMAL_VARIANCE 0.121104
-#define GABOR_NORMAL_DEVIATION 0.348
+#define GABOR_IMPL_NORMAL_VARIANCE 0.121104
+#define GABOR_IMPL_NORMAL_DEVIATION 0.348
 
 // Even polynomial p0 + p1 x^2 + ... + p5 x^10.
 struct GaborPolynomial {
@@ -569,7 +575,7 @@ struct GaborPolynomial {
 };
 
 // P, by least squares: within 1.8 % of the default window in the root mean square, and closer to smoother ones.
-GaborPolynomial gabor_normal_window()
+GaborPolynomial gabor_impl_normal_window()
 {
     float3 c = GABOR_WINDOW;
     GaborPolynomial p;
@@ -581,7 +587,7 @@ GaborPolynomial gabor_normal_window()
 }
 
 // E[P(x + v)] as a polynomial of x, for v normal of this variance.
-GaborPolynomial gabor_averaged(GaborPolynomial p, float variance)
+GaborPolynomial gabor_impl_averaged(GaborPolynomial p, float variance)
 {
     float3 v = variance * float3(1.0, variance, variance * variance);
     float2 w = v.y * v.yz;
@@ -597,23 +603,23 @@ GaborPolynomial gabor_averaged(GaborPolynomial p, float variance)
 }
 
 // A polynomial of a complex number.
-float2 gabor_polynomial(GaborPolynomial p, float2 z)
+float2 gabor_impl_polynomial(GaborPolynomial p, float2 z)
 {
-    float2 square = gabor_times(z, z);
+    float2 square = gabor_impl_product(z, z);
     float2 sum = p.high.z * square + float2(p.high.y, 0.0);
-    sum = gabor_times(sum, square) + float2(p.high.x, 0.0);
-    sum = gabor_times(sum, square) + float2(p.low.z, 0.0);
-    sum = gabor_times(sum, square) + float2(p.low.y, 0.0);
-    return gabor_times(sum, square) + float2(p.low.x, 0.0);
+    sum = gabor_impl_product(sum, square) + float2(p.high.x, 0.0);
+    sum = gabor_impl_product(sum, square) + float2(p.low.z, 0.0);
+    sum = gabor_impl_product(sum, square) + float2(p.low.y, 0.0);
+    return gabor_impl_product(sum, square) + float2(p.low.x, 0.0);
 }
 
 // Symmetric matrices are (xx, yy, xy).
-float2 gabor_symmetric(float3 matrix_, float2 v)
+float2 gabor_impl_symmetric(float3 matrix_, float2 v)
 {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-float3 gabor_inverse(float3 matrix_)
+float3 gabor_impl_inverse(float3 matrix_)
 {
     return float3(matrix_.yx, -matrix_.z) / (matrix_.x * matrix_.y - matrix_.z * matrix_.z);
 }
@@ -645,45 +651,45 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy)
     GaborFootprint footprint;
     footprint.covariance = covariance;
 
-    // The eigenvalues are mean +- apart, the smaller one precisely the determinant over the larger one.
+    // The eigenvalues are mean +- difference, the smaller one precisely the determinant over the larger one.
     float mean = 0.5 * (covariance.x + covariance.y);
-    float apart = length(float2(0.5 * (covariance.x - covariance.y), covariance.z));
-    float larger = mean + apart;
+    float difference = length(float2(0.5 * (covariance.x - covariance.y), covariance.z));
+    float larger = mean + difference;
     float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
     float smaller = larger > 1.0e-12 ? min(side / larger * side, mean) : 0.0;
     float2 kept = min(float2(larger, smaller), (float2)(0.25));
-    float3 direction = apart > 0.0 ? (covariance - mean * unit) / apart : (float3)(0.0);
+    float3 direction = difference > 0.0 ? (covariance - mean * unit) / difference : (float3)(0.0);
     footprint.widening = 0.5 * ((kept.x + kept.y) * unit + (kept.x - kept.y) * direction);
     footprint.widening.xy = max(footprint.widening.xy, (float2)(0.0));
 
-    footprint.inverse = gabor_inverse(GABOR_NORMAL_VARIANCE * unit + footprint.widening);
-    footprint.amplitude = GABOR_NORMAL_VARIANCE
+    footprint.inverse = gabor_impl_inverse(GABOR_IMPL_NORMAL_VARIANCE * unit + footprint.widening);
+    footprint.amplitude = GABOR_IMPL_NORMAL_VARIANCE
                         * sqrt(footprint.inverse.x * footprint.inverse.y - footprint.inverse.z * footprint.inverse.z);
     footprint.reach = 1.045 + 1.5 * sqrt(footprint.widening.xy);
-    float3 v = unit - GABOR_NORMAL_VARIANCE * footprint.inverse;
+    float3 v = unit - GABOR_IMPL_NORMAL_VARIANCE * footprint.inverse;
     float2 variance = max(v.xy, (float2)(0.0));
     float product = variance.x * variance.y;
     float correlation = product > 0.0 ? min(abs(v.z) * rsqrt(product), 1.0) : 0.0;
     footprint.joint = sqrt(correlation * variance) * float2(1.0, v.z < 0.0 ? -1.0 : 1.0);
     float2 rest = (1.0 - correlation) * variance;
-    footprint.x = gabor_averaged(gabor_normal_window(), rest.x);
-    footprint.y = gabor_averaged(gabor_normal_window(), rest.y);
+    footprint.x = gabor_impl_averaged(gabor_impl_normal_window(), rest.x);
+    footprint.y = gabor_impl_averaged(gabor_impl_normal_window(), rest.y);
     return footprint;
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe taken as normal, of
 // the variance B = integral(q'^2) / (4 pi^2 integral(q^2)) along each axis,
 //     |1 + 8 pi^2 B S|^(-1/2) e^(-4 pi^2 F S (1 + 8 pi^2 B S)^-1 F).
-float gabor_kept(float2 wave, float3 covariance)
+float gabor_impl_transmitted(float2 wave, float3 covariance)
 {
     float3 c = GABOR_WINDOW;
     // The integral of x^2 u^n is I_n / (2n+3).
     float4 slope = float4(4.0 * c.x * c.x, 12.0 * c.x * c.y, 9.0 * c.y * c.y + 16.0 * c.x * c.z, 24.0 * c.y * c.z)
                * float4(16.0 / 105.0, 32.0 / 315.0, 256.0 / 3465.0, 512.0 / 9009.0);
     float energy = 4.0 * (dot(slope, (float4)(1.0)) + 16.0 * c.z * c.z * (2048.0 / 45045.0));
-    float3 widened = float3(1.0, 1.0, 0.0) + (2.0 * energy / gabor_energy().sum) * covariance;
-    float2 slower = gabor_symmetric(gabor_inverse(widened), wave);
-    float taken = 39.478418 * dot(wave, gabor_symmetric(covariance, slower));
+    float3 widened = float3(1.0, 1.0, 0.0) + (2.0 * energy / gabor_impl_energy().sum) * covariance;
+    float2 slower = gabor_impl_symmetric(gabor_impl_inverse(widened), wave);
+    float taken = 39.478418 * dot(wave, gabor_impl_symmetric(covariance, slower));
     return exp(-min(taken, 80.0)) * rsqrt(widened.x * widened.y - widened.z * widened.z);
 }
 
@@ -698,12 +704,12 @@ float gabor_removed(GaborKernel kernel_, GaborFootprint footprint)
         GaborLobe lobe = kernel_.lobes.lobe[i];
         float mean = 0.0;
         if (lobe.spread.x == 0.0 && lobe.spread.y == 0.0) {
-            mean = gabor_kept(lobe.wave, footprint.covariance);
+            mean = gabor_impl_transmitted(lobe.wave, footprint.covariance);
         } else {
             for (int j = 0; j < 72; ++j) {
                 float2 within = lobe.spread * (float2(float(j % 3), float(j / 3)) * float2(2.0 / 3.0, 1.0 / 12.0)
                                              - float2(2.0 / 3.0, 23.0 / 24.0));
-                mean += gabor_kept(gabor_within(lobe, within), footprint.covariance) / 72.0;
+                mean += gabor_impl_transmitted(gabor_impl_wave_within(lobe, within), footprint.covariance) / 72.0;
             }
         }
         kept += (lobe.power - before) * mean;
@@ -713,14 +719,14 @@ float gabor_removed(GaborKernel kernel_, GaborFootprint footprint)
 }
 
 // A kernel of amplitude 1 under a footprint, as (real, imaginary): at a distance d from an impulse of this phase.
-float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint footprint)
+float2 gabor_impl_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint footprint)
 {
-    float2 shift = gabor_symmetric(footprint.widening, 6.2831853 * wave);
-    float2 real = gabor_symmetric(footprint.inverse, d);
-    float2 imaginary = gabor_symmetric(footprint.inverse, shift);
+    float2 shift = gabor_impl_symmetric(footprint.widening, 6.2831853 * wave);
+    float2 real = gabor_impl_symmetric(footprint.inverse, d);
+    float2 imaginary = gabor_impl_symmetric(footprint.inverse, shift);
     float exponent = 0.5 * (dot(shift, imaginary) - dot(6.2831853 * wave, shift) - dot(d, real));
-    real *= GABOR_NORMAL_DEVIATION;
-    imaginary *= GABOR_NORMAL_DEVIATION;
+    real *= GABOR_IMPL_NORMAL_DEVIATION;
+    imaginary *= GABOR_IMPL_NORMAL_DEVIATION;
     if (exponent < -20.0 || dot(imaginary, imaginary) > 40.0) // the second follows from the first, but for rounding
         return (float2)(0.0);
 
@@ -730,15 +736,16 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
         float point_ = i == 0 ? 0.0 : float(i) * (abs(i) == 1 ? 1.3556262 : 1.4284850);
         float weight = i == 0 ? 0.53333333 : abs(i) == 1 ? 0.22207592 : 0.01125741;
         float2 v = point_ * footprint.joint;
-        window += weight * gabor_times(gabor_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)),
-                                       gabor_polynomial(footprint.y, float2(real.y + v.y, imaginary.y)));
+        window += weight * gabor_impl_product(gabor_impl_polynomial(footprint.x, float2(real.x + v.x, imaginary.x)),
+                                       gabor_impl_polynomial(footprint.y, float2(real.y + v.y, imaginary.y)));
     }
 
     float amplitude = footprint.amplitude * exp(exponent);
     if (footprint.widening.x + footprint.widening.y < footprint.covariance.x + footprint.covariance.y)
-        amplitude *= sqrt(gabor_kept(wave, footprint.covariance) / gabor_kept(wave, footprint.widening));
-    float turns = dot(wave, d) - dot(shift, real) / (6.2831853 * GABOR_NORMAL_DEVIATION) + phase;
-    return amplitude * gabor_times(window, float2(gabor_sin_turns(turns + 0.25), gabor_sin_turns(turns)));
+        amplitude *= sqrt(gabor_impl_transmitted(wave, footprint.covariance)
+                          / gabor_impl_transmitted(wave, footprint.widening));
+    float turns = dot(wave, d) - dot(shift, real) / (6.2831853 * GABOR_IMPL_NORMAL_DEVIATION) + phase;
+    return amplitude * gabor_impl_product(window, float2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns)));
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), as in gabor_field. Each part is within 2 % of a standard
@@ -748,30 +755,31 @@ float2 gabor_kernel_filtered(float2 d, float2 wave, float phase, GaborFootprint 
 // Cost: (2 reach R + 1)^2 N impulses on average, reach from 1 to 1.8, each about four times that of gabor_field.
 float2 gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
 {
-    float2 whole = floor(place.local);
-    float2 local = place.local - whole;
+    float2 cell_base = floor(place.local);
+    float2 local = place.local - cell_base;
     int2 first = (int2)(floor(local - place.radius * footprint.reach));
     int2 last = (int2)(floor(local + place.radius * footprint.reach));
-    int2 cell = place.cell + (int2)(whole);
+    int2 cell = place.cell + (int2)(cell_base);
     float time = frac(place.time);
-    uint seed_word = gabor_seed_word(seed);
+    uint seed_word = gabor_impl_seed_word(seed);
     float2 sum = (float2)(0.0);
     for (int j = first.y; j <= last.y; ++j) {
-        uint row_word = gabor_row_word(gabor_wrap(cell.y + j, place.period.y), seed_word);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         for (int i = first.x; i <= last.x; ++i) {
-            int column = gabor_wrap(cell.x + i, place.period.x);
+            int column = gabor_impl_wrap(cell.x + i, place.period.x);
             for (int k = 0; k < GABOR_IMPULSES; ++k) {
-                uint word = gabor_impulse_word(column, row_word, k);
-                float2 impulse = gabor_place_plus_one(word);
+                uint word = gabor_impl_impulse_word(column, row_word, k);
+                float2 impulse = gabor_impl_position_plus_one(word);
                 float2 d = (local - (impulse + (float2(float(i), float(j)) - 1.0))) / place.radius;
                 if (all((abs(d) < footprint.reach))) {
-                    float phase = gabor_phase(impulse, kernel_.phases) + gabor_tempo(word) * time;
-                    sum += gabor_magnitude(word) * gabor_kernel_filtered(d, gabor_wave(kernel_, word), phase, footprint);
+                    float phase = gabor_impl_phase(impulse, kernel_.phases) + gabor_impl_phase_rate(word) * time;
+                    sum += gabor_impl_magnitude(word)
+                         * gabor_impl_kernel_filtered(d, gabor_impl_wave(kernel_, word), phase, footprint);
                 }
             }
         }
     }
-    return gabor_scale(kernel_, place) * sum;
+    return gabor_impl_scale(kernel_, place) * sum;
 }
 
 // ---- The simple calls ----------------------------------------------------------------------------------------------
@@ -830,9 +838,9 @@ float2 gabor_phasor(float2 value)
 }
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
-// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; where it is not,
-// cells grow until a whole number fits, and the fewer they become the less normal the values are: cvm 0.6 with 5 %
-// fewer cells per radius, 2.2 with 10 %. Each period is at least 2, a kernel's diameter; a shorter one is taken as 2.
+// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
+// fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
+// square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
 float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 {
     period = max(period, (float2)(2.0));
@@ -844,7 +852,8 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// is gabor_noise of some instance; after a tenth of the period it has little in common with what it was.
+// is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
+// a lag of 0.03, 0 at 0.1, -0.38 at 0.16.
 float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 {
     GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
@@ -883,7 +892,7 @@ float gabor_noise_sum(float2 p, GaborLobes lobes, uint seed)
     for (int i = 0; i < GABOR_LOBES; ++i) {
         if (i >= lobes.count)
             break;
-        uint own_seed = gabor_mix(seed + uint(i) * GABOR_SPREAD_IMPULSES, GABOR_SPREAD);
+        uint own_seed = gabor_lobe_seed(seed, i);
         sum += sqrt(lobes.lobe[i].power) * gabor_field(place, gabor_kernel_lobe(lobes.lobe[i]), own_seed).value.y;
         power += lobes.lobe[i].power;
     }

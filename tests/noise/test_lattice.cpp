@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -29,13 +30,15 @@ std::vector<LatticeWindow> windows(int taps, double x) {
 class Characteristic {
   public:
     Characteristic() {
+        std::array<double, 1024> parts{}; // a part at even steps of its number, for one of 2^16 or 2^32
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            parts[k] = lattice_amplitude_part((static_cast<double>(k) + 0.5) / 512 - 1) /
+                       lattice_amplitude_deviation();
         for (std::size_t k = 0; k < table_.size(); ++k) {
             double sum = 0;
-            for (int byte = 0; byte < 256; ++byte)
-                sum +=
-                    std::cos(static_cast<double>(k) * step * lattice_amplitude_part((byte + 0.5) / 128 - 1) /
-                             lattice_amplitude_deviation());
-            table_[k] = sum / 256;
+            for (const double part : parts)
+                sum += std::cos(static_cast<double>(k) * step * part);
+            table_[k] = sum / static_cast<double>(parts.size());
         }
     }
 
@@ -251,8 +254,8 @@ struct Numbers {
 };
 
 Numbers numbers(std::uint32_t word) {
-    const double high = (static_cast<std::int8_t>(word >> 24) + 0.5) / 128;
-    const double low = static_cast<std::int32_t>(word << 8) * 0x1p-31;
+    const double high = static_cast<std::int32_t>(word) * 0x1p-31;
+    const double low = static_cast<std::int16_t>(word) * 0x1p-15;
     const double three = std::sqrt(3.0);
     const double square = std::sqrt(45.0) / 2; // of u^2 - 1/3
     return {{three * high, three * low, square * (high * high - 1.0 / 3), square * (low * low - 1.0 / 3)}};

@@ -68,22 +68,22 @@ double lattice_amplitude_part(double u) {
     return (u - flattening * std::clamp(u, -knee, knee)) * (1 + cubic * u * u);
 }
 
-// The root of the mean of the two parts' variances: one takes 256 values, the other 2^24, as good as 2^16.
+// One part takes 2^32 values, the other 2^16.
 double lattice_amplitude_deviation() {
-    const auto variance = [](int values) {
+    static const double deviation = [] {
+        constexpr int values = 1 << 16;
         double sum = 0;
         for (int k = 0; k < values; ++k)
             sum += std::pow(lattice_amplitude_part((2.0 * k + 1) / values - 1), 2);
-        return sum / values;
-    };
-    static const double deviation = std::sqrt(0.5 * (variance(1 << 8) + variance(1 << 16)));
+        return std::sqrt(sum / values);
+    }();
     return deviation;
 }
 
 Complex lattice_amplitude(std::uint32_t word) {
-    const auto high = static_cast<std::int8_t>(word >> 24);
-    const auto low = static_cast<std::int32_t>(word << 8) / 256;
-    return {lattice_amplitude_part((high + 0.5) / 128), lattice_amplitude_part(low * 0x1p-23)};
+    const auto whole = static_cast<std::int32_t>(word);
+    const auto low = static_cast<std::int16_t>(word);
+    return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-15)};
 }
 
 Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t seed)

@@ -27,7 +27,7 @@ double lattice_amplitude_part(double u);
 /// The root mean square of the parts of all amplitudes.
 double lattice_amplitude_deviation();
 
-/// The amplitude of a word: parts from its high byte and from the 24 bits below.
+/// The amplitude of a word: parts from all of it, of which the high half counts, and from its low half.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
 /// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.

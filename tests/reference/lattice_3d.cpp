@@ -112,9 +112,9 @@ std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
                 if (animated_) {
                     const std::uint32_t second = next_word(word);
                     const double angle = 2 * pi * place.time;
-                    value = (value + std::cos(angle) * amplitude(second) +
-                             std::sin(angle) * amplitude(next_word(second))) /
-                            std::sqrt(2.0);
+                    value = (1 + std::cos(angle)) / 2 * value +
+                            (1 - std::cos(angle)) / 2 * amplitude(second) +
+                            std::sin(angle) / std::sqrt(2.0) * amplitude(next_word(second));
                 }
                 nodes.push_back({{x.offset, y.offset, z.offset}, value});
             }
@@ -148,7 +148,7 @@ Lattice3d::Field Lattice3d::field(const Place& place) const {
     return field;
 }
 
-Lattice3d::Filtered Lattice3d::filtered(const Place& place, const Vector& dx, const Vector& dy) const {
+Lattice3d::Field Lattice3d::filtered(const Place& place, const Vector& dx, const Vector& dy) const {
     using namespace std::complex_literals;
     // Far footprints average all out: (det(1 + S^2))^(-1/4), by the traces of S and S^2.
     const double trace = (dot(dx, dx) + dot(dy, dy)) / 4;
@@ -157,38 +157,47 @@ Lattice3d::Filtered Lattice3d::filtered(const Place& place, const Vector& dx, co
     const double determinant = (trace * trace - square) / 2;
     const double fade = std::pow(1 + square + determinant * determinant, -0.25);
 
-    std::complex<double> value = 0;
-    double kept = 0;
-    const std::vector<Node> all = nodes(place);
     constexpr std::array share{0.25, 0.5, 0.25};           // of the window
     constexpr std::array power{1.0 / 6, 2.0 / 3, 1.0 / 6}; // of the variance
+    const auto turns_of = [&](std::size_t axis, std::size_t wave) {
+        return wave_[axis] + (static_cast<double>(wave) - 1) / 2 * place.radius[axis] / nodes_per_radius;
+    };
+    Field field{};
+    double kept = 0;
+    const std::vector<Node> all = nodes(place);
+    // What each node has of each wave along each axis.
+    std::vector<std::array<std::array<std::complex<double>, 3>, 3>> factors;
+    for (const Node& node : all) {
+        auto& factor = factors.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double width = std::hypot(dx[axis], dy[axis]) / 4 * place.radius[axis];
+            const double to_end = nodes_per_radius - std::abs(node.offset[axis]);
+            const double reach = width > 0 ? smoothstep(0, width, to_end) : 1;
+            for (std::size_t wave = 0; wave < 3; ++wave)
+                factor[axis][wave] =
+                    share[wave] * reach *
+                    std::exp(2i * pi * turns_of(axis, wave) * node.offset[axis] / double{place.radius[axis]});
+        }
+    }
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
             for (std::size_t c = 0; c < 3; ++c) {
-                const std::array<std::size_t, 3> wave{a, b, c};
-                Vector k = wave_;
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    k[axis] +=
-                        (static_cast<double>(wave[axis]) - 1) / 2 * place.radius[axis] / nodes_per_radius;
+                const Vector k{turns_of(0, a), turns_of(1, b), turns_of(2, c)};
                 const double blurred = (std::pow(dot(k, dx), 2) + std::pow(dot(k, dy), 2)) / 4;
                 const double damped = fade * std::exp(-2 * pi * pi * blurred);
                 kept += power[a] * power[b] * power[c] * damped * damped;
-                for (const Node& node : all) {
-                    double factor = damped * share[a] * share[b] * share[c];
-                    double turns = 0;
-                    for (std::size_t axis = 0; axis < 3; ++axis) {
-                        turns += k[axis] * node.offset[axis] / place.radius[axis];
-                        const double side = std::hypot(dx[axis], dy[axis]) / 2;
-                        const double to_end = nodes_per_radius - std::abs(node.offset[axis]);
-                        const double width = side / 2 * place.radius[axis];
-                        factor *= width > 0 ? smoothstep(0, width, to_end) : 1;
-                    }
-                    value += factor * node.amplitude * std::exp(2i * pi * turns);
-                }
+                std::complex<double> sum = 0;
+                for (std::size_t i = 0; i < all.size(); ++i)
+                    sum += all[i].amplitude * factors[i][0][a] * factors[i][1][b] * factors[i][2][c];
+                const std::complex<double> one = std::pow(8.0 / 9, 1.5) * damped * sum;
+                field.value += one;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    field.slope[axis] += 2i * pi * k[axis] * one;
             }
         }
     }
-    return {std::pow(8.0 / 9, 1.5) * value.imag(), 1 - kept};
+    field.removed = 1 - kept;
+    return field;
 }
 
 std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed) {

@@ -22,16 +22,12 @@ class Lattice3d {
         float time = 0;                                ///< in periods of time, for animated noise
     };
 
-    /// The noise as a complex number, whose imaginary part is the noise itself, and its gradient per kernel
-    /// radius.
+    /// The noise as a complex number, whose imaginary part is the noise itself, its gradient per kernel
+    /// radius, and the variance that a footprint takes away.
     struct Field {
         std::complex<double> value;
         std::array<std::complex<double>, 3> slope;
-    };
-
-    struct Filtered {
-        double value;
-        double removed; ///< variance that the footprint takes away
+        double removed = 0;
     };
 
     /// `wave` in cycles per kernel radius; `channel`, 0 to 3, is one of the four independent noises.
@@ -42,7 +38,7 @@ class Lattice3d {
     /// The sum of the 27 waves that the field is between nodes, each damped by a normal footprint with the
     /// covariance (dx dx^T + dy dy^T) / 4, nodes fading within a quarter of the footprint from their windows'
     /// ends.
-    Filtered filtered(const Place& place, const Vector& dx, const Vector& dy) const;
+    Field filtered(const Place& place, const Vector& dx, const Vector& dy) const;
 
   private:
     struct Node {

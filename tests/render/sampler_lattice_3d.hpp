@@ -32,16 +32,17 @@ inline std::string to_string(const LatticeSample3d& s) {
 }
 
 struct LatticeAnswer3d {
-    float value[8];
+    float value[9]; ///< of a field by place its value, its slopes and the variance removed
 };
 
 /// As in passes/sample_lattice_3d.comp: the functions by place and of a position.
 enum class Entry3d : std::int32_t {
     field,
-    value,
     isotropic,
     surface,
     surface_isotropic,
+    noise,
+    complex,
     gradient,
     four,
     tiled,

@@ -1,5 +1,5 @@
 #include "error.hpp"
-#include "reference/reference_3d.hpp"
+#include "reference/lattice_3d.hpp"
 #include "render/parameters.hpp"
 #include "render/solid.hpp"
 
@@ -13,7 +13,8 @@
 #include <vector>
 
 using namespace gabor;
-using noise::Vector3;
+using noise::Lattice3d;
+using Vector3 = Lattice3d::Vector;
 using render::Body;
 using render::Request;
 using render::Shape;
@@ -120,35 +121,42 @@ struct Camera {
     Body body;
 };
 
-noise::Waves waves_of(const Request& request, const Vector3& normal) {
-    const noise::Lobe& lobe = request.lobes.front();
-    const double angle = noise::radians(lobe.orientation);
-    const Body* body = std::get_if<Body>(&request.view);
-    noise::Waves waves;
-    waves.frequency = lobe.frequency;
-    if (lobe.orientation_spread == 0)
-        waves.direction = {std::cos(angle), std::sin(angle), 0};
-    if (body && !body->solid)
-        waves.normal = normal;
-    return waves;
-}
-
-// The noise at p, and how much it changes where p is off by a kernel radius.
+// The noise at p on a surface, or in space, and how much it changes where p is off by a kernel radius.
 struct Expected {
     double value;
     double slope;
 };
 
-Expected expected(const Request& request, const noise::Waves& waves, const Vector3& p) {
-    noise::Place3d place;
+Expected expected(const Request& request, const Vector3& normal, const Vector3& p, const Vector3& dx,
+                  const Vector3& dy) {
+    const noise::Lobe& lobe = request.lobes.front();
+    const double angle = noise::radians(lobe.orientation);
+    const Vector3 direction{std::cos(angle), std::sin(angle), 0};
+    const Body* body = std::get_if<Body>(&request.view);
+    const bool isotropic = lobe.orientation_spread > 0;
+    std::vector<noise::WeightedWave> waves{{1, scaled(lobe.frequency, direction), request.seed}};
+    if (body && !body->solid)
+        waves = isotropic ? noise::surface_isotropic_waves(normal, lobe.frequency, request.seed)
+                          : noise::surface_waves(normal, lobe.frequency, direction, request.seed);
+    else if (isotropic)
+        waves = noise::isotropic_waves(lobe.frequency, request.seed);
+    Lattice3d::Place place;
     place.time = static_cast<float>(request.time);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        place.cell[axis] = static_cast<std::int32_t>(std::floor(p[axis]));
-        place.local[axis] = static_cast<float>(p[axis] - std::floor(p[axis]));
+        const double node = 1.5 * p[axis];
+        place.cell[axis] = static_cast<std::int32_t>(std::floor(node));
+        place.local[axis] = static_cast<float>(node - std::floor(node));
     }
-    const auto field = noise::Reference3d(noise::recipe_3d(), waves, request.seed).field(place);
-    return {field.value.imag(),
-            std::hypot(field.slope[0].imag(), field.slope[1].imag(), field.slope[2].imag())};
+    double value = 0;
+    Vector3 slope{};
+    for (const noise::WeightedWave& w : waves) {
+        const Lattice3d one(w.wave, w.seed, 0, request.time != 0);
+        const Lattice3d::Field field = request.filter ? one.filtered(place, dx, dy) : one.field(place);
+        value += w.weight * field.value.imag();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            slope[axis] += w.weight * field.slope[axis].imag();
+    }
+    return {value, std::sqrt(dot(slope, slope))};
 }
 
 } // namespace
@@ -160,23 +168,19 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
             const Request request{.width = 150,
                                   .height = 70,
                                   .scale = 11.5,
-                                  .lobes = {{3.5, 63, 0, spread}},
+                                  .lobes = {{spread > 0 ? 1.2 : 3.5, 63, 0, spread}},
                                   .seed = 5,
                                   .time = filtered ? 0 : 0.3,
                                   .view = Slice{7.3},
                                   .filter = filtered};
             const auto pixels = rendered(device, request, {0, 0, 150, 70}, 70);
-            noise::Waves seen = waves_of(request, {0, 0, 1});
-            if (filtered) {
-                seen.dx = {1 / request.scale, 0, 0};
-                seen.dy = {0, 1 / request.scale, 0};
-            }
             double largest = 0;
             for (int y = 0; y < request.height; ++y) {
                 for (int x = 0; x < request.width; ++x) {
                     const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
                     const Vector3 p{(x + 0.5) / request.scale, (y + 0.5) / request.scale, 7.3};
-                    const Expected here = expected(request, seen, p);
+                    const Expected here =
+                        expected(request, {0, 0, 1}, p, {1 / request.scale, 0, 0}, {0, 1 / request.scale, 0});
                     REQUIRE(pixels[at + 1] == 1);
                     largest = std::max(largest, std::abs(pixels[at] - here.value) / (1 + 0.1 * here.slope));
                 }
@@ -201,7 +205,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                 const Request request{.width = 160,
                                       .height = 120,
                                       .scale = 8,
-                                      .lobes = {{2, -79, 0, spread}},
+                                      .lobes = {{solid && spread > 0 ? 1 : 2, -79, 0, spread}},
                                       .seed = 6,
                                       .time = pose == turned ? 0.6 : 0,
                                       .view = body,
@@ -222,7 +226,8 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                         if (facing < 0.1) // where grazing rays end is for coverage to blur
                             continue;
                         REQUIRE(pixels[at + 1] > 0);
-                        noise::Waves seen = waves_of(request, normal);
+                        Vector3 dx{};
+                        Vector3 dy{};
                         if (request.filter) {
                             constexpr double step = 1e-4; // of a pixel
                             const auto moved = [&](double dx, double dy) {
@@ -230,10 +235,10 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                                     camera.eye(), camera.ray(x + 0.5 + dx, y + 0.5 + dy), *p, normal);
                                 return scaled(unit / step, along(q, -1, *p));
                             };
-                            seen.dx = moved(step, 0);
-                            seen.dy = moved(0, step);
+                            dx = moved(step, 0);
+                            dy = moved(0, step);
                         }
-                        const Expected here = expected(request, seen, scaled(unit, *p));
+                        const Expected here = expected(request, normal, scaled(unit, *p), dx, dy);
                         // Places are off by 10^-6 of the unit, more where rays graze.
                         const double tolerance = 1e-5 + 5e-7 * unit * (here.slope + 20) / facing;
                         largest = std::max(largest, std::abs(pixels[at] - here.value) / tolerance);

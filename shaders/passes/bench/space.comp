@@ -3,8 +3,8 @@
 
 // The drop-in in space, as one would call it.
 
-#include "../recipe.glsl"
-#include "gabor_noise_3d.glsl"
+#include "gabor_lattice.glsl"
+#include "gabor_lattice_3d.glsl"
 #include "bench.glsl"
 
 layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
@@ -23,6 +23,8 @@ float value(vec2 p, uint instance)
         return gabor_noise_surface(place, normal, frequency, direction, instance);
     case 5:
         return gabor_noise_surface_isotropic(place, normal, frequency, instance);
+    case 6:
+        return gabor_noise_3d_filtered(place, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0), frequency, direction, instance).x;
     default:
         return gabor_noise_3d(place, frequency, direction, instance);
     }

@@ -31,7 +31,7 @@ struct Sample {
 };
 
 struct Answer {
-    float value[8];
+    float value[9];
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -61,54 +61,62 @@ void main()
     GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
                                       ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
                                       filtered != 0, vector(s.dx), vector(s.dy), 0);
-    vec4 first = vec4(0.0);
-    vec4 second = vec4(0.0);
+    GaborField3d field = GaborField3d(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
+    vec4 answer = vec4(0.0);
     switch (entry) {
     case 0:
-        GaborField3d field = gabor_field_3d(place, wave, s.seed);
-        first = vec4(field.value, field.slope_x);
-        second = vec4(field.slope_y, field.slope_z);
+        field = gabor_field_3d(place, wave, s.seed);
         break;
     case 1:
-        first.xy = gabor_value_3d(place, wave, s.seed);
+        field = gabor_isotropic_3d(place, f, s.seed);
         break;
     case 2:
-        first.xy = gabor_isotropic_3d(place, f, s.seed);
+        field = gabor_surface_3d(place, normal, f, direction, s.seed);
         break;
     case 3:
-        first.xy = gabor_surface_3d(place, normal, f, direction, s.seed);
+        field = gabor_surface_isotropic_3d(place, normal, f, s.seed);
         break;
     case 4:
-        first.xy = gabor_surface_isotropic_3d(place, normal, f, s.seed);
+        answer.x = gabor_noise_3d(p, f, direction, s.seed);
         break;
     case 5:
-        first = gabor_noise_3d_gradient(p, f, direction, s.seed);
-        second = vec4(gabor_noise_3d(p, f, direction, s.seed), gabor_noise_3d_complex(p, f, direction, s.seed), 0.0);
+        answer.xy = gabor_noise_3d_complex(p, f, direction, s.seed);
         break;
     case 6:
-        first = gabor_noise_3d_four(p, f, direction, s.seed);
+        answer = gabor_noise_3d_gradient(p, f, direction, s.seed);
         break;
     case 7:
-        first.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
+        answer = gabor_noise_3d_four(p, f, direction, s.seed);
         break;
     case 8:
-        first.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
+        answer.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
         break;
     case 9:
-        first.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
+        answer.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
         break;
     case 10:
-        first.x = gabor_noise_3d_isotropic(p, f, s.seed);
+        answer.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
         break;
     case 11:
-        first.x = gabor_noise_surface(p, normal, f, direction, s.seed);
+        answer.x = gabor_noise_3d_isotropic(p, f, s.seed);
+        break;
+    case 12:
+        answer.x = gabor_noise_surface(p, normal, f, direction, s.seed);
         break;
     default:
-        first.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
+        answer.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
         break;
     }
-    for (int c = 0; c < 4; ++c) {
-        answers[i].value[c] = first[c];
-        answers[i].value[4 + c] = second[c];
+    if (entry >= 4) { // a function of a position
+        for (int c = 0; c < 4; ++c)
+            answers[i].value[c] = answer[c];
+        return;
     }
+    for (int c = 0; c < 2; ++c) {
+        answers[i].value[c] = field.value[c];
+        answers[i].value[2 + c] = field.slope_x[c];
+        answers[i].value[4 + c] = field.slope_y[c];
+        answers[i].value[6 + c] = field.slope_z[c];
+    }
+    answers[i].value[8] = field.removed;
 }

@@ -1,0 +1,406 @@
+// gabor_lattice_3d.metal: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
+// after gabor_lattice.metal; every name that it adds begins with gabor_ or Gabor: for the Metal shading language.
+//
+// Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+//
+// As in the plane, the nodes c of a cubic lattice, R = 3/2 to the kernel radius, have independent normal amplitudes A,
+// and each sends out a wave under a product of Hann windows h(x) = (1 + cos pi x) / 2 that ends one kernel radius away:
+//
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
+//
+// The nearest node and its neighbours, 27, reach a point. Whatever the wave vector F is, the variance is 1 at every
+// place: so F may follow a surface, which sees the frequency asked for and no trace of the lattice. Several directions
+// are a sum of independent noises, which makes everything, gradients and pairs of places too, jointly normal.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_3D_METAL
+#define GABOR_LATTICE_3D_METAL
+
+#include <metal_stdlib>
+
+using namespace metal;
+#ifndef GABOR_LATTICE_METAL
+#error Include gabor_lattice.metal before gabor_lattice_3d.metal
+#elif GABOR_TAPS != 3
+#error gabor_lattice_3d.metal needs GABOR_TAPS 3
+#endif
+
+// Where to evaluate, and how space and time close upon themselves: see GaborPlace.
+struct GaborPlace3d {
+    int3 cell;
+    float3 local;
+    float3 radius;
+    int3 period;
+    bool animated;
+    float time;
+    bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
+    float3 dx;
+    float3 dy;
+    int channel; // 0, or 1 to 3 for another noise of the same seed, independent of it
+};
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
+// derivatives per kernel radius. Parts that are not used cost nothing: compilers leave them out.
+struct GaborField3d {
+    float2 value;
+    float2 slope_x;
+    float2 slope_y;
+    float2 slope_z;
+};
+
+// ---- The nodes around a place --------------------------------------------------------------------------------------
+
+// Three times three complex numbers.
+struct GaborMatrix {
+    float3x3 real;
+    float3x3 imaginary;
+};
+
+inline GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
+{
+    return GaborMatrix{m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real};
+}
+
+inline float2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
+{
+    for (int i = 0; i < place.channel; ++i)
+        word = gabor_impl_next_word(word);
+    if (!place.animated)
+        return gabor_impl_amplitude(word);
+    uint second = gabor_impl_next_word(word);
+    float2 time = gabor_impl_wave(place.time);
+    return 0.70710678 * (gabor_impl_amplitude(word) + time.x * gabor_impl_amplitude(second)
+                         + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
+}
+
+// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
+// lines are.
+inline GaborMatrix gabor_impl_slice(uint4 columns, uint4 rows, uint slice, GaborPlace3d place)
+{
+    GaborMatrix m;
+    for (int j = 0; j < 3; ++j) {
+        uint row = ((rows[j] * slice) >> 8u) | 0x800001u;
+        float2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
+        float2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
+        float2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
+        m.real[j] = float3(a.x, b.x, c.x);
+        m.imaginary[j] = float3(a.y, b.y, c.y);
+    }
+    return m;
+}
+
+// The nodes that reach a place: by axis, and their amplitudes by slice.
+struct GaborNodes3d {
+    GaborAxis x;
+    GaborAxis y;
+    GaborAxis z;
+    GaborMatrix a;
+    GaborMatrix b;
+    GaborMatrix c;
+    float3 offset; // from the middle node, in node spacings
+    float3 turns;  // of the wave from a node to the next
+    float2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+};
+
+inline GaborNodes3d gabor_impl_nodes(GaborPlace3d place, float3 wave, uint seed)
+{
+    GaborNodes3d n;
+    float3 first = floor(place.local - GABOR_RADIUS) + 1.0;
+    int3 node = place.cell + int3(first);
+    uint salt = gabor_impl_salt(seed);
+    n.offset = place.local - first - 1.0;
+    n.turns = wave / place.radius;
+    n.x = gabor_impl_axis(node.x, n.offset.x, place.period.x, salt, gabor_impl_wave(n.turns.x));
+    n.y = gabor_impl_axis(node.y, n.offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y));
+    n.z = gabor_impl_axis(node.z, n.offset.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z));
+    n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
+    n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
+    n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);
+    n.base = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+           * gabor_impl_wave(dot(n.turns, n.offset));
+    return n;
+}
+
+// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
+// slice; then along z for column `j` of those along y, with columns for z.
+inline void gabor_impl_along_xy(thread GaborNodes3d& n, GaborMatrix x, GaborMatrix y)
+{
+    x = GaborMatrix{transpose(x.real), transpose(x.imaginary)};
+    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
+    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
+    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
+}
+
+inline GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
+{
+    return gabor_impl_matrix_product(
+        GaborMatrix{float3x3(n.a.real[j], n.b.real[j], n.c.real[j]),
+                    float3x3(n.a.imaginary[j], n.b.imaginary[j], n.c.imaginary[j])}, z);
+}
+
+// An axis' factors and their derivatives.
+inline GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
+{
+    return GaborMatrix{float3x3(axis.real.xyz, axis.slope_real.xyz, float3(0.0)),
+                       float3x3(axis.imaginary.xyz, axis.slope_imaginary.xyz, float3(0.0))};
+}
+
+inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
+{
+    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
+    gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
+    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors_3d(n.z));
+    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors_3d(n.z));
+    float2 value = gabor_impl_product(n.base, float2(values.real[0].x, values.imaginary[0].x));
+    float2 slope_x = gabor_impl_product(n.base, float2(values.real[0].y, values.imaginary[0].y));
+    float2 slope_y = gabor_impl_product(n.base, float2(slopes.real[0].x, slopes.imaginary[0].x));
+    float2 slope_z = gabor_impl_product(n.base, float2(values.real[1].x, values.imaginary[1].x));
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    float3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d{value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
+                        stretch.z * slope_z + wave.z * turned};
+}
+
+// ---- Filtering -----------------------------------------------------------------------------------------------------
+
+// What an axis' three nodes add to the three waves that they are together between nodes:
+//     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
+// Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
+inline GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
+{
+    float3 d = (offset + float3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    float2 step = gabor_impl_wave(turns);
+    float3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
+    reach *= 0.5 * reach * (3.0 - 2.0 * reach);
+    float3 real = reach * float3(step.x, 1.0, step.x);
+    float3 imaginary = reach * float3(step.y, 0.0, -step.y);
+    float2 turn = 0.5 * gabor_impl_wave(0.5 * d.y);
+    float3 c = turn.x * float3(-0.5, 1.0, -0.5) + turn.y * float3(-0.8660254, 0.0, 0.8660254); // half of cos(pi d)
+    float3 s = turn.y * float3(-0.5, 1.0, -0.5) - turn.x * float3(-0.8660254, 0.0, 0.8660254);
+    return GaborMatrix{float3x3(real * c + imaginary * s, real, real * c - imaginary * s),
+                       float3x3(imaginary * c - real * s, imaginary, imaginary * c + real * s)};
+}
+
+// Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
+// exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
+// neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
+inline float2 gabor_impl_filtered_3d(GaborPlace3d place, float3 wave, uint seed)
+{
+    float3 dx = clamp(place.dx, -1.0e6, 1.0e6);
+    float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
+    float3 stretch = place.radius / GABOR_RADIUS;
+    float3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
+    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
+    gabor_impl_along_xy(n, gabor_impl_waves(n.offset.x, n.turns.x, deviation.x),
+                        gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
+    GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
+    float2 sum = float2(0.0);
+    float kept = 0.0;
+    for (int b = 0; b < 3; ++b) {
+        GaborMatrix m = gabor_impl_along_z(n, b, z);
+        for (int c = 0; c < 3; ++c) {
+            for (int a = 0; a < 3; ++a) {
+                float3 aside = float3(float(a - 1), float(b - 1), float(c - 1));
+                float3 k = wave + 0.5 * stretch * aside;
+                float left = exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
+                sum += left * float2(m.real[c][a], m.imaginary[c][a]);
+                kept += left * left * exp2(-2.0 * dot(aside, aside));
+            }
+        }
+    }
+    float trace = 0.25 * (dot(dx, dx) + dot(dy, dy));
+    float determinant = 0.0625 * dot(cross(dx, dy), cross(dx, dy));
+    float fade = rsqrt(sqrt(max(1.0 + trace * trace + determinant * (determinant - 2.0), 1.0)));
+    return float2(fade * gabor_impl_product(sum, n.base).y, 1.0 - fade * fade * (8.0 / 27.0) * kept);
+}
+
+// ---- By place: the noise, averaged over the pixel if `filtered`, and the variance that this removes -----------------
+
+// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
+inline GaborPlace3d gabor_place_3d(int3 cell, float3 local)
+{
+    return GaborPlace3d{cell, local, float3(GABOR_RADIUS), int3(0), false, 0.0, false, float3(0.0), float3(0.0), 0};
+}
+
+// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
+inline float3 gabor_impl_unit(float3 v)
+{
+    v = clamp(v, -1.0e15, 1.0e15);
+    return v * rsqrt(max(dot(v, v), 1.0e-30));
+}
+
+inline float3 gabor_wave_3d(float frequency, float3 direction)
+{
+    return min(abs(frequency), 1.0e6) * gabor_impl_unit(direction);
+}
+
+inline float2 gabor_value_3d(GaborPlace3d place, float3 wave, uint seed)
+{
+    if (place.filtered)
+        return gabor_impl_filtered_3d(place, wave, seed);
+    return float2(gabor_field_3d(place, wave, seed).value.y, 0.0);
+}
+
+inline float gabor_impl_channel(GaborPlace3d place, float3 wave, uint seed, int channel)
+{
+    place.channel = channel;
+    return gabor_field_3d(place, wave, seed).value.y;
+}
+
+// Term `index` of a sum of independent noises, and its share of the variance.
+inline float2 gabor_impl_term(GaborPlace3d place, float frequency, float3 direction, uint seed, int index, float power)
+{
+    seed = gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+    return float2(sqrt(power), power) * gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
+}
+
+// Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
+// power, so that all is continuous in frequency.
+inline float2 gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
+{
+    float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
+    float2 sum = float2(0.0);
+    for (int i = 0; i < int(ceil(count)); ++i) {
+        float share = min(count - float(i), 1.0) / count;
+        float z = float(i) / count + 0.5 * share;
+        float3 direction = float3(sqrt(1.0 - z * z) * gabor_impl_wave(0.61803399 * float(i)), z);
+        sum += gabor_impl_term(place, frequency, direction, seed, i, share);
+    }
+    return sum;
+}
+
+// The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
+inline float gabor_impl_takeover(float low, float high, float x)
+{
+    float share = smoothstep(low, high, x);
+    return share * share / (share * share + (1.0 - share) * (1.0 - share));
+}
+
+// Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
+inline float2 gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
+{
+    normal = gabor_impl_unit(normal);
+    direction = gabor_impl_unit(direction);
+    float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
+    direction -= dot(direction, normal) * normal;
+    other -= dot(other, normal) * normal;
+    float power = gabor_impl_takeover(0.0625, 0.25, dot(direction, direction));
+    float2 sum = float2(0.0);
+    if (power > 0.0)
+        sum += gabor_impl_term(place, frequency, direction, seed, 0, power);
+    if (power < 1.0)
+        sum += gabor_impl_term(place, frequency, other, seed, 1, 1.0 - power);
+    return sum;
+}
+
+// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+inline float2 gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
+{
+    normal = gabor_impl_unit(normal);
+    float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
+    float power = gabor_impl_takeover(0.25, 0.5, dot(normal.xy, normal.xy));
+    float2 sum = float2(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        float3 along = gabor_impl_unit(cross(axis == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
+        for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
+            float share = min(count - float(i), 1.0) / count;
+            float2 turn = gabor_impl_wave(0.5 * (float(i) / count + 0.5 * share));
+            float3 direction = turn.x * along + turn.y * cross(normal, along);
+            sum += gabor_impl_term(place, frequency, direction, seed, 256 * axis + i, power * share);
+        }
+        power = 1.0 - power;
+    }
+    return sum;
+}
+
+// ---- The functions to call -----------------------------------------------------------------------------------------
+
+// Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p          position in kernel radii, |p| < 2^31 / R; at 10^5 a float steps by 0.008
+//   frequency  cycles per kernel radius; its magnitude is used, up to 10^6
+//   direction  of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
+//   seed       any; each seed is another instance, independent of the others
+// Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
+inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
+{
+    return gabor_value_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).x;
+}
+
+// The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
+// normal.
+inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
+{
+    GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
+    GaborField3d field = gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed);
+    return float4(field.value.y, field.slope_x.y, field.slope_y.y, field.slope_z.y);
+}
+
+// The noise at p with its quadrature, for gabor_phasor: see gabor_noise_complex.
+inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
+{
+    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).value;
+}
+
+// Four noises at p, independent of each other; the first is gabor_noise_3d.
+inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
+{
+    GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
+    float3 wave = gabor_wave_3d(frequency, direction);
+    return float4(gabor_impl_channel(place, wave, seed, 0), gabor_impl_channel(place, wave, seed, 1),
+                gabor_impl_channel(place, wave, seed, 2), gabor_impl_channel(place, wave, seed, 3));
+}
+
+// Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
+inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
+{
+    period = max(period, float3(0.0009765625));
+    float3 nodes = max(floor(period * GABOR_RADIUS + 0.5), float3(3.0));
+    GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
+    place.radius = nodes / period;
+    place.period = int3(nodes);
+    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed).x;
+}
+
+// Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
+inline float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
+{
+    GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
+    place.animated = true;
+    place.time = time;
+    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed).x;
+}
+
+// The noise averaged over a pixel, and the variance that this removes.
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
+// is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
+inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
+{
+    GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
+    place.filtered = true;
+    place.dx = dx;
+    place.dy = dy;
+    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
+}
+
+// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
+{
+    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).x;
+}
+
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
+// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
+{
+    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).x;
+}
+
+// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
+{
+    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).x;
+}
+
+#endif // GABOR_LATTICE_3D_METAL

@@ -1,0 +1,942 @@
+// gabor_lattice_3d.wgsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
+// after gabor_lattice.wgsl; every name that it adds begins with gabor_ or Gabor: for WGSL.
+//
+// Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
+//
+// As in the plane, the nodes c of a cubic lattice, R = 3/2 to the kernel radius, have independent normal amplitudes A,
+// and each sends out a wave under a product of Hann windows h(x) = (1 + cos pi x) / 2 that ends one kernel radius away:
+//
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
+//
+// The nearest node and its neighbours, 27, reach a point. Whatever the wave vector F is, the variance is 1 at every
+// place: so F may follow a surface, which sees the frequency asked for and no trace of the lattice. Several directions
+// are a sum of independent noises, which makes everything, gradients and pairs of places too, jointly normal.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+// Where to evaluate, and how space and time close upon themselves: see GaborPlace.
+struct GaborPlace3d {
+    cell: vec3<i32>,
+    local: vec3<f32>,
+    radius: vec3<f32>,
+    period: vec3<i32>,
+    animated: bool,
+    time: f32,
+    filtered: bool,
+    dx: vec3<f32>,
+    dy: vec3<f32>,
+    channel: i32,
+}
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
+// derivatives per kernel radius. Parts that are not used cost nothing: compilers leave them out.
+struct GaborField3d {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+    slope_z: vec2<f32>,
+}
+
+// Three times three complex numbers.
+struct GaborMatrix {
+    real: mat3x3<f32>,
+    imaginary: mat3x3<f32>,
+}
+
+fn gabor_impl_matrix_product(m: GaborMatrix, n: GaborMatrix) -> GaborMatrix {
+    return GaborMatrix(((m.real * n.real) - (m.imaginary * n.imaginary)), ((m.real * n.imaginary) + (m.imaginary * n.real)));
+}
+
+fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
+    var word_8: u32;
+    var i: i32 = 0i;
+    var second_1: u32;
+    var time_5: vec2<f32>;
+
+    word_8 = word;
+    loop {
+        let _e5 = i;
+        if !((_e5 < place.channel)) {
+            break;
+        }
+        let _e12 = word_8;
+        let _e13 = gabor_impl_next_word(_e12);
+        word_8 = _e13;
+        continuing {
+            let _e9 = i;
+            i = (_e9 + 1i);
+        }
+    }
+    if !(place.animated) {
+        let _e16 = word_8;
+        let _e17 = gabor_impl_amplitude(_e16);
+        return _e17;
+    }
+    let _e18 = word_8;
+    let _e19 = gabor_impl_next_word(_e18);
+    second_1 = _e19;
+    let _e22 = gabor_impl_wave(place.time);
+    time_5 = _e22;
+    let _e25 = word_8;
+    let _e26 = gabor_impl_amplitude(_e25);
+    let _e27 = time_5;
+    let _e29 = second_1;
+    let _e30 = gabor_impl_amplitude(_e29);
+    let _e33 = time_5;
+    let _e35 = second_1;
+    let _e36 = gabor_impl_next_word(_e35);
+    let _e37 = gabor_impl_amplitude(_e36);
+    return (0.70710677f * ((_e26 + (_e27.x * _e30)) + (_e33.y * _e37)));
+}
+
+// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
+// lines are.
+fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: GaborPlace3d) -> GaborMatrix {
+    var m_1: GaborMatrix;
+    var j: i32 = 0i;
+    var row_4: u32;
+    var a_4: vec2<f32>;
+    var b_4: vec2<f32>;
+    var c_3: vec2<f32>;
+
+    loop {
+        let _e7 = j;
+        if !((_e7 < 3i)) {
+            break;
+        }
+        {
+            let _e14 = j;
+            row_4 = (((rows[_e14] * slice) >> 8u) | 8388609u);
+            let _e23 = row_4;
+            let _e24 = gabor_impl_node_word(columns.x, _e23);
+            let _e25 = gabor_impl_amplitude_3d(_e24, place);
+            a_4 = _e25;
+            let _e28 = row_4;
+            let _e29 = gabor_impl_node_word(columns.y, _e28);
+            let _e30 = gabor_impl_amplitude_3d(_e29, place);
+            b_4 = _e30;
+            let _e33 = row_4;
+            let _e34 = gabor_impl_node_word(columns.z, _e33);
+            let _e35 = gabor_impl_amplitude_3d(_e34, place);
+            c_3 = _e35;
+            let _e37 = j;
+            let _e40 = a_4;
+            let _e42 = b_4;
+            let _e44 = c_3;
+            m_1.real[_e37] = vec3<f32>(_e40.x, _e42.x, _e44.x);
+            let _e47 = j;
+            let _e50 = a_4;
+            let _e52 = b_4;
+            let _e54 = c_3;
+            m_1.imaginary[_e47] = vec3<f32>(_e50.y, _e52.y, _e54.y);
+        }
+        continuing {
+            let _e11 = j;
+            j = (_e11 + 1i);
+        }
+    }
+    let _e57 = m_1;
+    return _e57;
+}
+
+// The nodes that reach a place: by axis, and their amplitudes by slice.
+struct GaborNodes3d {
+    x: GaborAxis,
+    y: GaborAxis,
+    z: GaborAxis,
+    a: GaborMatrix,
+    b: GaborMatrix,
+    c: GaborMatrix,
+    offset: vec3<f32>,
+    turns: vec3<f32>,
+    base: vec2<f32>,
+}
+
+fn gabor_impl_nodes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborNodes3d {
+    var n_1: GaborNodes3d;
+    var first_2: vec3<f32>;
+    var node_1: vec3<i32>;
+    var salt_4: u32;
+
+    first_2 = (floor((place.local - vec3(1.5f))) + vec3(1f));
+    let _e17 = first_2;
+    node_1 = (place.cell + vec3<i32>(_e17));
+    let _e21 = gabor_impl_salt(seed);
+    salt_4 = _e21;
+    let _e25 = first_2;
+    n_1.offset = ((place.local - _e25) - vec3(1f));
+    n_1.turns = (wave / place.radius);
+    let _e34 = node_1;
+    let _e36 = n_1;
+    let _e41 = salt_4;
+    let _e42 = n_1;
+    let _e45 = gabor_impl_wave(_e42.turns.x);
+    let _e46 = gabor_impl_axis(_e34.x, _e36.offset.x, place.period.x, _e41, _e45);
+    n_1.x = _e46;
+    let _e48 = node_1;
+    let _e50 = n_1;
+    let _e55 = salt_4;
+    let _e58 = n_1;
+    let _e61 = gabor_impl_wave(_e58.turns.y);
+    let _e62 = gabor_impl_axis(_e48.y, _e50.offset.y, place.period.y, (_e55 ^ 1540483477u), _e61);
+    n_1.y = _e62;
+    let _e64 = node_1;
+    let _e66 = n_1;
+    let _e71 = salt_4;
+    let _e74 = n_1;
+    let _e77 = gabor_impl_wave(_e74.turns.z);
+    let _e78 = gabor_impl_axis(_e64.z, _e66.offset.z, place.period.z, (_e71 ^ 668265263u), _e77);
+    n_1.z = _e78;
+    let _e80 = n_1;
+    let _e83 = n_1;
+    let _e86 = n_1;
+    let _e90 = gabor_impl_slice(_e80.x.word, _e83.y.word, _e86.z.word.x, place);
+    n_1.a = _e90;
+    let _e92 = n_1;
+    let _e95 = n_1;
+    let _e98 = n_1;
+    let _e102 = gabor_impl_slice(_e92.x.word, _e95.y.word, _e98.z.word.y, place);
+    n_1.b = _e102;
+    let _e104 = n_1;
+    let _e107 = n_1;
+    let _e110 = n_1;
+    let _e114 = gabor_impl_slice(_e104.x.word, _e107.y.word, _e110.z.word.z, place);
+    n_1.c = _e114;
+    let _e122 = n_1;
+    let _e124 = n_1;
+    let _e127 = gabor_impl_wave(dot(_e122.turns, _e124.offset));
+    n_1.base = (0.0000000000000000000000000005740508f * _e127);
+    let _e129 = n_1;
+    return _e129;
+}
+
+// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
+// slice; then along z for column `j` of those along y, with columns for z.
+fn gabor_impl_along_xy(n: ptr<function, GaborNodes3d>, x: GaborMatrix, y: GaborMatrix) {
+    var x_2: GaborMatrix;
+
+    x_2 = x;
+    let _e4 = x_2;
+    let _e7 = x_2;
+    x_2 = GaborMatrix(transpose(_e4.real), transpose(_e7.imaginary));
+    let _e12 = x_2;
+    let _e13 = (*n);
+    let _e15 = gabor_impl_matrix_product(_e12, _e13.a);
+    let _e16 = gabor_impl_matrix_product(_e15, y);
+    (*n).a = _e16;
+    let _e18 = x_2;
+    let _e19 = (*n);
+    let _e21 = gabor_impl_matrix_product(_e18, _e19.b);
+    let _e22 = gabor_impl_matrix_product(_e21, y);
+    (*n).b = _e22;
+    let _e24 = x_2;
+    let _e25 = (*n);
+    let _e27 = gabor_impl_matrix_product(_e24, _e25.c);
+    let _e28 = gabor_impl_matrix_product(_e27, y);
+    (*n).c = _e28;
+    return;
+}
+
+fn gabor_impl_along_z(n: GaborNodes3d, j: i32, z: GaborMatrix) -> GaborMatrix {
+    let _e48 = gabor_impl_matrix_product(GaborMatrix(mat3x3<f32>(vec3<f32>(n.a.real[j].x, n.a.real[j].y, n.a.real[j].z), vec3<f32>(n.b.real[j].x, n.b.real[j].y, n.b.real[j].z), vec3<f32>(n.c.real[j].x, n.c.real[j].y, n.c.real[j].z)), mat3x3<f32>(vec3<f32>(n.a.imaginary[j].x, n.a.imaginary[j].y, n.a.imaginary[j].z), vec3<f32>(n.b.imaginary[j].x, n.b.imaginary[j].y, n.b.imaginary[j].z), vec3<f32>(n.c.imaginary[j].x, n.c.imaginary[j].y, n.c.imaginary[j].z))), z);
+    return _e48;
+}
+
+// An axis' factors and their derivatives.
+fn gabor_impl_factors_3d(axis: GaborAxis) -> GaborMatrix {
+    let _e2 = axis.real.xyz;
+    let _e4 = axis.slope_real.xyz;
+    let _e18 = axis.imaginary.xyz;
+    let _e20 = axis.slope_imaginary.xyz;
+    return GaborMatrix(mat3x3<f32>(vec3<f32>(_e2.x, _e2.y, _e2.z), vec3<f32>(_e4.x, _e4.y, _e4.z), vec3<f32>(0f, 0f, 0f)), mat3x3<f32>(vec3<f32>(_e18.x, _e18.y, _e18.z), vec3<f32>(_e20.x, _e20.y, _e20.z), vec3<f32>(0f, 0f, 0f)));
+}
+
+fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
+    var n_4: GaborNodes3d;
+    var values: GaborMatrix;
+    var slopes: GaborMatrix;
+    var value_2: vec2<f32>;
+    var slope_x: vec2<f32>;
+    var slope_y: vec2<f32>;
+    var slope_z: vec2<f32>;
+    var turned_1: vec2<f32>;
+    var stretch_1: vec3<f32>;
+
+    let _e3 = gabor_impl_nodes(place, wave, seed);
+    n_4 = _e3;
+    let _e6 = n_4;
+    let _e8 = gabor_impl_factors_3d(_e6.x);
+    let _e9 = n_4;
+    let _e11 = gabor_impl_factors_3d(_e9.y);
+    gabor_impl_along_xy((&n_4), _e8, _e11);
+    let _e13 = n_4;
+    let _e15 = n_4;
+    let _e17 = gabor_impl_factors_3d(_e15.z);
+    let _e18 = gabor_impl_along_z(_e13, 0i, _e17);
+    values = _e18;
+    let _e20 = n_4;
+    let _e22 = n_4;
+    let _e24 = gabor_impl_factors_3d(_e22.z);
+    let _e25 = gabor_impl_along_z(_e20, 1i, _e24);
+    slopes = _e25;
+    let _e27 = n_4;
+    let _e32 = values.real[0];
+    let _e37 = values.imaginary[0];
+    let _e40 = gabor_impl_product(_e27.base, vec2<f32>(_e32.x, _e37.x));
+    value_2 = _e40;
+    let _e42 = n_4;
+    let _e47 = values.real[0];
+    let _e52 = values.imaginary[0];
+    let _e55 = gabor_impl_product(_e42.base, vec2<f32>(_e47.y, _e52.y));
+    slope_x = _e55;
+    let _e57 = n_4;
+    let _e62 = slopes.real[0];
+    let _e67 = slopes.imaginary[0];
+    let _e70 = gabor_impl_product(_e57.base, vec2<f32>(_e62.x, _e67.x));
+    slope_y = _e70;
+    let _e72 = n_4;
+    let _e77 = values.real[1];
+    let _e82 = values.imaginary[1];
+    let _e85 = gabor_impl_product(_e72.base, vec2<f32>(_e77.x, _e82.x));
+    slope_z = _e85;
+    let _e88 = value_2;
+    let _e91 = value_2;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e88.y), _e91.x));
+    stretch_1 = (place.radius / vec3(1.5f));
+    let _e104 = value_2;
+    let _e105 = stretch_1;
+    let _e107 = slope_x;
+    let _e110 = turned_1;
+    let _e113 = stretch_1;
+    let _e115 = slope_y;
+    let _e118 = turned_1;
+    let _e121 = stretch_1;
+    let _e123 = slope_z;
+    let _e126 = turned_1;
+    return GaborField3d(_e104, ((_e105.x * _e107) + (wave.x * _e110)), ((_e113.y * _e115) + (wave.y * _e118)), ((_e121.z * _e123) + (wave.z * _e126)));
+}
+
+// What an axis' three nodes add to the three waves that they are together between nodes:
+//     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
+// Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
+fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
+    var d_1: vec3<f32>;
+    var step_3: vec2<f32>;
+    var reach: vec3<f32>;
+    var real_1: vec3<f32>;
+    var imaginary_1: vec3<f32>;
+    var turn: vec2<f32>;
+    var c_4: vec3<f32>;
+    var s_2: vec3<f32>;
+
+    d_1 = ((vec3(offset) + vec3<f32>(1f, 0f, -1f)) / vec3(1.5f));
+    let _e17 = gabor_impl_wave(turns);
+    step_3 = _e17;
+    let _e20 = d_1;
+    reach = clamp(((vec3(1f) - abs(_e20)) / vec3(max((0.5f * deviation), 0.000001f))), vec3(0f), vec3(1f));
+    let _e36 = reach;
+    let _e38 = reach;
+    let _e42 = reach;
+    reach = (_e36 * ((0.5f * _e38) * (vec3(3f) - (2f * _e42))));
+    let _e48 = reach;
+    let _e49 = step_3;
+    let _e52 = step_3;
+    real_1 = (_e48 * vec3<f32>(_e49.x, 1f, _e52.x));
+    let _e57 = reach;
+    let _e58 = step_3;
+    let _e61 = step_3;
+    imaginary_1 = (_e57 * vec3<f32>(_e58.y, 0f, -(_e61.y)));
+    let _e69 = d_1;
+    let _e72 = gabor_impl_wave((0.5f * _e69.y));
+    turn = (0.5f * _e72);
+    let _e75 = turn;
+    let _e84 = turn;
+    c_4 = ((_e75.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e84.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
+    let _e94 = turn;
+    let _e103 = turn;
+    s_2 = ((_e94.y * vec3<f32>(-0.5f, 1f, -0.5f)) - (_e103.x * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
+    let _e113 = real_1;
+    let _e114 = c_4;
+    let _e116 = imaginary_1;
+    let _e117 = s_2;
+    let _e119 = ((_e113 * _e114) + (_e116 * _e117));
+    let _e120 = real_1;
+    let _e121 = real_1;
+    let _e122 = c_4;
+    let _e124 = imaginary_1;
+    let _e125 = s_2;
+    let _e127 = ((_e121 * _e122) - (_e124 * _e125));
+    let _e141 = imaginary_1;
+    let _e142 = c_4;
+    let _e144 = real_1;
+    let _e145 = s_2;
+    let _e147 = ((_e141 * _e142) - (_e144 * _e145));
+    let _e148 = imaginary_1;
+    let _e149 = imaginary_1;
+    let _e150 = c_4;
+    let _e152 = real_1;
+    let _e153 = s_2;
+    let _e155 = ((_e149 * _e150) + (_e152 * _e153));
+    return GaborMatrix(mat3x3<f32>(vec3<f32>(_e119.x, _e119.y, _e119.z), vec3<f32>(_e120.x, _e120.y, _e120.z), vec3<f32>(_e127.x, _e127.y, _e127.z)), mat3x3<f32>(vec3<f32>(_e147.x, _e147.y, _e147.z), vec3<f32>(_e148.x, _e148.y, _e148.z), vec3<f32>(_e155.x, _e155.y, _e155.z)));
+}
+
+// Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
+// exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
+// neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
+fn gabor_impl_filtered_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> vec2<f32> {
+    var dx: vec3<f32>;
+    var dy: vec3<f32>;
+    var stretch_2: vec3<f32>;
+    var deviation_1: vec3<f32>;
+    var n_5: GaborNodes3d;
+    var z_1: GaborMatrix;
+    var sum_3: vec2<f32> = vec2(0f);
+    var kept: f32 = 0f;
+    var b_5: i32 = 0i;
+    var m_2: GaborMatrix;
+    var c_5: i32;
+    var a_5: i32;
+    var aside: vec3<f32>;
+    var k: vec3<f32>;
+    var left: f32;
+    var trace: f32;
+    var determinant_: f32;
+    var fade: f32;
+
+    dx = clamp(place.dx, vec3(-1000000f), vec3(1000000f));
+    dy = clamp(place.dy, vec3(-1000000f), vec3(1000000f));
+    stretch_2 = (place.radius / vec3(1.5f));
+    let _e28 = stretch_2;
+    let _e30 = dx;
+    let _e31 = dx;
+    let _e33 = dy;
+    let _e34 = dy;
+    deviation_1 = ((0.5f * _e28) * sqrt(((_e30 * _e31) + (_e33 * _e34))));
+    let _e40 = gabor_impl_nodes(place, wave, seed);
+    n_5 = _e40;
+    let _e43 = n_5;
+    let _e46 = n_5;
+    let _e49 = deviation_1;
+    let _e51 = gabor_impl_waves(_e43.offset.x, _e46.turns.x, _e49.x);
+    let _e52 = n_5;
+    let _e55 = n_5;
+    let _e58 = deviation_1;
+    let _e60 = gabor_impl_waves(_e52.offset.y, _e55.turns.y, _e58.y);
+    gabor_impl_along_xy((&n_5), _e51, _e60);
+    let _e62 = n_5;
+    let _e65 = n_5;
+    let _e68 = deviation_1;
+    let _e70 = gabor_impl_waves(_e62.offset.z, _e65.turns.z, _e68.z);
+    z_1 = _e70;
+    loop {
+        let _e79 = b_5;
+        if !((_e79 < 3i)) {
+            break;
+        }
+        {
+            let _e86 = n_5;
+            let _e87 = b_5;
+            let _e88 = z_1;
+            let _e89 = gabor_impl_along_z(_e86, _e87, _e88);
+            m_2 = _e89;
+            c_5 = 0i;
+            loop {
+                let _e93 = c_5;
+                if !((_e93 < 3i)) {
+                    break;
+                }
+                {
+                    a_5 = 0i;
+                    loop {
+                        let _e102 = a_5;
+                        if !((_e102 < 3i)) {
+                            break;
+                        }
+                        {
+                            let _e109 = a_5;
+                            let _e113 = b_5;
+                            let _e117 = c_5;
+                            aside = vec3<f32>(f32((_e109 - 1i)), f32((_e113 - 1i)), f32((_e117 - 1i)));
+                            let _e124 = stretch_2;
+                            let _e126 = aside;
+                            k = (wave + ((0.5f * _e124) * _e126));
+                            let _e132 = k;
+                            let _e133 = dx;
+                            let _e135 = k;
+                            let _e136 = dx;
+                            let _e139 = k;
+                            let _e140 = dy;
+                            let _e142 = k;
+                            let _e143 = dy;
+                            left = exp((-4.934802f * ((dot(_e132, _e133) * dot(_e135, _e136)) + (dot(_e139, _e140) * dot(_e142, _e143)))));
+                            let _e150 = sum_3;
+                            let _e151 = left;
+                            let _e152 = a_5;
+                            let _e153 = c_5;
+                            let _e157 = m_2.real[_e153][_e152];
+                            let _e158 = a_5;
+                            let _e159 = c_5;
+                            let _e163 = m_2.imaginary[_e159][_e158];
+                            sum_3 = (_e150 + (_e151 * vec2<f32>(_e157, _e163)));
+                            let _e167 = kept;
+                            let _e168 = left;
+                            let _e169 = left;
+                            let _e173 = aside;
+                            let _e174 = aside;
+                            kept = (_e167 + ((_e168 * _e169) * exp2((-2f * dot(_e173, _e174)))));
+                        }
+                        continuing {
+                            let _e106 = a_5;
+                            a_5 = (_e106 + 1i);
+                        }
+                    }
+                }
+                continuing {
+                    let _e97 = c_5;
+                    c_5 = (_e97 + 1i);
+                }
+            }
+        }
+        continuing {
+            let _e83 = b_5;
+            b_5 = (_e83 + 1i);
+        }
+    }
+    let _e181 = dx;
+    let _e182 = dx;
+    let _e184 = dy;
+    let _e185 = dy;
+    trace = (0.25f * (dot(_e181, _e182) + dot(_e184, _e185)));
+    let _e191 = dx;
+    let _e192 = dy;
+    let _e194 = dx;
+    let _e195 = dy;
+    determinant_ = (0.0625f * dot(cross(_e191, _e192), cross(_e194, _e195)));
+    let _e201 = trace;
+    let _e202 = trace;
+    let _e205 = determinant_;
+    let _e206 = determinant_;
+    fade = inverseSqrt(sqrt(max(((1f + (_e201 * _e202)) + (_e205 * (_e206 - 2f))), 1f)));
+    let _e216 = fade;
+    let _e217 = sum_3;
+    let _e218 = n_5;
+    let _e220 = gabor_impl_product(_e217, _e218.base);
+    let _e224 = fade;
+    let _e225 = fade;
+    let _e231 = kept;
+    return vec2<f32>((_e216 * _e220.y), (1f - (((_e224 * _e225) * 0.2962963f) * _e231)));
+}
+
+// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
+fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
+    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f), 0i);
+}
+
+// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
+fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
+    var v_1: vec3<f32>;
+
+    v_1 = v;
+    let _e2 = v_1;
+    v_1 = clamp(_e2, vec3(-1000000000000000f), vec3(1000000000000000f));
+    let _e9 = v_1;
+    let _e10 = v_1;
+    let _e11 = v_1;
+    return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
+}
+
+fn gabor_wave_3d(frequency: f32, direction: vec3<f32>) -> vec3<f32> {
+    let _e5 = gabor_impl_unit(direction);
+    return (min(abs(frequency), 1000000f) * _e5);
+}
+
+fn gabor_value_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> vec2<f32> {
+    if place.filtered {
+        let _e4 = gabor_impl_filtered_3d(place, wave, seed);
+        return _e4;
+    }
+    let _e5 = gabor_field_3d(place, wave, seed);
+    return vec2<f32>(_e5.value.y, 0f);
+}
+
+fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: i32) -> f32 {
+    var place_10: GaborPlace3d;
+
+    place_10 = place;
+    place_10.channel = channel;
+    let _e6 = place_10;
+    let _e7 = gabor_field_3d(_e6, wave, seed);
+    return _e7.value.y;
+}
+
+// Term `index` of a sum of independent noises, and its share of the variance.
+fn gabor_impl_term(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32, index: i32, power: f32) -> vec2<f32> {
+    var seed_15: u32;
+
+    seed_15 = seed;
+    let _e7 = seed_15;
+    let _e13 = gabor_impl_mix((_e7 + (u32(index) * 2246822507u)), 2654435761u);
+    seed_15 = _e13;
+    let _e16 = gabor_wave_3d(frequency, direction);
+    let _e17 = seed_15;
+    let _e18 = gabor_value_3d(place, _e16, _e17);
+    return (vec2<f32>(sqrt(power), power) * _e18);
+}
+
+// Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
+// power, so that all is continuous in frequency.
+fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> vec2<f32> {
+    var count: f32;
+    var sum_4: vec2<f32> = vec2(0f);
+    var i_1: i32 = 0i;
+    var share: f32;
+    var z_2: f32;
+    var direction_2: vec3<f32>;
+
+    count = (8f + (8f * min((frequency * frequency), 64f)));
+    loop {
+        let _e16 = i_1;
+        let _e17 = count;
+        if !((_e16 < i32(ceil(_e17)))) {
+            break;
+        }
+        {
+            let _e25 = count;
+            let _e26 = i_1;
+            let _e31 = count;
+            share = (min((_e25 - f32(_e26)), 1f) / _e31);
+            let _e34 = i_1;
+            let _e36 = count;
+            let _e39 = share;
+            z_2 = ((f32(_e34) / _e36) + (0.5f * _e39));
+            let _e44 = z_2;
+            let _e45 = z_2;
+            let _e50 = i_1;
+            let _e53 = gabor_impl_wave((0.618034f * f32(_e50)));
+            let _e54 = (sqrt((1f - (_e44 * _e45))) * _e53);
+            let _e55 = z_2;
+            direction_2 = vec3<f32>(_e54.x, _e54.y, _e55);
+            let _e60 = sum_4;
+            let _e61 = direction_2;
+            let _e62 = i_1;
+            let _e63 = share;
+            let _e64 = gabor_impl_term(place, frequency, _e61, seed, _e62, _e63);
+            sum_4 = (_e60 + _e64);
+        }
+        continuing {
+            let _e22 = i_1;
+            i_1 = (_e22 + 1i);
+        }
+    }
+    let _e66 = sum_4;
+    return _e66;
+}
+
+// The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
+fn gabor_impl_takeover(low: f32, high: f32, x: f32) -> f32 {
+    var share_1: f32;
+
+    share_1 = smoothstep(low, high, x);
+    let _e5 = share_1;
+    let _e6 = share_1;
+    let _e8 = share_1;
+    let _e9 = share_1;
+    let _e12 = share_1;
+    let _e15 = share_1;
+    return ((_e5 * _e6) / ((_e8 * _e9) + ((1f - _e12) * (1f - _e15))));
+}
+
+// Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
+fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var normal_1: vec3<f32>;
+    var direction_4: vec3<f32>;
+    var local_8: vec3<f32>;
+    var other: vec3<f32>;
+    var power_1: f32;
+    var sum_5: vec2<f32> = vec2(0f);
+
+    normal_1 = normal;
+    direction_4 = direction;
+    let _e7 = normal_1;
+    let _e8 = gabor_impl_unit(_e7);
+    normal_1 = _e8;
+    let _e9 = direction_4;
+    let _e10 = gabor_impl_unit(_e9);
+    direction_4 = _e10;
+    let _e11 = direction_4;
+    let _e12 = direction_4;
+    if (abs(_e12.z) < 0.7f) {
+        local_8 = vec3<f32>(0f, 0f, 1f);
+    } else {
+        local_8 = vec3<f32>(1f, 0f, 0f);
+    }
+    let _e26 = local_8;
+    other = cross(_e11, _e26);
+    let _e29 = direction_4;
+    let _e30 = direction_4;
+    let _e31 = normal_1;
+    let _e33 = normal_1;
+    direction_4 = (_e29 - (dot(_e30, _e31) * _e33));
+    let _e36 = other;
+    let _e37 = other;
+    let _e38 = normal_1;
+    let _e40 = normal_1;
+    other = (_e36 - (dot(_e37, _e38) * _e40));
+    let _e45 = direction_4;
+    let _e46 = direction_4;
+    let _e48 = gabor_impl_takeover(0.0625f, 0.25f, dot(_e45, _e46));
+    power_1 = _e48;
+    let _e53 = power_1;
+    if (_e53 > 0f) {
+        let _e56 = sum_5;
+        let _e57 = direction_4;
+        let _e59 = power_1;
+        let _e60 = gabor_impl_term(place, frequency, _e57, seed, 0i, _e59);
+        sum_5 = (_e56 + _e60);
+    }
+    let _e62 = power_1;
+    if (_e62 < 1f) {
+        let _e65 = sum_5;
+        let _e66 = other;
+        let _e69 = power_1;
+        let _e71 = gabor_impl_term(place, frequency, _e66, seed, 1i, (1f - _e69));
+        sum_5 = (_e65 + _e71);
+    }
+    let _e73 = sum_5;
+    return _e73;
+}
+
+// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
+    var normal_3: vec3<f32>;
+    var count_1: f32;
+    var power_2: f32;
+    var sum_6: vec2<f32> = vec2(0f);
+    var axis_1: i32 = 0i;
+    var local_9: vec3<f32>;
+    var along: vec3<f32>;
+    var i_2: i32;
+    var share_2: f32;
+    var turn_1: vec2<f32>;
+    var direction_5: vec3<f32>;
+
+    normal_3 = normal;
+    let _e5 = normal_3;
+    let _e6 = gabor_impl_unit(_e5);
+    normal_3 = _e6;
+    count_1 = (2f + (4.5f * min(abs(frequency), 32f)));
+    let _e17 = normal_3;
+    let _e19 = normal_3;
+    let _e22 = gabor_impl_takeover(0.25f, 0.5f, dot(_e17.xy, _e19.xy));
+    power_2 = _e22;
+    loop {
+        let _e29 = axis_1;
+        if !((_e29 < 2i)) {
+            break;
+        }
+        {
+            let _e36 = axis_1;
+            if (_e36 == 0i) {
+                local_9 = vec3<f32>(0f, 0f, 1f);
+            } else {
+                local_9 = vec3<f32>(1f, 0f, 0f);
+            }
+            let _e48 = local_9;
+            let _e49 = normal_3;
+            let _e51 = gabor_impl_unit(cross(_e48, _e49));
+            along = _e51;
+            i_2 = 0i;
+            loop {
+                let _e55 = i_2;
+                let _e56 = count_1;
+                let _e60 = power_2;
+                if !(((_e55 < i32(ceil(_e56))) && (_e60 > 0f))) {
+                    break;
+                }
+                {
+                    let _e68 = count_1;
+                    let _e69 = i_2;
+                    let _e74 = count_1;
+                    share_2 = (min((_e68 - f32(_e69)), 1f) / _e74);
+                    let _e78 = i_2;
+                    let _e80 = count_1;
+                    let _e83 = share_2;
+                    let _e87 = gabor_impl_wave((0.5f * ((f32(_e78) / _e80) + (0.5f * _e83))));
+                    turn_1 = _e87;
+                    let _e89 = turn_1;
+                    let _e91 = along;
+                    let _e93 = turn_1;
+                    let _e95 = normal_3;
+                    let _e96 = along;
+                    direction_5 = ((_e89.x * _e91) + (_e93.y * cross(_e95, _e96)));
+                    let _e101 = sum_6;
+                    let _e102 = direction_5;
+                    let _e104 = axis_1;
+                    let _e106 = i_2;
+                    let _e108 = power_2;
+                    let _e109 = share_2;
+                    let _e111 = gabor_impl_term(place, frequency, _e102, seed, ((256i * _e104) + _e106), (_e108 * _e109));
+                    sum_6 = (_e101 + _e111);
+                }
+                continuing {
+                    let _e65 = i_2;
+                    i_2 = (_e65 + 1i);
+                }
+            }
+            let _e114 = power_2;
+            power_2 = (1f - _e114);
+        }
+        continuing {
+            let _e33 = axis_1;
+            axis_1 = (_e33 + 1i);
+        }
+    }
+    let _e116 = sum_6;
+    return _e116;
+}
+
+// Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p          position in kernel radii, |p| < 2^31 / R; at 10^5 a float steps by 0.008
+//   frequency  cycles per kernel radius; its magnitude is used, up to 10^6
+//   direction  of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
+//   seed       any; each seed is another instance, independent of the others
+// Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
+fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_wave_3d(frequency, direction);
+    let _e13 = gabor_value_3d(_e11, _e12, seed);
+    return _e13.x;
+}
+
+// The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
+// normal.
+fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var place_15: GaborPlace3d;
+    var field_1: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_15 = _e11;
+    let _e13 = place_15;
+    let _e14 = gabor_wave_3d(frequency, direction);
+    let _e15 = gabor_field_3d(_e13, _e14, seed);
+    field_1 = _e15;
+    let _e17 = field_1;
+    let _e20 = field_1;
+    let _e23 = field_1;
+    let _e26 = field_1;
+    return vec4<f32>(_e17.value.y, _e20.slope_x.y, _e23.slope_y.y, _e26.slope_z.y);
+}
+
+// The noise at p with its quadrature, for gabor_phasor: see gabor_noise_complex.
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_wave_3d(frequency, direction);
+    let _e13 = gabor_field_3d(_e11, _e12, seed);
+    return _e13.value;
+}
+
+// Four noises at p, independent of each other; the first is gabor_noise_3d.
+fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var place_16: GaborPlace3d;
+    var wave_6: vec3<f32>;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_16 = _e11;
+    let _e13 = gabor_wave_3d(frequency, direction);
+    wave_6 = _e13;
+    let _e15 = place_16;
+    let _e16 = wave_6;
+    let _e18 = gabor_impl_channel(_e15, _e16, seed, 0i);
+    let _e19 = place_16;
+    let _e20 = wave_6;
+    let _e22 = gabor_impl_channel(_e19, _e20, seed, 1i);
+    let _e23 = place_16;
+    let _e24 = wave_6;
+    let _e26 = gabor_impl_channel(_e23, _e24, seed, 2i);
+    let _e27 = place_16;
+    let _e28 = wave_6;
+    let _e30 = gabor_impl_channel(_e27, _e28, seed, 3i);
+    return vec4<f32>(_e18, _e22, _e26, _e30);
+}
+
+// Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
+fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var period_5: vec3<f32>;
+    var nodes_1: vec3<f32>;
+    var place_17: GaborPlace3d;
+
+    period_5 = period;
+    let _e6 = period_5;
+    period_5 = max(_e6, vec3(0.0009765625f));
+    let _e10 = period_5;
+    nodes_1 = max(floor(((_e10 * 1.5f) + vec3(0.5f))), vec3(3f));
+    let _e26 = period_5;
+    let _e29 = period_5;
+    let _e32 = nodes_1;
+    let _e33 = period_5;
+    let _e36 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e26)) * _e29)) * (_e32 / _e33)));
+    place_17 = _e36;
+    let _e39 = nodes_1;
+    let _e40 = period_5;
+    place_17.radius = (_e39 / _e40);
+    let _e43 = nodes_1;
+    place_17.period = vec3<i32>(_e43);
+    let _e45 = place_17;
+    let _e46 = gabor_wave_3d(frequency, direction);
+    let _e47 = gabor_value_3d(_e45, _e46, seed);
+    return _e47.x;
+}
+
+// Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
+fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var place_18: GaborPlace3d;
+
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_18 = _e12;
+    place_18.animated = true;
+    place_18.time = time;
+    let _e17 = place_18;
+    let _e18 = gabor_wave_3d(frequency, direction);
+    let _e19 = gabor_value_3d(_e17, _e18, seed);
+    return _e19.x;
+}
+
+// The noise averaged over a pixel, and the variance that this removes.
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
+// is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
+fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var place_19: GaborPlace3d;
+
+    let _e13 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_19 = _e13;
+    place_19.filtered = true;
+    place_19.dx = dx;
+    place_19.dy = dy;
+    let _e19 = place_19;
+    let _e20 = gabor_wave_3d(frequency, direction);
+    let _e21 = gabor_value_3d(_e19, _e20, seed);
+    return _e21;
+}
+
+// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
+    return _e11.x;
+}
+
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
+// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
+    return _e13.x;
+}
+
+// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
+    return _e12.x;
+}
