@@ -93,8 +93,8 @@ vec2 gabor_impl_amplitude(uint word)
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is theirs
-// at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
+// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
 vec2 gabor_impl_amplitude_at(vec2 time, vec2 a, vec2 b, vec2 c)
 {
     return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
@@ -401,8 +401,8 @@ float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation,
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
-// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
-// between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
+// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);

@@ -85,7 +85,8 @@ uint gabor_impulse_word_3d(int column, uint row_word, int index)
 // phase and place together, have more than 150 periods in a cell.
 vec3 gabor_place_plus_one_3d(uint word)
 {
-    return vec3(gabor_impl_position_plus_one(word), uintBitsToFloat(0x3f800000u | ((word * GABOR_IMPL_CELL_STRIDE) >> 9u)));
+    return vec3(gabor_impl_position_plus_one(word),
+                uintBitsToFloat(0x3f800000u | ((word * GABOR_IMPL_CELL_STRIDE) >> 9u)));
 }
 
 // Phase of the impulse, in turns: 256 of them, evenly spread.

@@ -205,7 +205,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                 const Request request{.width = 160,
                                       .height = 120,
                                       .scale = 8,
-                                      .lobes = {{solid && spread > 0 ? 1 : 2, -79, 0, spread}},
+                                      .lobes = {{solid && spread > 0 ? 1.0 : 2.0, -79, 0, spread}},
                                       .seed = 6,
                                       .time = pose == turned ? 0.6 : 0,
                                       .view = body,
@@ -230,9 +230,9 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                         Vector3 dy{};
                         if (request.filter) {
                             constexpr double step = 1e-4; // of a pixel
-                            const auto moved = [&](double dx, double dy) {
+                            const auto moved = [&](double right, double down) {
                                 const Vector3 q = Camera::meet(
-                                    camera.eye(), camera.ray(x + 0.5 + dx, y + 0.5 + dy), *p, normal);
+                                    camera.eye(), camera.ray(x + 0.5 + right, y + 0.5 + down), *p, normal);
                                 return scaled(unit / step, along(q, -1, *p));
                             };
                             dx = moved(step, 0);
