@@ -2,32 +2,16 @@
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
 //
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
-//
-// Functions to call, at the end of the file:
-//     gabor_noise, gabor_unorm                 the noise, and to show it
-//     gabor_noise_gradient                     with its analytic gradient, for bump and normal mapping
-//     gabor_noise_complex, gabor_phasor        with its quadrature: phase and intensity
-//     gabor_noise_four                         four independent ones at once
-//     gabor_noise_tiled, gabor_noise_animated  with exact periods in space, and in time
-//     gabor_noise_at, gabor_kernel             by integer cell and local offset, for large worlds
-//
-// The noise. The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij,
-// independent and normal, and each sends out a wave under a window that ends one unit from it along x and y:
-//
+// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
+// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
-//
-// The unit of length is the kernel radius, where the window h ends. It is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS
-// nodes along each axis reach a point, R = GABOR_TAPS / 2, and as three or more evenly spaced shifts of cos and of
-// cos^2 over their period sum to a constant,
-//
+// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
+// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
-//
 // and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
 // derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. After Tavernier, Neyret,
-// Vergne and Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
+// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -41,16 +25,15 @@
 
 using namespace metal;
 
-// Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed.
+// Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
+// function costs as many amplitudes as their square, and four and animated noise four and three times as many.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
 #if GABOR_TAPS < 2 || GABOR_TAPS > 4
 #error GABOR_TAPS is 2, 3 or 4
 #endif
-
-// R, nodes per kernel radius.
-#define GABOR_RADIUS (0.5 * float(GABOR_TAPS))
+#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // R, nodes per kernel radius
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
@@ -80,7 +63,6 @@ inline uint gabor_impl_line_word(int index, uint salt)
     return (word >> 8u) | 0x800001u;
 }
 
-// The word of a node. Its high bits are the best.
 inline uint gabor_impl_node_word(uint column, uint row)
 {
     return column * row;
@@ -92,20 +74,19 @@ inline uint gabor_impl_next_word(uint word)
     return (word ^ (word >> 15u)) * 0xd35a2d97u;
 }
 
-// The amplitude of a word: its parts, from the high byte and the 24 bits below, are independent and nearly normal. With
-// u uniform in [-1, 1] each is proportional to
-//     (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2),
-// whose quantiles are close to those of the normal law: cvm [TNVT19] of the noise is 0.03 at the worst place, a node,
-// where its amplitude has 63 % of the power, and 0.001 on average. In units of 2^-93 / 0.623 the deviation is
-#define GABOR_IMPL_DEVIATION 1.4598926e27
+// The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
+// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
+// the normal law. The cvm [TNVT19] of the noise is 0.03 at the worst place, a node, where its amplitude has 63 % of the
+// power, and 0.001 on average. The deviation of a part in units of 2^-93 / 0.623:
+#define GABOR_IMPL_DEVIATION 1.4599553e27
 inline float2 gabor_impl_amplitude(uint word)
 {
-    float2 u = float2(float(int((word & 0xff000000u) | 0x00800000u)), float(int(word << 8u)));
+    float2 u = float2(float(int(word)), float(int(word << 16u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is theirs
-// at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
+// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
 inline float2 gabor_impl_amplitude_at(float2 time, float2 a, float2 b, float2 c)
 {
     return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
@@ -113,8 +94,8 @@ inline float2 gabor_impl_amplitude_at(float2 time, float2 a, float2 b, float2 c)
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
-// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 inline float2 gabor_impl_wave(float t)
 {
     t -= floor(t + 0.5);
@@ -135,6 +116,7 @@ inline float2 gabor_impl_product(float2 a, float2 b)
 // ---- Windows -------------------------------------------------------------------------------------------------------
 
 // The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
+// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
 struct GaborWindows {
     float4 value;
     float4 slope;
@@ -179,7 +161,6 @@ inline GaborWindows gabor_impl_windows(float x)
     return GaborWindows{0.5 + float4(-c.y, c.x, c.y, -c.x), 3.1415927 * float4(-c.x, -c.y, c.x, c.y)};
 }
 #endif
-// GABOR_IMPL_ENERGY is the sum of the squares of the windows along an axis.
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
@@ -201,7 +182,7 @@ struct GaborPlace {
 };
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
-// derivatives per kernel radius. Parts that are not used cost nothing: compilers leave them out.
+// derivatives per kernel radius. Compilers leave out what is not used.
 struct GaborField {
     float2 value;
     float2 slope_x;
@@ -228,9 +209,7 @@ struct GaborAxis {
     float4 slope_imaginary;
 };
 
-//   first   index of the first node
 //   offset  from the node that waves are relative to, in node spacings
-//   period  in nodes, 0 for none
 //   step    e^(2 pi i F / R): what the wave turns from one node to the next
 inline GaborAxis gabor_impl_axis(int first, float offset, int period, uint salt, float2 step)
 {
@@ -250,68 +229,55 @@ inline GaborAxis gabor_impl_axis(int first, float offset, int period, uint salt,
     return GaborAxis{word, window.value * cosine, window.value * sine, window.slope * cosine, window.slope * sine};
 }
 
-// A sum of amplitudes times windows and waves; the same with the windows' derivatives; and that of four fields.
+// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
 struct GaborSum {
-    float2 value;
-    float2 slope_x;
-    float2 slope_y;
     float4 real;
     float4 imaginary;
+    float2 slope_x;
+    float2 slope_y;
 };
 
-// Adds a node to the sum over its row.
+// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
-inline void gabor_impl_add_node(thread GaborSum& row, uint word, float2 factor, float2 slope, bool animated, float2 time)
+inline void gabor_impl_add_node(thread GaborSum& row, GaborAxis columns, int k, uint row_word, bool animated, float2 time)
 {
-    // Always so; but at a branch compilers for CPUs keep the nodes, and with them the registers, in order.
-    if (factor.x > -2.0) {
-        float2 a = gabor_impl_amplitude(word);
-        uint second = gabor_impl_next_word(word);
-        uint third = gabor_impl_next_word(second);
-        float2 b = gabor_impl_amplitude(second);
-        float2 c = gabor_impl_amplitude(third);
-        float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
-        if (animated)
-            a = gabor_impl_amplitude_at(time, a, b, c);
-        row.value += gabor_impl_product(a, factor);
-        row.slope_x += gabor_impl_product(a, slope);
-        float4 real = float4(a.x, b.x, c.x, d.x);
-        float4 imaginary = float4(a.y, b.y, c.y, d.y);
-        row.real += factor.x * real - factor.y * imaginary;
-        row.imaginary += factor.x * imaginary + factor.y * real;
+    uint word = gabor_impl_node_word(columns.word[k], row_word);
+    uint second = gabor_impl_next_word(word);
+    uint third = gabor_impl_next_word(second);
+    float2 a = gabor_impl_amplitude(word);
+    float2 b = gabor_impl_amplitude(second);
+    float2 c = gabor_impl_amplitude(third);
+    float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
+    if (animated)
+        a = gabor_impl_amplitude_at(time, a, b, c);
+    float4 real = float4(a.x, b.x, c.x, d.x);
+    float4 imaginary = float4(a.y, b.y, c.y, d.y);
+    row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
+    row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
+    row.slope_x += gabor_impl_product(a, float2(columns.slope_real[k], columns.slope_imaginary[k]));
+}
+
+// Adds row k.
+inline void gabor_impl_add_row(thread GaborSum& sum, GaborAxis columns, GaborAxis rows, int k, bool animated, float2 time)
+{
+    GaborSum row = GaborSum{float4(0.0), float4(0.0), float2(0.0), float2(0.0)};
+    gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
+    gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_node(row, columns, 2, rows.word[k], animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
+    float2 factor = float2(rows.real[k], rows.imaginary[k]);
+    if (factor.x > -2.0) { // always; but at a branch compilers for CPUs keep rows, and so registers, in order
+        sum.real += factor.x * row.real - factor.y * row.imaginary;
+        sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
+        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_y += gabor_impl_product(float2(row.real.x, row.imaginary.x),
+                                          float2(rows.slope_real[k], rows.slope_imaginary[k]));
     }
 }
 
-// Adds a row to the whole.
-inline void gabor_impl_add_row(thread GaborSum& sum, GaborSum row, float2 factor, float2 slope)
-{
-    sum.value += gabor_impl_product(row.value, factor);
-    sum.slope_x += gabor_impl_product(row.slope_x, factor);
-    sum.slope_y += gabor_impl_product(row.value, slope);
-    sum.real += factor.x * row.real - factor.y * row.imaginary;
-    sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-}
-
-// The sum over a row.
-inline GaborSum gabor_impl_row(GaborAxis columns, uint row, bool animated, float2 time)
-{
-    GaborSum sum = GaborSum{float2(0.0), float2(0.0), float2(0.0), float4(0.0), float4(0.0)};
-    gabor_impl_add_node(sum, gabor_impl_node_word(columns.word.x, row), float2(columns.real.x, columns.imaginary.x),
-                        float2(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
-    gabor_impl_add_node(sum, gabor_impl_node_word(columns.word.y, row), float2(columns.real.y, columns.imaginary.y),
-                        float2(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
-#if GABOR_TAPS > 2
-    gabor_impl_add_node(sum, gabor_impl_node_word(columns.word.z, row), float2(columns.real.z, columns.imaginary.z),
-                        float2(columns.slope_real.z, columns.slope_imaginary.z), animated, time);
-#endif
-#if GABOR_TAPS > 3
-    gabor_impl_add_node(sum, gabor_impl_node_word(columns.word.w, row), float2(columns.real.w, columns.imaginary.w),
-                        float2(columns.slope_real.w, columns.slope_imaginary.w), animated, time);
-#endif
-    return sum;
-}
-
-// The noise at a place: what the functions below call. Cost: GABOR_TAPS^2 amplitudes.
+// The noise at a place: what the functions below call.
 inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 {
     float2 first = floor(place.local - GABOR_RADIUS) + 1.0;
@@ -322,28 +288,20 @@ inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
     GaborAxis rows = gabor_impl_axis(node.y, offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y);
     float2 base = gabor_impl_wave(dot(kernel_.wave, offset * (1.0 / place.radius)));
     float2 time = gabor_impl_wave(place.time);
-
-    GaborSum sum = GaborSum{float2(0.0), float2(0.0), float2(0.0), float4(0.0), float4(0.0)};
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.x, place.animated, time),
-                       float2(rows.real.x, rows.imaginary.x), float2(rows.slope_real.x, rows.slope_imaginary.x));
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.y, place.animated, time),
-                       float2(rows.real.y, rows.imaginary.y), float2(rows.slope_real.y, rows.slope_imaginary.y));
-#if GABOR_TAPS > 2
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.z, place.animated, time),
-                       float2(rows.real.z, rows.imaginary.z), float2(rows.slope_real.z, rows.slope_imaginary.z));
-#endif
-#if GABOR_TAPS > 3
-    gabor_impl_add_row(sum, gabor_impl_row(columns, rows.word.w, place.animated, time),
-                       float2(rows.real.w, rows.imaginary.w), float2(rows.slope_real.w, rows.slope_imaginary.w));
-#endif
+    GaborSum sum = GaborSum{float4(0.0), float4(0.0), float2(0.0), float2(0.0)};
+    gabor_impl_add_row(sum, columns, rows, 0, place.animated, time);
+    gabor_impl_add_row(sum, columns, rows, 1, place.animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_row(sum, columns, rows, 2, place.animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_row(sum, columns, rows, 3, place.animated, time);
 
     // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
     base *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 value = gabor_impl_product(sum.value, base);
+    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x), base);
     float2 turned = 6.2831853 * float2(-value.y, value.x);
     float2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField{value,
-                      stretch.x * gabor_impl_product(sum.slope_x, base) + kernel_.wave.x * turned,
+    return GaborField{value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel_.wave.x * turned,
                       stretch.y * gabor_impl_product(sum.slope_y, base) + kernel_.wave.y * turned,
                       base.x * sum.imaginary + base.y * sum.real};
 }
@@ -405,7 +363,7 @@ inline float2 gabor_noise_complex(float2 p, float frequency, float orientation, 
     return gabor_field(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours and for displacement along vectors; the first is gabor_noise.
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
 inline float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 {
     return gabor_field(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
@@ -435,8 +393,8 @@ inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float o
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
-// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
-// between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
+// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 {
     GaborPlace place = gabor_place(int2(0), p * GABOR_RADIUS);

@@ -2,32 +2,16 @@
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
-//
-// Functions to call, at the end of the file:
-//     gabor_noise, gabor_unorm                 the noise, and to show it
-//     gabor_noise_gradient                     with its analytic gradient, for bump and normal mapping
-//     gabor_noise_complex, gabor_phasor        with its quadrature: phase and intensity
-//     gabor_noise_four                         four independent ones at once
-//     gabor_noise_tiled, gabor_noise_animated  with exact periods in space, and in time
-//     gabor_noise_at, gabor_kernel             by integer cell and local offset, for large worlds
-//
-// The noise. The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij,
-// independent and normal, and each sends out a wave under a window that ends one unit from it along x and y:
-//
+// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
+// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
-//
-// The unit of length is the kernel radius, where the window h ends. It is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS
-// nodes along each axis reach a point, R = GABOR_TAPS / 2, and as three or more evenly spaced shifts of cos and of
-// cos^2 over their period sum to a constant,
-//
+// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
+// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
-//
 // and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
 // derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. After Tavernier, Neyret,
-// Vergne and Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
+// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -69,7 +53,6 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     return ((_e14 >> 8u) | 8388609u);
 }
 
-// The word of a node. Its high bits are the best.
 fn gabor_impl_node_word(column: u32, row: u32) -> u32 {
     return (column * row);
 }
@@ -82,22 +65,22 @@ fn gabor_impl_next_word(word: u32) -> u32 {
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
 
-    u = vec2<f32>(f32(i32(((word & 4278190080u) | 8388608u))), f32(i32((word << 8u))));
-    let _e13 = u;
-    let _e15 = u;
-    let _e24 = u;
-    let _e25 = u;
-    return ((_e13 - (0.89289314f * clamp(_e15, vec2(-2011925800f), vec2(2011925800f)))) * ((_e24 * _e25) + vec2(7397391600000000000f)));
+    u = vec2<f32>(f32(i32(word)), f32(i32((word << 16u))));
+    let _e9 = u;
+    let _e11 = u;
+    let _e20 = u;
+    let _e21 = u;
+    return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is theirs
-// at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
+// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
 fn gabor_impl_amplitude_at(time: vec2<f32>, a: vec2<f32>, b: vec2<f32>, c: vec2<f32>) -> vec2<f32> {
     return ((0.5f * ((a + b) + (time.x * (a - b)))) + ((0.70710677f * time.y) * c));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With y = |t| - 1/4 and t reduced to
-// half a turn, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_1: f32;
     var y: f32;
@@ -149,6 +132,7 @@ fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
 }
 
 // The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
+// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
 struct GaborWindows {
     value: vec4<f32>,
     slope: vec4<f32>,
@@ -267,7 +251,7 @@ struct GaborPlace {
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
-// derivatives per kernel radius. Parts that are not used cost nothing: compilers leave them out.
+// derivatives per kernel radius. Compilers leave out what is not used.
 struct GaborField {
     value: vec2<f32>,
     slope_x: vec2<f32>,
@@ -306,9 +290,7 @@ struct GaborAxis {
     slope_imaginary: vec4<f32>,
 }
 
-//   first   index of the first node
 //   offset  from the node that waves are relative to, in node spacings
-//   period  in nodes, 0 for none
 //   step    e^(2 pi i F / R): what the wave turns from one node to the next
 fn gabor_impl_axis(first: i32, offset: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborAxis {
     if GABOR_TAPS == 2 {
@@ -411,214 +393,332 @@ fn gabor_impl_axis(first: i32, offset: f32, period: i32, salt: u32, step: vec2<f
     }
 }
 
-// A sum of amplitudes times windows and waves; the same with the windows' derivatives; and that of four fields.
+// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
 struct GaborSum {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
     real: vec4<f32>,
     imaginary: vec4<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
 }
 
-// Adds a node to the sum over its row.
+// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
-fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, factor: vec2<f32>, slope: vec2<f32>, animated: bool, time: vec2<f32>) {
+fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32, row_word: u32, animated: bool, time: vec2<f32>) {
     if GABOR_TAPS == 2 {
-        var a_2: vec2<f32>;
+        var word_6: u32;
         var second: u32;
         var third: u32;
+        var a_2: vec2<f32>;
         var b_2: vec2<f32>;
         var c_1: vec2<f32>;
         var d: vec2<f32>;
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        if (factor.x > -2f) {
-            {
-                let _e10 = gabor_impl_amplitude(word);
-                a_2 = _e10;
-                let _e12 = gabor_impl_next_word(word);
-                second = _e12;
-                let _e14 = second;
-                let _e15 = gabor_impl_next_word(_e14);
-                third = _e15;
-                let _e17 = second;
-                let _e18 = gabor_impl_amplitude(_e17);
-                b_2 = _e18;
-                let _e20 = third;
-                let _e21 = gabor_impl_amplitude(_e20);
-                c_1 = _e21;
-                let _e23 = third;
-                let _e24 = gabor_impl_next_word(_e23);
-                let _e25 = gabor_impl_amplitude(_e24);
-                d = _e25;
-                if animated {
-                    let _e27 = a_2;
-                    let _e28 = b_2;
-                    let _e29 = c_1;
-                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
-                    a_2 = _e30;
-                }
-                let _e32 = (*row);
-                let _e34 = a_2;
-                let _e35 = gabor_impl_product(_e34, factor);
-                (*row).value = (_e32.value + _e35);
-                let _e38 = (*row);
-                let _e40 = a_2;
-                let _e41 = gabor_impl_product(_e40, slope);
-                (*row).slope_x = (_e38.slope_x + _e41);
-                let _e43 = a_2;
-                let _e45 = b_2;
-                let _e47 = c_1;
-                let _e49 = d;
-                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
-                let _e53 = a_2;
-                let _e55 = b_2;
-                let _e57 = c_1;
-                let _e59 = d;
-                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
-                let _e64 = (*row);
-                let _e67 = real;
-                let _e70 = imaginary;
-                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
-                let _e75 = (*row);
-                let _e78 = imaginary;
-                let _e81 = real;
-                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
-                return;
-            }
-        } else {
-            return;
+        let _e8 = gabor_impl_node_word(columns.word[k], row_word);
+        word_6 = _e8;
+        let _e10 = word_6;
+        let _e11 = gabor_impl_next_word(_e10);
+        second = _e11;
+        let _e13 = second;
+        let _e14 = gabor_impl_next_word(_e13);
+        third = _e14;
+        let _e16 = word_6;
+        let _e17 = gabor_impl_amplitude(_e16);
+        a_2 = _e17;
+        let _e19 = second;
+        let _e20 = gabor_impl_amplitude(_e19);
+        b_2 = _e20;
+        let _e22 = third;
+        let _e23 = gabor_impl_amplitude(_e22);
+        c_1 = _e23;
+        let _e25 = third;
+        let _e26 = gabor_impl_next_word(_e25);
+        let _e27 = gabor_impl_amplitude(_e26);
+        d = _e27;
+        if animated {
+            let _e29 = a_2;
+            let _e30 = b_2;
+            let _e31 = c_1;
+            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
+            a_2 = _e32;
         }
+        let _e33 = a_2;
+        let _e35 = b_2;
+        let _e37 = c_1;
+        let _e39 = d;
+        real = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
+        let _e43 = a_2;
+        let _e45 = b_2;
+        let _e47 = c_1;
+        let _e49 = d;
+        imaginary = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
+        let _e54 = (*row);
+        let _e58 = real;
+        let _e62 = imaginary;
+        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
+        let _e67 = (*row);
+        let _e71 = imaginary;
+        let _e75 = real;
+        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
+        let _e80 = (*row);
+        let _e82 = a_2;
+        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
+        (*row).slope_x = (_e80.slope_x + _e88);
+        return;
     } else if GABOR_TAPS == 4 {
-        var a_2: vec2<f32>;
+        var word_6: u32;
         var second: u32;
         var third: u32;
+        var a_2: vec2<f32>;
         var b_2: vec2<f32>;
         var c_2: vec2<f32>;
         var d: vec2<f32>;
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        if (factor.x > -2f) {
-            {
-                let _e10 = gabor_impl_amplitude(word);
-                a_2 = _e10;
-                let _e12 = gabor_impl_next_word(word);
-                second = _e12;
-                let _e14 = second;
-                let _e15 = gabor_impl_next_word(_e14);
-                third = _e15;
-                let _e17 = second;
-                let _e18 = gabor_impl_amplitude(_e17);
-                b_2 = _e18;
-                let _e20 = third;
-                let _e21 = gabor_impl_amplitude(_e20);
-                c_2 = _e21;
-                let _e23 = third;
-                let _e24 = gabor_impl_next_word(_e23);
-                let _e25 = gabor_impl_amplitude(_e24);
-                d = _e25;
-                if animated {
-                    let _e27 = a_2;
-                    let _e28 = b_2;
-                    let _e29 = c_2;
-                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
-                    a_2 = _e30;
-                }
-                let _e32 = (*row);
-                let _e34 = a_2;
-                let _e35 = gabor_impl_product(_e34, factor);
-                (*row).value = (_e32.value + _e35);
-                let _e38 = (*row);
-                let _e40 = a_2;
-                let _e41 = gabor_impl_product(_e40, slope);
-                (*row).slope_x = (_e38.slope_x + _e41);
-                let _e43 = a_2;
-                let _e45 = b_2;
-                let _e47 = c_2;
-                let _e49 = d;
-                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
-                let _e53 = a_2;
-                let _e55 = b_2;
-                let _e57 = c_2;
-                let _e59 = d;
-                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
-                let _e64 = (*row);
-                let _e67 = real;
-                let _e70 = imaginary;
-                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
-                let _e75 = (*row);
-                let _e78 = imaginary;
-                let _e81 = real;
-                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
-                return;
-            }
-        } else {
-            return;
+        let _e8 = gabor_impl_node_word(columns.word[k], row_word);
+        word_6 = _e8;
+        let _e10 = word_6;
+        let _e11 = gabor_impl_next_word(_e10);
+        second = _e11;
+        let _e13 = second;
+        let _e14 = gabor_impl_next_word(_e13);
+        third = _e14;
+        let _e16 = word_6;
+        let _e17 = gabor_impl_amplitude(_e16);
+        a_2 = _e17;
+        let _e19 = second;
+        let _e20 = gabor_impl_amplitude(_e19);
+        b_2 = _e20;
+        let _e22 = third;
+        let _e23 = gabor_impl_amplitude(_e22);
+        c_2 = _e23;
+        let _e25 = third;
+        let _e26 = gabor_impl_next_word(_e25);
+        let _e27 = gabor_impl_amplitude(_e26);
+        d = _e27;
+        if animated {
+            let _e29 = a_2;
+            let _e30 = b_2;
+            let _e31 = c_2;
+            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
+            a_2 = _e32;
         }
+        let _e33 = a_2;
+        let _e35 = b_2;
+        let _e37 = c_2;
+        let _e39 = d;
+        real = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
+        let _e43 = a_2;
+        let _e45 = b_2;
+        let _e47 = c_2;
+        let _e49 = d;
+        imaginary = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
+        let _e54 = (*row);
+        let _e58 = real;
+        let _e62 = imaginary;
+        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
+        let _e67 = (*row);
+        let _e71 = imaginary;
+        let _e75 = real;
+        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
+        let _e80 = (*row);
+        let _e82 = a_2;
+        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
+        (*row).slope_x = (_e80.slope_x + _e88);
+        return;
     } else {
-        var a_3: vec2<f32>;
+        var word_6: u32;
         var second: u32;
         var third: u32;
+        var a_3: vec2<f32>;
         var b_3: vec2<f32>;
         var c_2: vec2<f32>;
         var d: vec2<f32>;
         var real: vec4<f32>;
         var imaginary: vec4<f32>;
 
-        if (factor.x > -2f) {
+        let _e8 = gabor_impl_node_word(columns.word[k], row_word);
+        word_6 = _e8;
+        let _e10 = word_6;
+        let _e11 = gabor_impl_next_word(_e10);
+        second = _e11;
+        let _e13 = second;
+        let _e14 = gabor_impl_next_word(_e13);
+        third = _e14;
+        let _e16 = word_6;
+        let _e17 = gabor_impl_amplitude(_e16);
+        a_3 = _e17;
+        let _e19 = second;
+        let _e20 = gabor_impl_amplitude(_e19);
+        b_3 = _e20;
+        let _e22 = third;
+        let _e23 = gabor_impl_amplitude(_e22);
+        c_2 = _e23;
+        let _e25 = third;
+        let _e26 = gabor_impl_next_word(_e25);
+        let _e27 = gabor_impl_amplitude(_e26);
+        d = _e27;
+        if animated {
+            let _e29 = a_3;
+            let _e30 = b_3;
+            let _e31 = c_2;
+            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
+            a_3 = _e32;
+        }
+        let _e33 = a_3;
+        let _e35 = b_3;
+        let _e37 = c_2;
+        let _e39 = d;
+        real = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
+        let _e43 = a_3;
+        let _e45 = b_3;
+        let _e47 = c_2;
+        let _e49 = d;
+        imaginary = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
+        let _e54 = (*row);
+        let _e58 = real;
+        let _e62 = imaginary;
+        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
+        let _e67 = (*row);
+        let _e71 = imaginary;
+        let _e75 = real;
+        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
+        let _e80 = (*row);
+        let _e82 = a_3;
+        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
+        (*row).slope_x = (_e80.slope_x + _e88);
+        return;
+    }
+}
+
+// Adds row k.
+fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: GaborAxis, k: i32, animated: bool, time: vec2<f32>) {
+    if GABOR_TAPS == 2 {
+        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
+        var factor: vec2<f32>;
+
+        gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
+        gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
+        if false {
+            gabor_impl_add_node((&row_2), columns, 2i, rows.word[k], animated, time);
+        }
+        if false {
+            gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
+        }
+        factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
+        let _e48 = factor;
+        if (_e48.x > -2f) {
             {
-                let _e10 = gabor_impl_amplitude(word);
-                a_3 = _e10;
-                let _e12 = gabor_impl_next_word(word);
-                second = _e12;
-                let _e14 = second;
-                let _e15 = gabor_impl_next_word(_e14);
-                third = _e15;
-                let _e17 = second;
-                let _e18 = gabor_impl_amplitude(_e17);
-                b_3 = _e18;
-                let _e20 = third;
-                let _e21 = gabor_impl_amplitude(_e20);
-                c_2 = _e21;
-                let _e23 = third;
-                let _e24 = gabor_impl_next_word(_e23);
-                let _e25 = gabor_impl_amplitude(_e24);
-                d = _e25;
-                if animated {
-                    let _e27 = a_3;
-                    let _e28 = b_3;
-                    let _e29 = c_2;
-                    let _e30 = gabor_impl_amplitude_at(time, _e27, _e28, _e29);
-                    a_3 = _e30;
-                }
-                let _e32 = (*row);
-                let _e34 = a_3;
-                let _e35 = gabor_impl_product(_e34, factor);
-                (*row).value = (_e32.value + _e35);
-                let _e38 = (*row);
-                let _e40 = a_3;
-                let _e41 = gabor_impl_product(_e40, slope);
-                (*row).slope_x = (_e38.slope_x + _e41);
-                let _e43 = a_3;
-                let _e45 = b_3;
-                let _e47 = c_2;
-                let _e49 = d;
-                real = vec4<f32>(_e43.x, _e45.x, _e47.x, _e49.x);
-                let _e53 = a_3;
-                let _e55 = b_3;
-                let _e57 = c_2;
-                let _e59 = d;
-                imaginary = vec4<f32>(_e53.y, _e55.y, _e57.y, _e59.y);
-                let _e64 = (*row);
-                let _e67 = real;
-                let _e70 = imaginary;
-                (*row).real = (_e64.real + ((factor.x * _e67) - (factor.y * _e70)));
-                let _e75 = (*row);
-                let _e78 = imaginary;
-                let _e81 = real;
-                (*row).imaginary = (_e75.imaginary + ((factor.x * _e78) + (factor.y * _e81)));
+                let _e54 = (*sum);
+                let _e56 = factor;
+                let _e58 = row_2;
+                let _e61 = factor;
+                let _e63 = row_2;
+                (*sum).real = (_e54.real + ((_e56.x * _e58.real) - (_e61.y * _e63.imaginary)));
+                let _e69 = (*sum);
+                let _e71 = factor;
+                let _e73 = row_2;
+                let _e76 = factor;
+                let _e78 = row_2;
+                (*sum).imaginary = (_e69.imaginary + ((_e71.x * _e73.imaginary) + (_e76.y * _e78.real)));
+                let _e84 = (*sum);
+                let _e86 = row_2;
+                let _e88 = factor;
+                let _e89 = gabor_impl_product(_e86.slope_x, _e88);
+                (*sum).slope_x = (_e84.slope_x + _e89);
+                let _e92 = (*sum);
+                let _e94 = row_2;
+                let _e97 = row_2;
+                let _e106 = gabor_impl_product(vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]));
+                (*sum).slope_y = (_e92.slope_y + _e106);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
+        var factor: vec2<f32>;
+
+        gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
+        gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
+        if true {
+            gabor_impl_add_node((&row_2), columns, 2i, rows.word[k], animated, time);
+        }
+        if true {
+            gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
+        }
+        factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
+        let _e48 = factor;
+        if (_e48.x > -2f) {
+            {
+                let _e54 = (*sum);
+                let _e56 = factor;
+                let _e58 = row_2;
+                let _e61 = factor;
+                let _e63 = row_2;
+                (*sum).real = (_e54.real + ((_e56.x * _e58.real) - (_e61.y * _e63.imaginary)));
+                let _e69 = (*sum);
+                let _e71 = factor;
+                let _e73 = row_2;
+                let _e76 = factor;
+                let _e78 = row_2;
+                (*sum).imaginary = (_e69.imaginary + ((_e71.x * _e73.imaginary) + (_e76.y * _e78.real)));
+                let _e84 = (*sum);
+                let _e86 = row_2;
+                let _e88 = factor;
+                let _e89 = gabor_impl_product(_e86.slope_x, _e88);
+                (*sum).slope_x = (_e84.slope_x + _e89);
+                let _e92 = (*sum);
+                let _e94 = row_2;
+                let _e97 = row_2;
+                let _e106 = gabor_impl_product(vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]));
+                (*sum).slope_y = (_e92.slope_y + _e106);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else {
+        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
+        var factor: vec2<f32>;
+
+        gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
+        gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
+        if true {
+            gabor_impl_add_node((&row_2), columns, 2i, rows.word[k], animated, time);
+        }
+        if false {
+            gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
+        }
+        factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
+        let _e48 = factor;
+        if (_e48.x > -2f) {
+            {
+                let _e54 = (*sum);
+                let _e56 = factor;
+                let _e58 = row_2;
+                let _e61 = factor;
+                let _e63 = row_2;
+                (*sum).real = (_e54.real + ((_e56.x * _e58.real) - (_e61.y * _e63.imaginary)));
+                let _e69 = (*sum);
+                let _e71 = factor;
+                let _e73 = row_2;
+                let _e76 = factor;
+                let _e78 = row_2;
+                (*sum).imaginary = (_e69.imaginary + ((_e71.x * _e73.imaginary) + (_e76.y * _e78.real)));
+                let _e84 = (*sum);
+                let _e86 = row_2;
+                let _e88 = factor;
+                let _e89 = gabor_impl_product(_e86.slope_x, _e88);
+                (*sum).slope_x = (_e84.slope_x + _e89);
+                let _e92 = (*sum);
+                let _e94 = row_2;
+                let _e97 = row_2;
+                let _e106 = gabor_impl_product(vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]));
+                (*sum).slope_y = (_e92.slope_y + _e106);
                 return;
             }
         } else {
@@ -627,63 +727,7 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, word: u32, factor: vec2<f32
     }
 }
 
-// Adds a row to the whole.
-fn gabor_impl_add_row(sum: ptr<function, GaborSum>, row: GaborSum, factor: vec2<f32>, slope: vec2<f32>) {
-    let _e5 = (*sum);
-    let _e8 = gabor_impl_product(row.value, factor);
-    (*sum).value = (_e5.value + _e8);
-    let _e11 = (*sum);
-    let _e14 = gabor_impl_product(row.slope_x, factor);
-    (*sum).slope_x = (_e11.slope_x + _e14);
-    let _e17 = (*sum);
-    let _e20 = gabor_impl_product(row.value, slope);
-    (*sum).slope_y = (_e17.slope_y + _e20);
-    let _e23 = (*sum);
-    (*sum).real = (_e23.real + ((factor.x * row.real) - (factor.y * row.imaginary)));
-    let _e34 = (*sum);
-    (*sum).imaginary = (_e34.imaginary + ((factor.x * row.imaginary) + (factor.y * row.real)));
-    return;
-}
-
-// The sum over a row.
-fn gabor_impl_row(columns: GaborAxis, row: u32, animated: bool, time: vec2<f32>) -> GaborSum {
-    if GABOR_TAPS == 2 {
-        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e19 = gabor_impl_node_word(columns.word.x, row);
-        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word(columns.word.y, row);
-        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
-        let _e46 = sum_1;
-        return _e46;
-    } else if GABOR_TAPS == 4 {
-        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e19 = gabor_impl_node_word(columns.word.x, row);
-        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word(columns.word.y, row);
-        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
-        let _e49 = gabor_impl_node_word(columns.word.z, row);
-        gabor_impl_add_node((&sum_1), _e49, vec2<f32>(columns.real.z, columns.imaginary.z), vec2<f32>(columns.slope_real.z, columns.slope_imaginary.z), animated, time);
-        let _e64 = gabor_impl_node_word(columns.word.w, row);
-        gabor_impl_add_node((&sum_1), _e64, vec2<f32>(columns.real.w, columns.imaginary.w), vec2<f32>(columns.slope_real.w, columns.slope_imaginary.w), animated, time);
-        let _e76 = sum_1;
-        return _e76;
-    } else {
-        var sum_1: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
-
-        let _e19 = gabor_impl_node_word(columns.word.x, row);
-        gabor_impl_add_node((&sum_1), _e19, vec2<f32>(columns.real.x, columns.imaginary.x), vec2<f32>(columns.slope_real.x, columns.slope_imaginary.x), animated, time);
-        let _e34 = gabor_impl_node_word(columns.word.y, row);
-        gabor_impl_add_node((&sum_1), _e34, vec2<f32>(columns.real.y, columns.imaginary.y), vec2<f32>(columns.slope_real.y, columns.slope_imaginary.y), animated, time);
-        let _e49 = gabor_impl_node_word(columns.word.z, row);
-        gabor_impl_add_node((&sum_1), _e49, vec2<f32>(columns.real.z, columns.imaginary.z), vec2<f32>(columns.slope_real.z, columns.slope_imaginary.z), animated, time);
-        let _e61 = sum_1;
-        return _e61;
-    }
-}
-
-// The noise at a place: what the functions below call. Cost: GABOR_TAPS^2 amplitudes.
+// The noise at a place: what the functions below call.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
@@ -692,11 +736,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var offset_1: vec2<f32>;
         var node: vec2<i32>;
         var salt_3: u32;
-        var columns_1: GaborAxis;
-        var rows: GaborAxis;
+        var columns_2: GaborAxis;
+        var rows_1: GaborAxis;
         var base: vec2<f32>;
         var time_3: vec2<f32>;
-        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
         var stretch: vec2<f32>;
@@ -720,65 +764,68 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e42 = salt_3;
         let _e43 = kernel_1;
         let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
-        columns_1 = _e45;
+        columns_2 = _e45;
         let _e47 = node;
         let _e49 = offset_1;
         let _e53 = salt_3;
         let _e56 = kernel_1;
         let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
-        rows = _e58;
+        rows_1 = _e58;
         let _e60 = kernel_1;
         let _e62 = offset_1;
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
         time_3 = _e72;
-        let _e87 = columns_1;
-        let _e88 = rows;
-        let _e92 = time_3;
-        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
-        let _e94 = rows;
-        let _e97 = rows;
-        let _e101 = rows;
-        let _e104 = rows;
-        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
-        let _e110 = columns_1;
-        let _e111 = rows;
-        let _e115 = time_3;
-        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
-        let _e117 = rows;
-        let _e120 = rows;
-        let _e124 = rows;
-        let _e127 = rows;
-        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
+        let _e85 = columns_2;
+        let _e86 = rows_1;
+        let _e89 = time_3;
+        gabor_impl_add_row((&sum_1), _e85, _e86, 0i, place.animated, _e89);
+        let _e92 = columns_2;
+        let _e93 = rows_1;
+        let _e96 = time_3;
+        gabor_impl_add_row((&sum_1), _e92, _e93, 1i, place.animated, _e96);
+        if false {
+            let _e102 = columns_2;
+            let _e103 = rows_1;
+            let _e106 = time_3;
+            gabor_impl_add_row((&sum_1), _e102, _e103, 2i, place.animated, _e106);
+        }
+        if false {
+            let _e112 = columns_2;
+            let _e113 = rows_1;
+            let _e116 = time_3;
+            gabor_impl_add_row((&sum_1), _e112, _e113, 3i, place.animated, _e116);
+        }
+        let _e118 = base;
+        base = (_e118 * 0.00000000000000000000000000068495246f);
+        let _e125 = sum_1;
+        let _e128 = sum_1;
         let _e132 = base;
-        base = (_e132 * 0.0000000000000000000000000006849819f);
-        let _e139 = sum_2;
-        let _e141 = base;
-        let _e142 = gabor_impl_product(_e139.value, _e141);
-        value = _e142;
-        let _e145 = value;
-        let _e148 = value;
-        turned = (6.2831855f * vec2<f32>(-(_e145.y), _e148.x));
+        let _e133 = gabor_impl_product(vec2<f32>(_e125.real.x, _e128.imaginary.x), _e132);
+        value = _e133;
+        let _e136 = value;
+        let _e139 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e136.y), _e139.x));
         stretch = (place.radius / vec2(1f));
-        let _e161 = value;
-        let _e162 = stretch;
-        let _e164 = sum_2;
-        let _e166 = base;
-        let _e167 = gabor_impl_product(_e164.slope_x, _e166);
-        let _e169 = kernel_1;
-        let _e172 = turned;
-        let _e175 = stretch;
-        let _e177 = sum_2;
+        let _e152 = value;
+        let _e153 = stretch;
+        let _e155 = sum_1;
+        let _e157 = base;
+        let _e158 = gabor_impl_product(_e155.slope_x, _e157);
+        let _e160 = kernel_1;
+        let _e163 = turned;
+        let _e166 = stretch;
+        let _e168 = sum_1;
+        let _e170 = base;
+        let _e171 = gabor_impl_product(_e168.slope_y, _e170);
+        let _e173 = kernel_1;
+        let _e176 = turned;
         let _e179 = base;
-        let _e180 = gabor_impl_product(_e177.slope_y, _e179);
-        let _e182 = kernel_1;
-        let _e185 = turned;
-        let _e188 = base;
-        let _e190 = sum_2;
-        let _e193 = base;
-        let _e195 = sum_2;
-        return GaborField(_e161, ((_e162.x * _e167) + (_e169.wave.x * _e172)), ((_e175.y * _e180) + (_e182.wave.y * _e185)), ((_e188.x * _e190.imaginary) + (_e193.y * _e195.real)));
+        let _e181 = sum_1;
+        let _e184 = base;
+        let _e186 = sum_1;
+        return GaborField(_e152, ((_e153.x * _e158) + (_e160.wave.x * _e163)), ((_e166.y * _e171) + (_e173.wave.y * _e176)), ((_e179.x * _e181.imaginary) + (_e184.y * _e186.real)));
     } else if GABOR_TAPS == 4 {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
@@ -786,11 +833,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var offset_1: vec2<f32>;
         var node: vec2<i32>;
         var salt_3: u32;
-        var columns_1: GaborAxis;
-        var rows: GaborAxis;
+        var columns_2: GaborAxis;
+        var rows_1: GaborAxis;
         var base: vec2<f32>;
         var time_3: vec2<f32>;
-        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
         var stretch: vec2<f32>;
@@ -814,83 +861,68 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e42 = salt_3;
         let _e43 = kernel_1;
         let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
-        columns_1 = _e45;
+        columns_2 = _e45;
         let _e47 = node;
         let _e49 = offset_1;
         let _e53 = salt_3;
         let _e56 = kernel_1;
         let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
-        rows = _e58;
+        rows_1 = _e58;
         let _e60 = kernel_1;
         let _e62 = offset_1;
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
         time_3 = _e72;
-        let _e87 = columns_1;
-        let _e88 = rows;
-        let _e92 = time_3;
-        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
-        let _e94 = rows;
-        let _e97 = rows;
-        let _e101 = rows;
-        let _e104 = rows;
-        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
-        let _e110 = columns_1;
-        let _e111 = rows;
-        let _e115 = time_3;
-        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
-        let _e117 = rows;
-        let _e120 = rows;
-        let _e124 = rows;
-        let _e127 = rows;
-        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
-        let _e133 = columns_1;
-        let _e134 = rows;
-        let _e138 = time_3;
-        let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
-        let _e140 = rows;
-        let _e143 = rows;
-        let _e147 = rows;
-        let _e150 = rows;
-        gabor_impl_add_row((&sum_2), _e139, vec2<f32>(_e140.real.z, _e143.imaginary.z), vec2<f32>(_e147.slope_real.z, _e150.slope_imaginary.z));
-        let _e156 = columns_1;
-        let _e157 = rows;
-        let _e161 = time_3;
-        let _e162 = gabor_impl_row(_e156, _e157.word.w, place.animated, _e161);
-        let _e163 = rows;
-        let _e166 = rows;
-        let _e170 = rows;
-        let _e173 = rows;
-        gabor_impl_add_row((&sum_2), _e162, vec2<f32>(_e163.real.w, _e166.imaginary.w), vec2<f32>(_e170.slope_real.w, _e173.slope_imaginary.w));
-        let _e178 = base;
-        base = (_e178 * 0.0000000000000000000000000004566546f);
-        let _e185 = sum_2;
-        let _e187 = base;
-        let _e188 = gabor_impl_product(_e185.value, _e187);
-        value = _e188;
-        let _e191 = value;
-        let _e194 = value;
-        turned = (6.2831855f * vec2<f32>(-(_e191.y), _e194.x));
+        let _e85 = columns_2;
+        let _e86 = rows_1;
+        let _e89 = time_3;
+        gabor_impl_add_row((&sum_1), _e85, _e86, 0i, place.animated, _e89);
+        let _e92 = columns_2;
+        let _e93 = rows_1;
+        let _e96 = time_3;
+        gabor_impl_add_row((&sum_1), _e92, _e93, 1i, place.animated, _e96);
+        if true {
+            let _e102 = columns_2;
+            let _e103 = rows_1;
+            let _e106 = time_3;
+            gabor_impl_add_row((&sum_1), _e102, _e103, 2i, place.animated, _e106);
+        }
+        if true {
+            let _e112 = columns_2;
+            let _e113 = rows_1;
+            let _e116 = time_3;
+            gabor_impl_add_row((&sum_1), _e112, _e113, 3i, place.animated, _e116);
+        }
+        let _e118 = base;
+        base = (_e118 * 0.000000000000000000000000000456635f);
+        let _e125 = sum_1;
+        let _e128 = sum_1;
+        let _e132 = base;
+        let _e133 = gabor_impl_product(vec2<f32>(_e125.real.x, _e128.imaginary.x), _e132);
+        value = _e133;
+        let _e136 = value;
+        let _e139 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e136.y), _e139.x));
         stretch = (place.radius / vec2(2f));
-        let _e207 = value;
-        let _e208 = stretch;
-        let _e210 = sum_2;
-        let _e212 = base;
-        let _e213 = gabor_impl_product(_e210.slope_x, _e212);
-        let _e215 = kernel_1;
-        let _e218 = turned;
-        let _e221 = stretch;
-        let _e223 = sum_2;
-        let _e225 = base;
-        let _e226 = gabor_impl_product(_e223.slope_y, _e225);
-        let _e228 = kernel_1;
-        let _e231 = turned;
-        let _e234 = base;
-        let _e236 = sum_2;
-        let _e239 = base;
-        let _e241 = sum_2;
-        return GaborField(_e207, ((_e208.x * _e213) + (_e215.wave.x * _e218)), ((_e221.y * _e226) + (_e228.wave.y * _e231)), ((_e234.x * _e236.imaginary) + (_e239.y * _e241.real)));
+        let _e152 = value;
+        let _e153 = stretch;
+        let _e155 = sum_1;
+        let _e157 = base;
+        let _e158 = gabor_impl_product(_e155.slope_x, _e157);
+        let _e160 = kernel_1;
+        let _e163 = turned;
+        let _e166 = stretch;
+        let _e168 = sum_1;
+        let _e170 = base;
+        let _e171 = gabor_impl_product(_e168.slope_y, _e170);
+        let _e173 = kernel_1;
+        let _e176 = turned;
+        let _e179 = base;
+        let _e181 = sum_1;
+        let _e184 = base;
+        let _e186 = sum_1;
+        return GaborField(_e152, ((_e153.x * _e158) + (_e160.wave.x * _e163)), ((_e166.y * _e171) + (_e173.wave.y * _e176)), ((_e179.x * _e181.imaginary) + (_e184.y * _e186.real)));
     } else {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
@@ -898,11 +930,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var offset_1: vec2<f32>;
         var node: vec2<i32>;
         var salt_3: u32;
-        var columns_1: GaborAxis;
-        var rows: GaborAxis;
+        var columns_2: GaborAxis;
+        var rows_1: GaborAxis;
         var base: vec2<f32>;
         var time_3: vec2<f32>;
-        var sum_2: GaborSum = GaborSum(vec2(0f), vec2(0f), vec2(0f), vec4(0f), vec4(0f));
+        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f));
         var value: vec2<f32>;
         var turned: vec2<f32>;
         var stretch: vec2<f32>;
@@ -926,74 +958,68 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e42 = salt_3;
         let _e43 = kernel_1;
         let _e45 = gabor_impl_axis(_e36.x, _e38.x, place.period.x, _e42, _e43.step_x);
-        columns_1 = _e45;
+        columns_2 = _e45;
         let _e47 = node;
         let _e49 = offset_1;
         let _e53 = salt_3;
         let _e56 = kernel_1;
         let _e58 = gabor_impl_axis(_e47.y, _e49.y, place.period.y, (_e53 ^ 1540483477u), _e56.step_y);
-        rows = _e58;
+        rows_1 = _e58;
         let _e60 = kernel_1;
         let _e62 = offset_1;
         let _e69 = gabor_impl_wave(dot(_e60.wave, (_e62 * (vec2(1f) / place.radius))));
         base = _e69;
         let _e72 = gabor_impl_wave(place.time);
         time_3 = _e72;
-        let _e87 = columns_1;
-        let _e88 = rows;
-        let _e92 = time_3;
-        let _e93 = gabor_impl_row(_e87, _e88.word.x, place.animated, _e92);
-        let _e94 = rows;
-        let _e97 = rows;
-        let _e101 = rows;
-        let _e104 = rows;
-        gabor_impl_add_row((&sum_2), _e93, vec2<f32>(_e94.real.x, _e97.imaginary.x), vec2<f32>(_e101.slope_real.x, _e104.slope_imaginary.x));
-        let _e110 = columns_1;
-        let _e111 = rows;
-        let _e115 = time_3;
-        let _e116 = gabor_impl_row(_e110, _e111.word.y, place.animated, _e115);
-        let _e117 = rows;
-        let _e120 = rows;
-        let _e124 = rows;
-        let _e127 = rows;
-        gabor_impl_add_row((&sum_2), _e116, vec2<f32>(_e117.real.y, _e120.imaginary.y), vec2<f32>(_e124.slope_real.y, _e127.slope_imaginary.y));
-        let _e133 = columns_1;
-        let _e134 = rows;
-        let _e138 = time_3;
-        let _e139 = gabor_impl_row(_e133, _e134.word.z, place.animated, _e138);
-        let _e140 = rows;
-        let _e143 = rows;
-        let _e147 = rows;
-        let _e150 = rows;
-        gabor_impl_add_row((&sum_2), _e139, vec2<f32>(_e140.real.z, _e143.imaginary.z), vec2<f32>(_e147.slope_real.z, _e150.slope_imaginary.z));
-        let _e155 = base;
-        base = (_e155 * 0.0000000000000000000000000006088728f);
-        let _e162 = sum_2;
-        let _e164 = base;
-        let _e165 = gabor_impl_product(_e162.value, _e164);
-        value = _e165;
-        let _e168 = value;
-        let _e171 = value;
-        turned = (6.2831855f * vec2<f32>(-(_e168.y), _e171.x));
+        let _e85 = columns_2;
+        let _e86 = rows_1;
+        let _e89 = time_3;
+        gabor_impl_add_row((&sum_1), _e85, _e86, 0i, place.animated, _e89);
+        let _e92 = columns_2;
+        let _e93 = rows_1;
+        let _e96 = time_3;
+        gabor_impl_add_row((&sum_1), _e92, _e93, 1i, place.animated, _e96);
+        if true {
+            let _e102 = columns_2;
+            let _e103 = rows_1;
+            let _e106 = time_3;
+            gabor_impl_add_row((&sum_1), _e102, _e103, 2i, place.animated, _e106);
+        }
+        if false {
+            let _e112 = columns_2;
+            let _e113 = rows_1;
+            let _e116 = time_3;
+            gabor_impl_add_row((&sum_1), _e112, _e113, 3i, place.animated, _e116);
+        }
+        let _e118 = base;
+        base = (_e118 * 0.00000000000000000000000000060884664f);
+        let _e125 = sum_1;
+        let _e128 = sum_1;
+        let _e132 = base;
+        let _e133 = gabor_impl_product(vec2<f32>(_e125.real.x, _e128.imaginary.x), _e132);
+        value = _e133;
+        let _e136 = value;
+        let _e139 = value;
+        turned = (6.2831855f * vec2<f32>(-(_e136.y), _e139.x));
         stretch = (place.radius / vec2(1.5f));
-        let _e184 = value;
-        let _e185 = stretch;
-        let _e187 = sum_2;
-        let _e189 = base;
-        let _e190 = gabor_impl_product(_e187.slope_x, _e189);
-        let _e192 = kernel_1;
-        let _e195 = turned;
-        let _e198 = stretch;
-        let _e200 = sum_2;
-        let _e202 = base;
-        let _e203 = gabor_impl_product(_e200.slope_y, _e202);
-        let _e205 = kernel_1;
-        let _e208 = turned;
-        let _e211 = base;
-        let _e213 = sum_2;
-        let _e216 = base;
-        let _e218 = sum_2;
-        return GaborField(_e184, ((_e185.x * _e190) + (_e192.wave.x * _e195)), ((_e198.y * _e203) + (_e205.wave.y * _e208)), ((_e211.x * _e213.imaginary) + (_e216.y * _e218.real)));
+        let _e152 = value;
+        let _e153 = stretch;
+        let _e155 = sum_1;
+        let _e157 = base;
+        let _e158 = gabor_impl_product(_e155.slope_x, _e157);
+        let _e160 = kernel_1;
+        let _e163 = turned;
+        let _e166 = stretch;
+        let _e168 = sum_1;
+        let _e170 = base;
+        let _e171 = gabor_impl_product(_e168.slope_y, _e170);
+        let _e173 = kernel_1;
+        let _e176 = turned;
+        let _e179 = base;
+        let _e181 = sum_1;
+        let _e184 = base;
+        let _e186 = sum_1;
+        return GaborField(_e152, ((_e153.x * _e158) + (_e160.wave.x * _e163)), ((_e166.y * _e171) + (_e173.wave.y * _e176)), ((_e179.x * _e181.imaginary) + (_e184.y * _e186.real)));
     }
 }
 
@@ -1166,7 +1192,7 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     }
 }
 
-// Four noises at p, independent of each other, for colours and for displacement along vectors; the first is gabor_noise.
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
 fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -1306,8 +1332,8 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
-// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with itself falls with the time
-// between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
+// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_2: GaborPlace;

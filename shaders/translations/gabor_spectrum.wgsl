@@ -48,7 +48,7 @@ fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, ampl
 fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -81,7 +81,7 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e56 = lobe;
                 let _e59 = lobe;
                 let _e62 = lobe;
-                gabor_impl_accumulate((&sum_4), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
+                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
                 let _e66 = power;
                 let _e67 = lobe;
                 power = (_e66 + _e67.power);
@@ -101,17 +101,17 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
         let _e77 = local_7;
         scale_1 = _e77;
         let _e79 = scale_1;
-        let _e80 = sum_4;
+        let _e80 = sum_3;
         let _e83 = scale_1;
-        let _e84 = sum_4;
+        let _e84 = sum_3;
         let _e87 = scale_1;
-        let _e88 = sum_4;
+        let _e88 = sum_3;
         let _e91 = scale_1;
-        let _e92 = sum_4;
+        let _e92 = sum_3;
         return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -144,7 +144,7 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e56 = lobe;
                 let _e59 = lobe;
                 let _e62 = lobe;
-                gabor_impl_accumulate((&sum_4), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
+                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
                 let _e66 = power;
                 let _e67 = lobe;
                 power = (_e66 + _e67.power);
@@ -164,17 +164,17 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
         let _e77 = local_7;
         scale = _e77;
         let _e79 = scale;
-        let _e80 = sum_4;
+        let _e80 = sum_3;
         let _e83 = scale;
-        let _e84 = sum_4;
+        let _e84 = sum_3;
         let _e87 = scale;
-        let _e88 = sum_4;
+        let _e88 = sum_3;
         let _e91 = scale;
-        let _e92 = sum_4;
+        let _e92 = sum_3;
         return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
     } else {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -207,7 +207,7 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e56 = lobe;
                 let _e59 = lobe;
                 let _e62 = lobe;
-                gabor_impl_accumulate((&sum_4), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
+                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
                 let _e66 = power;
                 let _e67 = lobe;
                 power = (_e66 + _e67.power);
@@ -227,13 +227,13 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
         let _e77 = local_7;
         scale = _e77;
         let _e79 = scale;
-        let _e80 = sum_4;
+        let _e80 = sum_3;
         let _e83 = scale;
-        let _e84 = sum_4;
+        let _e84 = sum_3;
         let _e87 = scale;
-        let _e88 = sum_4;
+        let _e88 = sum_3;
         let _e91 = scale;
-        let _e92 = sum_4;
+        let _e92 = sum_3;
         return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
     }
 }
@@ -292,7 +292,7 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         var frequency_spread_1: f32;
         var orientation_spread_1: f32;
         var place_3: GaborPlace;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var shells: f32;
         var shell_count: i32;
         var j: i32 = 0i;
@@ -375,7 +375,7 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                         let _e132 = field_3;
                         let _e133 = amplitude_1;
                         let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_5), _e132, _e133, _e134);
+                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
                         let _e136 = i_3;
                         i_3 = (_e136 + 1i);
                     }
@@ -394,14 +394,14 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                 break;
             }
         }
-        let _e150 = sum_5;
+        let _e150 = sum_4;
         return _e150;
     } else if GABOR_TAPS == 4 {
         var frequency_8: f32;
         var frequency_spread_1: f32;
         var orientation_spread_1: f32;
         var place_3: GaborPlace;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var shells: f32;
         var shell_count: i32;
         var j: i32 = 0i;
@@ -484,7 +484,7 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                         let _e132 = field_3;
                         let _e133 = amplitude_1;
                         let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_5), _e132, _e133, _e134);
+                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
                         let _e136 = i_3;
                         i_3 = (_e136 + 1i);
                     }
@@ -503,14 +503,14 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                 break;
             }
         }
-        let _e150 = sum_5;
+        let _e150 = sum_4;
         return _e150;
     } else {
         var frequency_8: f32;
         var frequency_spread_1: f32;
         var orientation_spread_1: f32;
         var place_3: GaborPlace;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var shells: f32;
         var shell_count: i32;
         var j: i32 = 0i;
@@ -593,7 +593,7 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                         let _e132 = field_3;
                         let _e133 = amplitude_1;
                         let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_5), _e132, _e133, _e134);
+                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
                         let _e136 = i_3;
                         i_3 = (_e136 + 1i);
                     }
@@ -612,7 +612,7 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
                 break;
             }
         }
-        let _e150 = sum_5;
+        let _e150 = sum_4;
         return _e150;
     }
 }
@@ -1115,10 +1115,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var phase_1: vec2<f32> = vec2<f32>(1f, 0f);
     var i_4: i32 = 0i;
     var factors: GaborFactors;
-    var sum_6: vec2<f32> = vec2(0f);
+    var sum_5: vec2<f32> = vec2(0f);
     var j_1: i32 = 0i;
-    var row_word: u32;
-    var row_5: GaborFactors;
+    var row_word_1: u32;
+    var row_4: GaborFactors;
     var words: vec2<u32>;
     var left: GaborFactors;
     var right: GaborFactors;
@@ -1272,14 +1272,14 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e307 = gabor_impl_wrap((_e301.y + _e303), place.period.y);
             let _e308 = salt_4;
             let _e311 = gabor_impl_line_word(_e307, (_e308 ^ 1540483477u));
-            row_word = _e311;
-            row_5 = GaborFactors(vec3(0f), vec3(0f));
+            row_word_1 = _e311;
+            row_4 = GaborFactors(vec3(0f), vec3(0f));
             let _e322 = word_8[0];
-            let _e323 = row_word;
+            let _e323 = row_word_1;
             let _e324 = gabor_impl_node_word(_e322, _e323);
             let _e327 = column_2[0];
             let _e329 = time_6;
-            gabor_impl_add_filtered((&row_5), _e324, _e327, place.animated, _e329);
+            gabor_impl_add_filtered((&row_4), _e324, _e327, place.animated, _e329);
             let _e333 = word_8[1];
             let _e336 = word_8[2];
             words = vec2<u32>(_e333, _e336);
@@ -1291,17 +1291,17 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             loop {
                 {
                     let _e350 = words;
-                    let _e352 = row_word;
+                    let _e352 = row_word_1;
                     let _e353 = gabor_impl_node_word(_e350.x, _e352);
                     let _e354 = left;
                     let _e356 = time_6;
-                    gabor_impl_add_filtered((&row_5), _e353, _e354, place.animated, _e356);
+                    gabor_impl_add_filtered((&row_4), _e353, _e354, place.animated, _e356);
                     let _e359 = words;
-                    let _e361 = row_word;
+                    let _e361 = row_word_1;
                     let _e362 = gabor_impl_node_word(_e359.y, _e361);
                     let _e363 = right;
                     let _e365 = time_6;
-                    gabor_impl_add_filtered((&row_5), _e362, _e363, place.animated, _e365);
+                    gabor_impl_add_filtered((&row_4), _e362, _e363, place.animated, _e365);
                     let _e369 = word_8[3];
                     let _e372 = word_8[4];
                     words = vec2<u32>(_e369, _e372);
@@ -1326,20 +1326,20 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             factors_1 = _e402;
             let _e404 = weights;
             let _e405 = factors_1;
-            let _e407 = row_5;
+            let _e407 = row_4;
             let _e410 = factors_1;
-            let _e412 = row_5;
+            let _e412 = row_4;
             let _e417 = weights;
             let _e418 = factors_1;
-            let _e420 = row_5;
+            let _e420 = row_4;
             let _e423 = factors_1;
-            let _e425 = row_5;
+            let _e425 = row_4;
             part = vec2<f32>(dot(_e404, ((_e405.real * _e407.real) - (_e410.imaginary * _e412.imaginary))), dot(_e417, ((_e418.real * _e420.imaginary) + (_e423.imaginary * _e425.real))));
-            let _e432 = sum_6;
+            let _e432 = sum_5;
             let _e433 = part;
             let _e434 = phase_1;
             let _e435 = gabor_impl_product(_e433, _e434);
-            sum_6 = (_e432 + _e435);
+            sum_5 = (_e432 + _e435);
             let _e437 = turn_1;
             let _e438 = step_3;
             let _e439 = gabor_impl_product(_e437, _e438);
@@ -1372,8 +1372,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
         amplitude_3 = (_e472 * sqrt((_e473 / _e476)));
     }
     let _e480 = amplitude_3;
-    let _e485 = sum_6;
-    let _e486 = ((_e480 / 1642379100000000000000000000f) * _e485);
+    let _e485 = sum_5;
+    let _e486 = ((_e480 / 1642449700000000000000000000f) * _e485);
     let _e488 = transmitted;
     return vec3<f32>(_e486.x, _e486.y, (1f - _e488));
 }
@@ -1395,7 +1395,7 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // The noise of several lobes at p, as gabor_noise_lobes, and filtered as gabor_noise_filtered.
 fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     var lobes_9: GaborLobes;
-    var sum_7: vec2<f32> = vec2(0f);
+    var sum_6: vec2<f32> = vec2(0f);
     var power_2: f32 = 0f;
     var i_6: i32 = 0i;
     var lobe_1: GaborLobe;
@@ -1423,11 +1423,11 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
             let _e46 = gabor_lobe_seed(seed, _e45);
             let _e47 = gabor_noise_filtered((p / vec2(_e26.radius)), (dx / vec2(_e30.radius)), (dy / vec2(_e34.radius)), (_e38.frequency * _e40.radius), _e43.orientation, _e46);
             value_2 = _e47;
-            let _e49 = sum_7;
+            let _e49 = sum_6;
             let _e50 = lobe_1;
             let _e53 = lobe_1;
             let _e56 = value_2;
-            sum_7 = (_e49 + (vec2<f32>(sqrt(_e50.power), _e53.power) * _e56));
+            sum_6 = (_e49 + (vec2<f32>(sqrt(_e50.power), _e53.power) * _e56));
             let _e59 = power_2;
             let _e60 = lobe_1;
             power_2 = (_e59 + _e60.power);
@@ -1439,7 +1439,7 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
     }
     let _e63 = power_2;
     if (_e63 > 0f) {
-        let _e66 = sum_7;
+        let _e66 = sum_6;
         let _e67 = power_2;
         let _e70 = power_2;
         local_12 = (_e66 * vec2<f32>(inverseSqrt(_e67), (1f / _e70)));
