@@ -193,7 +193,9 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, vec3 wave, uint seed)
                         gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
     GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
     vec2 sum = vec2(0.0);
-    mat3x2 slopes = mat3x2(0.0);
+    vec2 slope_x = vec2(0.0);
+    vec2 slope_y = vec2(0.0);
+    vec2 slope_z = vec2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
         GaborMatrix m = gabor_impl_along_z(n, b, z);
@@ -204,7 +206,9 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, vec3 wave, uint seed)
                 float left = exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
                 vec2 value = left * vec2(m.real[c][a], m.imaginary[c][a]);
                 sum += value;
-                slopes += outerProduct(vec2(-value.y, value.x), k);
+                slope_x += k.x * vec2(-value.y, value.x);
+                slope_y += k.y * vec2(-value.y, value.x);
+                slope_z += k.z * vec2(-value.y, value.x);
                 kept += left * left * exp2(-2.0 * dot(aside, aside));
             }
         }
@@ -213,9 +217,8 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, vec3 wave, uint seed)
     float determinant = 0.0625 * dot(cross(dx, dy), cross(dx, dy));
     float fade = inversesqrt(sqrt(max(1.0 + trace * trace + determinant * (determinant - 2.0), 1.0)));
     vec2 base = fade * n.base;
-    slopes *= 6.2831853;
-    return GaborField3d(gabor_impl_product(base, sum), gabor_impl_product(base, slopes[0]),
-                        gabor_impl_product(base, slopes[1]), gabor_impl_product(base, slopes[2]),
+    return GaborField3d(gabor_impl_product(base, sum), gabor_impl_product(base, 6.2831853 * slope_x),
+                        gabor_impl_product(base, 6.2831853 * slope_y), gabor_impl_product(base, 6.2831853 * slope_z),
                         1.0 - fade * fade * (8.0 / 27.0) * kept);
 }
 

@@ -47,6 +47,7 @@ struct GaborField3d {
     float2 slope_x;
     float2 slope_y;
     float2 slope_z;
+    float removed; // variance that the average over the pixel takes away
 };
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
@@ -69,9 +70,8 @@ inline float2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
     if (!place.animated)
         return gabor_impl_amplitude(word);
     uint second = gabor_impl_next_word(word);
-    float2 time = gabor_impl_wave(place.time);
-    return 0.70710678 * (gabor_impl_amplitude(word) + time.x * gabor_impl_amplitude(second)
-                         + time.y * gabor_impl_amplitude(gabor_impl_next_word(second)));
+    return gabor_impl_amplitude_at(gabor_impl_wave(place.time), gabor_impl_amplitude(word), gabor_impl_amplitude(second),
+                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
 }
 
 // The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
@@ -146,7 +146,7 @@ inline GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
                        float3x3(axis.imaginary.xyz, axis.slope_imaginary.xyz, float3(0.0))};
 }
 
-inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
+inline GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
 {
     GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
     gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
@@ -159,7 +159,7 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
     float2 turned = 6.2831853 * float2(-value.y, value.x);
     float3 stretch = place.radius / GABOR_RADIUS;
     return GaborField3d{value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
-                        stretch.z * slope_z + wave.z * turned};
+                        stretch.z * slope_z + wave.z * turned, 0.0};
 }
 
 // ---- Filtering -----------------------------------------------------------------------------------------------------
@@ -185,7 +185,7 @@ inline GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
-inline float2 gabor_impl_filtered_3d(GaborPlace3d place, float3 wave, uint seed)
+inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint seed)
 {
     float3 dx = clamp(place.dx, -1.0e6, 1.0e6);
     float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
@@ -196,6 +196,9 @@ inline float2 gabor_impl_filtered_3d(GaborPlace3d place, float3 wave, uint seed)
                         gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
     GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
     float2 sum = float2(0.0);
+    float2 slope_x = float2(0.0);
+    float2 slope_y = float2(0.0);
+    float2 slope_z = float2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
         GaborMatrix m = gabor_impl_along_z(n, b, z);
@@ -204,7 +207,11 @@ inline float2 gabor_impl_filtered_3d(GaborPlace3d place, float3 wave, uint seed)
                 float3 aside = float3(float(a - 1), float(b - 1), float(c - 1));
                 float3 k = wave + 0.5 * stretch * aside;
                 float left = exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
-                sum += left * float2(m.real[c][a], m.imaginary[c][a]);
+                float2 value = left * float2(m.real[c][a], m.imaginary[c][a]);
+                sum += value;
+                slope_x += k.x * float2(-value.y, value.x);
+                slope_y += k.y * float2(-value.y, value.x);
+                slope_z += k.z * float2(-value.y, value.x);
                 kept += left * left * exp2(-2.0 * dot(aside, aside));
             }
         }
@@ -212,10 +219,13 @@ inline float2 gabor_impl_filtered_3d(GaborPlace3d place, float3 wave, uint seed)
     float trace = 0.25 * (dot(dx, dx) + dot(dy, dy));
     float determinant = 0.0625 * dot(cross(dx, dy), cross(dx, dy));
     float fade = rsqrt(sqrt(max(1.0 + trace * trace + determinant * (determinant - 2.0), 1.0)));
-    return float2(fade * gabor_impl_product(sum, n.base).y, 1.0 - fade * fade * (8.0 / 27.0) * kept);
+    float2 base = fade * n.base;
+    return GaborField3d{gabor_impl_product(base, sum), gabor_impl_product(base, 6.2831853 * slope_x),
+                        gabor_impl_product(base, 6.2831853 * slope_y), gabor_impl_product(base, 6.2831853 * slope_z),
+                        1.0 - fade * fade * (8.0 / 27.0) * kept};
 }
 
-// ---- By place: the noise, averaged over the pixel if `filtered`, and the variance that this removes -----------------
+// ---- By place ------------------------------------------------------------------------------------------------------
 
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
 inline GaborPlace3d gabor_place_3d(int3 cell, float3 local)
@@ -235,11 +245,11 @@ inline float3 gabor_wave_3d(float frequency, float3 direction)
     return min(abs(frequency), 1.0e6) * gabor_impl_unit(direction);
 }
 
-inline float2 gabor_value_3d(GaborPlace3d place, float3 wave, uint seed)
+inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
 {
     if (place.filtered)
-        return gabor_impl_filtered_3d(place, wave, seed);
-    return float2(gabor_field_3d(place, wave, seed).value.y, 0.0);
+        return gabor_impl_filtered(place, wave, seed);
+    return gabor_impl_windowed(place, wave, seed);
 }
 
 inline float gabor_impl_channel(GaborPlace3d place, float3 wave, uint seed, int channel)
@@ -248,24 +258,28 @@ inline float gabor_impl_channel(GaborPlace3d place, float3 wave, uint seed, int 
     return gabor_field_3d(place, wave, seed).value.y;
 }
 
-// Term `index` of a sum of independent noises, and its share of the variance.
-inline float2 gabor_impl_term(GaborPlace3d place, float frequency, float3 direction, uint seed, int index, float power)
+// Adds term `index` of a sum of independent noises, with its share of the variance.
+inline void gabor_impl_add_term(thread GaborField3d& sum, GaborPlace3d place, float3 wave, uint seed, int index, float power)
 {
-    seed = gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
-    return float2(sqrt(power), power) * gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
+    GaborField3d term = gabor_field_3d(place, wave, gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u));
+    sum.value += sqrt(power) * term.value;
+    sum.slope_x += sqrt(power) * term.slope_x;
+    sum.slope_y += sqrt(power) * term.slope_y;
+    sum.slope_z += sqrt(power) * term.slope_z;
+    sum.removed += power * term.removed;
 }
 
 // Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
 // power, so that all is continuous in frequency.
-inline float2 gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
+inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 {
     float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
-    float2 sum = float2(0.0);
+    GaborField3d sum = GaborField3d{float2(0.0), float2(0.0), float2(0.0), float2(0.0), 0.0};
     for (int i = 0; i < int(ceil(count)); ++i) {
         float share = min(count - float(i), 1.0) / count;
         float z = float(i) / count + 0.5 * share;
         float3 direction = float3(sqrt(1.0 - z * z) * gabor_impl_wave(0.61803399 * float(i)), z);
-        sum += gabor_impl_term(place, frequency, direction, seed, i, share);
+        gabor_impl_add_term(sum, place, gabor_wave_3d(frequency, direction), seed, i, share);
     }
     return sum;
 }
@@ -278,7 +292,7 @@ inline float gabor_impl_takeover(float low, float high, float x)
 }
 
 // Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
-inline float2 gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
+inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
 {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -286,28 +300,28 @@ inline float2 gabor_surface_3d(GaborPlace3d place, float3 normal, float frequenc
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
     float power = gabor_impl_takeover(0.0625, 0.25, dot(direction, direction));
-    float2 sum = float2(0.0);
+    GaborField3d sum = GaborField3d{float2(0.0), float2(0.0), float2(0.0), float2(0.0), 0.0};
     if (power > 0.0)
-        sum += gabor_impl_term(place, frequency, direction, seed, 0, power);
+        gabor_impl_add_term(sum, place, gabor_wave_3d(frequency, direction), seed, 0, power);
     if (power < 1.0)
-        sum += gabor_impl_term(place, frequency, other, seed, 1, 1.0 - power);
+        gabor_impl_add_term(sum, place, gabor_wave_3d(frequency, other), seed, 1, 1.0 - power);
     return sum;
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
-inline float2 gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
+inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
 {
     normal = gabor_impl_unit(normal);
     float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
     float power = gabor_impl_takeover(0.25, 0.5, dot(normal.xy, normal.xy));
-    float2 sum = float2(0.0);
+    GaborField3d sum = GaborField3d{float2(0.0), float2(0.0), float2(0.0), float2(0.0), 0.0};
     for (int axis = 0; axis < 2; ++axis) {
         float3 along = gabor_impl_unit(cross(axis == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
         for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
             float share = min(count - float(i), 1.0) / count;
             float2 turn = gabor_impl_wave(0.5 * (float(i) / count + 0.5 * share));
             float3 direction = turn.x * along + turn.y * cross(normal, along);
-            sum += gabor_impl_term(place, frequency, direction, seed, 256 * axis + i, power * share);
+            gabor_impl_add_term(sum, place, gabor_wave_3d(frequency, direction), seed, 256 * axis + i, power * share);
         }
         power = 1.0 - power;
     }
@@ -315,6 +329,12 @@ inline float2 gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, floa
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
+
+// gabor_noise_3d with its quadrature, for gabor_phasor: see gabor_noise_complex.
+inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
+{
+    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).value;
+}
 
 // Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
 //   p          position in kernel radii, |p| < 2^31 / R; at 10^5 a float steps by 0.008
@@ -324,7 +344,7 @@ inline float2 gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, floa
 // Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
 inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
 {
-    return gabor_value_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).x;
+    return gabor_noise_3d_complex(p, frequency, direction, seed).y;
 }
 
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
@@ -334,12 +354,6 @@ inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 directio
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     GaborField3d field = gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed);
     return float4(field.value.y, field.slope_x.y, field.slope_y.y, field.slope_z.y);
-}
-
-// The noise at p with its quadrature, for gabor_phasor: see gabor_noise_complex.
-inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
-{
-    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).value;
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
@@ -359,7 +373,7 @@ inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, floa
     GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
     place.period = int3(nodes);
-    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed).x;
+    return gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed).value.y;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
@@ -368,7 +382,7 @@ inline float gabor_noise_3d_animated(float3 p, float time, float frequency, floa
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     place.animated = true;
     place.time = time;
-    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed).x;
+    return gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed).value.y;
 }
 
 // The noise averaged over a pixel, and the variance that this removes.
@@ -381,26 +395,27 @@ inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float freq
     place.filtered = true;
     place.dx = dx;
     place.dy = dy;
-    return gabor_value_3d(place, gabor_wave_3d(frequency, direction), seed);
+    GaborField3d field = gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed);
+    return float2(field.value.y, field.removed);
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
 {
-    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).x;
+    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).value.y;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
 // The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
 inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
 {
-    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).x;
+    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).value.y;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
 {
-    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).x;
+    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).value.y;
 }
 
 #endif // GABOR_LATTICE_3D_METAL

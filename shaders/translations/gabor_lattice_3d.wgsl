@@ -35,6 +35,7 @@ struct GaborField3d {
     slope_x: vec2<f32>,
     slope_y: vec2<f32>,
     slope_z: vec2<f32>,
+    removed: f32,
 }
 
 // Three times three complex numbers.
@@ -51,7 +52,6 @@ fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
     var word_8: u32;
     var i: i32 = 0i;
     var second_1: u32;
-    var time_5: vec2<f32>;
 
     word_8 = word;
     loop {
@@ -76,17 +76,15 @@ fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
     let _e19 = gabor_impl_next_word(_e18);
     second_1 = _e19;
     let _e22 = gabor_impl_wave(place.time);
-    time_5 = _e22;
-    let _e25 = word_8;
+    let _e23 = word_8;
+    let _e24 = gabor_impl_amplitude(_e23);
+    let _e25 = second_1;
     let _e26 = gabor_impl_amplitude(_e25);
-    let _e27 = time_5;
-    let _e29 = second_1;
-    let _e30 = gabor_impl_amplitude(_e29);
-    let _e33 = time_5;
-    let _e35 = second_1;
-    let _e36 = gabor_impl_next_word(_e35);
-    let _e37 = gabor_impl_amplitude(_e36);
-    return (0.70710677f * ((_e26 + (_e27.x * _e30)) + (_e33.y * _e37)));
+    let _e27 = second_1;
+    let _e28 = gabor_impl_next_word(_e27);
+    let _e29 = gabor_impl_amplitude(_e28);
+    let _e30 = gabor_impl_amplitude_at(_e22, _e24, _e26, _e29);
+    return _e30;
 }
 
 // The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
@@ -94,7 +92,7 @@ fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
 fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: GaborPlace3d) -> GaborMatrix {
     var m_1: GaborMatrix;
     var j: i32 = 0i;
-    var row_4: u32;
+    var row_3: u32;
     var a_4: vec2<f32>;
     var b_4: vec2<f32>;
     var c_3: vec2<f32>;
@@ -106,16 +104,16 @@ fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: Gabo
         }
         {
             let _e14 = j;
-            row_4 = (((rows[_e14] * slice) >> 8u) | 8388609u);
-            let _e23 = row_4;
+            row_3 = (((rows[_e14] * slice) >> 8u) | 8388609u);
+            let _e23 = row_3;
             let _e24 = gabor_impl_node_word(columns.x, _e23);
             let _e25 = gabor_impl_amplitude_3d(_e24, place);
             a_4 = _e25;
-            let _e28 = row_4;
+            let _e28 = row_3;
             let _e29 = gabor_impl_node_word(columns.y, _e28);
             let _e30 = gabor_impl_amplitude_3d(_e29, place);
             b_4 = _e30;
-            let _e33 = row_4;
+            let _e33 = row_3;
             let _e34 = gabor_impl_node_word(columns.z, _e33);
             let _e35 = gabor_impl_amplitude_3d(_e34, place);
             c_3 = _e35;
@@ -205,7 +203,7 @@ fn gabor_impl_nodes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborNod
     let _e122 = n_1;
     let _e124 = n_1;
     let _e127 = gabor_impl_wave(dot(_e122.turns, _e124.offset));
-    n_1.base = (0.0000000000000000000000000005740508f * _e127);
+    n_1.base = (0.00000000000000000000000000057402616f * _e127);
     let _e129 = n_1;
     return _e129;
 }
@@ -251,7 +249,7 @@ fn gabor_impl_factors_3d(axis: GaborAxis) -> GaborMatrix {
     return GaborMatrix(mat3x3<f32>(vec3<f32>(_e2.x, _e2.y, _e2.z), vec3<f32>(_e4.x, _e4.y, _e4.z), vec3<f32>(0f, 0f, 0f)), mat3x3<f32>(vec3<f32>(_e18.x, _e18.y, _e18.z), vec3<f32>(_e20.x, _e20.y, _e20.z), vec3<f32>(0f, 0f, 0f)));
 }
 
-fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
+fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
     var n_4: GaborNodes3d;
     var values: GaborMatrix;
     var slopes: GaborMatrix;
@@ -313,7 +311,7 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
     let _e121 = stretch_1;
     let _e123 = slope_z;
     let _e126 = turned_1;
-    return GaborField3d(_e104, ((_e105.x * _e107) + (wave.x * _e110)), ((_e113.y * _e115) + (wave.y * _e118)), ((_e121.z * _e123) + (wave.z * _e126)));
+    return GaborField3d(_e104, ((_e105.x * _e107) + (wave.x * _e110)), ((_e113.y * _e115) + (wave.y * _e118)), ((_e121.z * _e123) + (wave.z * _e126)), 0f);
 }
 
 // What an axis' three nodes add to the three waves that they are together between nodes:
@@ -383,25 +381,30 @@ fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
-fn gabor_impl_filtered_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> vec2<f32> {
+fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
     var dx: vec3<f32>;
     var dy: vec3<f32>;
     var stretch_2: vec3<f32>;
     var deviation_1: vec3<f32>;
     var n_5: GaborNodes3d;
     var z_1: GaborMatrix;
-    var sum_3: vec2<f32> = vec2(0f);
+    var sum_2: vec2<f32> = vec2(0f);
+    var slope_x_1: vec2<f32> = vec2(0f);
+    var slope_y_1: vec2<f32> = vec2(0f);
+    var slope_z_1: vec2<f32> = vec2(0f);
     var kept: f32 = 0f;
     var b_5: i32 = 0i;
     var m_2: GaborMatrix;
     var c_5: i32;
     var a_5: i32;
     var aside: vec3<f32>;
-    var k: vec3<f32>;
+    var k_2: vec3<f32>;
     var left: f32;
+    var value_3: vec2<f32>;
     var trace: f32;
     var determinant_: f32;
     var fade: f32;
+    var base_1: vec2<f32>;
 
     dx = clamp(place.dx, vec3(-1000000f), vec3(1000000f));
     dy = clamp(place.dy, vec3(-1000000f), vec3(1000000f));
@@ -429,102 +432,130 @@ fn gabor_impl_filtered_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> ve
     let _e70 = gabor_impl_waves(_e62.offset.z, _e65.turns.z, _e68.z);
     z_1 = _e70;
     loop {
-        let _e79 = b_5;
-        if !((_e79 < 3i)) {
+        let _e88 = b_5;
+        if !((_e88 < 3i)) {
             break;
         }
         {
-            let _e86 = n_5;
-            let _e87 = b_5;
-            let _e88 = z_1;
-            let _e89 = gabor_impl_along_z(_e86, _e87, _e88);
-            m_2 = _e89;
+            let _e95 = n_5;
+            let _e96 = b_5;
+            let _e97 = z_1;
+            let _e98 = gabor_impl_along_z(_e95, _e96, _e97);
+            m_2 = _e98;
             c_5 = 0i;
             loop {
-                let _e93 = c_5;
-                if !((_e93 < 3i)) {
+                let _e102 = c_5;
+                if !((_e102 < 3i)) {
                     break;
                 }
                 {
                     a_5 = 0i;
                     loop {
-                        let _e102 = a_5;
-                        if !((_e102 < 3i)) {
+                        let _e111 = a_5;
+                        if !((_e111 < 3i)) {
                             break;
                         }
                         {
-                            let _e109 = a_5;
-                            let _e113 = b_5;
-                            let _e117 = c_5;
-                            aside = vec3<f32>(f32((_e109 - 1i)), f32((_e113 - 1i)), f32((_e117 - 1i)));
-                            let _e124 = stretch_2;
-                            let _e126 = aside;
-                            k = (wave + ((0.5f * _e124) * _e126));
-                            let _e132 = k;
-                            let _e133 = dx;
-                            let _e135 = k;
-                            let _e136 = dx;
-                            let _e139 = k;
-                            let _e140 = dy;
-                            let _e142 = k;
-                            let _e143 = dy;
-                            left = exp((-4.934802f * ((dot(_e132, _e133) * dot(_e135, _e136)) + (dot(_e139, _e140) * dot(_e142, _e143)))));
-                            let _e150 = sum_3;
-                            let _e151 = left;
-                            let _e152 = a_5;
-                            let _e153 = c_5;
-                            let _e157 = m_2.real[_e153][_e152];
-                            let _e158 = a_5;
-                            let _e159 = c_5;
-                            let _e163 = m_2.imaginary[_e159][_e158];
-                            sum_3 = (_e150 + (_e151 * vec2<f32>(_e157, _e163)));
-                            let _e167 = kept;
-                            let _e168 = left;
-                            let _e169 = left;
-                            let _e173 = aside;
-                            let _e174 = aside;
-                            kept = (_e167 + ((_e168 * _e169) * exp2((-2f * dot(_e173, _e174)))));
+                            let _e118 = a_5;
+                            let _e122 = b_5;
+                            let _e126 = c_5;
+                            aside = vec3<f32>(f32((_e118 - 1i)), f32((_e122 - 1i)), f32((_e126 - 1i)));
+                            let _e133 = stretch_2;
+                            let _e135 = aside;
+                            k_2 = (wave + ((0.5f * _e133) * _e135));
+                            let _e141 = k_2;
+                            let _e142 = dx;
+                            let _e144 = k_2;
+                            let _e145 = dx;
+                            let _e148 = k_2;
+                            let _e149 = dy;
+                            let _e151 = k_2;
+                            let _e152 = dy;
+                            left = exp((-4.934802f * ((dot(_e141, _e142) * dot(_e144, _e145)) + (dot(_e148, _e149) * dot(_e151, _e152)))));
+                            let _e159 = left;
+                            let _e160 = a_5;
+                            let _e161 = c_5;
+                            let _e165 = m_2.real[_e161][_e160];
+                            let _e166 = a_5;
+                            let _e167 = c_5;
+                            let _e171 = m_2.imaginary[_e167][_e166];
+                            value_3 = (_e159 * vec2<f32>(_e165, _e171));
+                            let _e175 = sum_2;
+                            let _e176 = value_3;
+                            sum_2 = (_e175 + _e176);
+                            let _e178 = slope_x_1;
+                            let _e179 = k_2;
+                            let _e181 = value_3;
+                            let _e184 = value_3;
+                            slope_x_1 = (_e178 + (_e179.x * vec2<f32>(-(_e181.y), _e184.x)));
+                            let _e189 = slope_y_1;
+                            let _e190 = k_2;
+                            let _e192 = value_3;
+                            let _e195 = value_3;
+                            slope_y_1 = (_e189 + (_e190.y * vec2<f32>(-(_e192.y), _e195.x)));
+                            let _e200 = slope_z_1;
+                            let _e201 = k_2;
+                            let _e203 = value_3;
+                            let _e206 = value_3;
+                            slope_z_1 = (_e200 + (_e201.z * vec2<f32>(-(_e203.y), _e206.x)));
+                            let _e211 = kept;
+                            let _e212 = left;
+                            let _e213 = left;
+                            let _e217 = aside;
+                            let _e218 = aside;
+                            kept = (_e211 + ((_e212 * _e213) * exp2((-2f * dot(_e217, _e218)))));
                         }
                         continuing {
-                            let _e106 = a_5;
-                            a_5 = (_e106 + 1i);
+                            let _e115 = a_5;
+                            a_5 = (_e115 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e97 = c_5;
-                    c_5 = (_e97 + 1i);
+                    let _e106 = c_5;
+                    c_5 = (_e106 + 1i);
                 }
             }
         }
         continuing {
-            let _e83 = b_5;
-            b_5 = (_e83 + 1i);
+            let _e92 = b_5;
+            b_5 = (_e92 + 1i);
         }
     }
-    let _e181 = dx;
-    let _e182 = dx;
-    let _e184 = dy;
-    let _e185 = dy;
-    trace = (0.25f * (dot(_e181, _e182) + dot(_e184, _e185)));
-    let _e191 = dx;
-    let _e192 = dy;
-    let _e194 = dx;
-    let _e195 = dy;
-    determinant_ = (0.0625f * dot(cross(_e191, _e192), cross(_e194, _e195)));
-    let _e201 = trace;
-    let _e202 = trace;
-    let _e205 = determinant_;
-    let _e206 = determinant_;
-    fade = inverseSqrt(sqrt(max(((1f + (_e201 * _e202)) + (_e205 * (_e206 - 2f))), 1f)));
-    let _e216 = fade;
-    let _e217 = sum_3;
-    let _e218 = n_5;
-    let _e220 = gabor_impl_product(_e217, _e218.base);
-    let _e224 = fade;
-    let _e225 = fade;
-    let _e231 = kept;
-    return vec2<f32>((_e216 * _e220.y), (1f - (((_e224 * _e225) * 0.2962963f) * _e231)));
+    let _e225 = dx;
+    let _e226 = dx;
+    let _e228 = dy;
+    let _e229 = dy;
+    trace = (0.25f * (dot(_e225, _e226) + dot(_e228, _e229)));
+    let _e235 = dx;
+    let _e236 = dy;
+    let _e238 = dx;
+    let _e239 = dy;
+    determinant_ = (0.0625f * dot(cross(_e235, _e236), cross(_e238, _e239)));
+    let _e245 = trace;
+    let _e246 = trace;
+    let _e249 = determinant_;
+    let _e250 = determinant_;
+    fade = inverseSqrt(sqrt(max(((1f + (_e245 * _e246)) + (_e249 * (_e250 - 2f))), 1f)));
+    let _e260 = fade;
+    let _e261 = n_5;
+    base_1 = (_e260 * _e261.base);
+    let _e265 = base_1;
+    let _e266 = sum_2;
+    let _e267 = gabor_impl_product(_e265, _e266);
+    let _e268 = base_1;
+    let _e270 = slope_x_1;
+    let _e272 = gabor_impl_product(_e268, (6.2831855f * _e270));
+    let _e273 = base_1;
+    let _e275 = slope_y_1;
+    let _e277 = gabor_impl_product(_e273, (6.2831855f * _e275));
+    let _e278 = base_1;
+    let _e280 = slope_z_1;
+    let _e282 = gabor_impl_product(_e278, (6.2831855f * _e280));
+    let _e284 = fade;
+    let _e285 = fade;
+    let _e291 = kept;
+    return GaborField3d(_e267, _e272, _e277, _e282, (1f - (((_e284 * _e285) * 0.2962963f) * _e291)));
 }
 
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
@@ -550,13 +581,13 @@ fn gabor_wave_3d(frequency: f32, direction: vec3<f32>) -> vec3<f32> {
     return (min(abs(frequency), 1000000f) * _e5);
 }
 
-fn gabor_value_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> vec2<f32> {
+fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
     if place.filtered {
-        let _e4 = gabor_impl_filtered_3d(place, wave, seed);
+        let _e4 = gabor_impl_filtered(place, wave, seed);
         return _e4;
     }
-    let _e5 = gabor_field_3d(place, wave, seed);
-    return vec2<f32>(_e5.value.y, 0f);
+    let _e5 = gabor_impl_windowed(place, wave, seed);
+    return _e5;
 }
 
 fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: i32) -> f32 {
@@ -569,67 +600,77 @@ fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: 
     return _e7.value.y;
 }
 
-// Term `index` of a sum of independent noises, and its share of the variance.
-fn gabor_impl_term(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32, index: i32, power: f32) -> vec2<f32> {
-    var seed_15: u32;
+// Adds term `index` of a sum of independent noises, with its share of the variance.
+fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wave: vec3<f32>, seed: u32, index: i32, power: f32) {
+    var term: GaborField3d;
 
-    seed_15 = seed;
-    let _e7 = seed_15;
-    let _e13 = gabor_impl_mix((_e7 + (u32(index) * 2246822507u)), 2654435761u);
-    seed_15 = _e13;
-    let _e16 = gabor_wave_3d(frequency, direction);
-    let _e17 = seed_15;
-    let _e18 = gabor_value_3d(place, _e16, _e17);
-    return (vec2<f32>(sqrt(power), power) * _e18);
+    let _e11 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
+    let _e12 = gabor_field_3d(place, wave, _e11);
+    term = _e12;
+    let _e15 = (*sum);
+    let _e18 = term;
+    (*sum).value = (_e15.value + (sqrt(power) * _e18.value));
+    let _e23 = (*sum);
+    let _e26 = term;
+    (*sum).slope_x = (_e23.slope_x + (sqrt(power) * _e26.slope_x));
+    let _e31 = (*sum);
+    let _e34 = term;
+    (*sum).slope_y = (_e31.slope_y + (sqrt(power) * _e34.slope_y));
+    let _e39 = (*sum);
+    let _e42 = term;
+    (*sum).slope_z = (_e39.slope_z + (sqrt(power) * _e42.slope_z));
+    let _e47 = (*sum);
+    let _e49 = term;
+    (*sum).removed = (_e47.removed + (power * _e49.removed));
+    return;
 }
 
 // Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
 // power, so that all is continuous in frequency.
-fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> vec2<f32> {
+fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_4: vec2<f32> = vec2(0f);
+    var sum_4: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var i_1: i32 = 0i;
     var share: f32;
     var z_2: f32;
-    var direction_2: vec3<f32>;
+    var direction_1: vec3<f32>;
 
     count = (8f + (8f * min((frequency * frequency), 64f)));
     loop {
-        let _e16 = i_1;
-        let _e17 = count;
-        if !((_e16 < i32(ceil(_e17)))) {
+        let _e24 = i_1;
+        let _e25 = count;
+        if !((_e24 < i32(ceil(_e25)))) {
             break;
         }
         {
-            let _e25 = count;
-            let _e26 = i_1;
-            let _e31 = count;
-            share = (min((_e25 - f32(_e26)), 1f) / _e31);
+            let _e33 = count;
             let _e34 = i_1;
-            let _e36 = count;
-            let _e39 = share;
-            z_2 = ((f32(_e34) / _e36) + (0.5f * _e39));
-            let _e44 = z_2;
-            let _e45 = z_2;
-            let _e50 = i_1;
-            let _e53 = gabor_impl_wave((0.618034f * f32(_e50)));
-            let _e54 = (sqrt((1f - (_e44 * _e45))) * _e53);
-            let _e55 = z_2;
-            direction_2 = vec3<f32>(_e54.x, _e54.y, _e55);
-            let _e60 = sum_4;
-            let _e61 = direction_2;
-            let _e62 = i_1;
-            let _e63 = share;
-            let _e64 = gabor_impl_term(place, frequency, _e61, seed, _e62, _e63);
-            sum_4 = (_e60 + _e64);
+            let _e39 = count;
+            share = (min((_e33 - f32(_e34)), 1f) / _e39);
+            let _e42 = i_1;
+            let _e44 = count;
+            let _e47 = share;
+            z_2 = ((f32(_e42) / _e44) + (0.5f * _e47));
+            let _e52 = z_2;
+            let _e53 = z_2;
+            let _e58 = i_1;
+            let _e61 = gabor_impl_wave((0.618034f * f32(_e58)));
+            let _e62 = (sqrt((1f - (_e52 * _e53))) * _e61);
+            let _e63 = z_2;
+            direction_1 = vec3<f32>(_e62.x, _e62.y, _e63);
+            let _e69 = direction_1;
+            let _e70 = gabor_wave_3d(frequency, _e69);
+            let _e71 = i_1;
+            let _e72 = share;
+            gabor_impl_add_term((&sum_4), place, _e70, seed, _e71, _e72);
         }
         continuing {
-            let _e22 = i_1;
-            i_1 = (_e22 + 1i);
+            let _e30 = i_1;
+            i_1 = (_e30 + 1i);
         }
     }
-    let _e66 = sum_4;
-    return _e66;
+    let _e74 = sum_4;
+    return _e74;
 }
 
 // The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
@@ -647,24 +688,24 @@ fn gabor_impl_takeover(low: f32, high: f32, x: f32) -> f32 {
 }
 
 // Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
-fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
-    var direction_4: vec3<f32>;
+    var direction_3: vec3<f32>;
     var local_8: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_5: vec2<f32> = vec2(0f);
+    var sum_5: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
 
     normal_1 = normal;
-    direction_4 = direction;
+    direction_3 = direction;
     let _e7 = normal_1;
     let _e8 = gabor_impl_unit(_e7);
     normal_1 = _e8;
-    let _e9 = direction_4;
+    let _e9 = direction_3;
     let _e10 = gabor_impl_unit(_e9);
-    direction_4 = _e10;
-    let _e11 = direction_4;
-    let _e12 = direction_4;
+    direction_3 = _e10;
+    let _e11 = direction_3;
+    let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
         local_8 = vec3<f32>(0f, 0f, 1f);
     } else {
@@ -672,53 +713,51 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     }
     let _e26 = local_8;
     other = cross(_e11, _e26);
-    let _e29 = direction_4;
-    let _e30 = direction_4;
+    let _e29 = direction_3;
+    let _e30 = direction_3;
     let _e31 = normal_1;
     let _e33 = normal_1;
-    direction_4 = (_e29 - (dot(_e30, _e31) * _e33));
+    direction_3 = (_e29 - (dot(_e30, _e31) * _e33));
     let _e36 = other;
     let _e37 = other;
     let _e38 = normal_1;
     let _e40 = normal_1;
     other = (_e36 - (dot(_e37, _e38) * _e40));
-    let _e45 = direction_4;
-    let _e46 = direction_4;
+    let _e45 = direction_3;
+    let _e46 = direction_3;
     let _e48 = gabor_impl_takeover(0.0625f, 0.25f, dot(_e45, _e46));
     power_1 = _e48;
-    let _e53 = power_1;
-    if (_e53 > 0f) {
-        let _e56 = sum_5;
-        let _e57 = direction_4;
-        let _e59 = power_1;
-        let _e60 = gabor_impl_term(place, frequency, _e57, seed, 0i, _e59);
-        sum_5 = (_e56 + _e60);
+    let _e61 = power_1;
+    if (_e61 > 0f) {
+        let _e65 = direction_3;
+        let _e66 = gabor_wave_3d(frequency, _e65);
+        let _e68 = power_1;
+        gabor_impl_add_term((&sum_5), place, _e66, seed, 0i, _e68);
     }
-    let _e62 = power_1;
-    if (_e62 < 1f) {
-        let _e65 = sum_5;
-        let _e66 = other;
-        let _e69 = power_1;
-        let _e71 = gabor_impl_term(place, frequency, _e66, seed, 1i, (1f - _e69));
-        sum_5 = (_e65 + _e71);
+    let _e70 = power_1;
+    if (_e70 < 1f) {
+        let _e74 = other;
+        let _e75 = gabor_wave_3d(frequency, _e74);
+        let _e78 = power_1;
+        gabor_impl_add_term((&sum_5), place, _e75, seed, 1i, (1f - _e78));
     }
-    let _e73 = sum_5;
-    return _e73;
+    let _e81 = sum_5;
+    return _e81;
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
-fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
+fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_6: vec2<f32> = vec2(0f);
+    var sum_6: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var axis_1: i32 = 0i;
     var local_9: vec3<f32>;
     var along: vec3<f32>;
     var i_2: i32;
     var share_2: f32;
     var turn_1: vec2<f32>;
-    var direction_5: vec3<f32>;
+    var direction_4: vec3<f32>;
 
     normal_3 = normal;
     let _e5 = normal_3;
@@ -730,69 +769,76 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     let _e22 = gabor_impl_takeover(0.25f, 0.5f, dot(_e17.xy, _e19.xy));
     power_2 = _e22;
     loop {
-        let _e29 = axis_1;
-        if !((_e29 < 2i)) {
+        let _e37 = axis_1;
+        if !((_e37 < 2i)) {
             break;
         }
         {
-            let _e36 = axis_1;
-            if (_e36 == 0i) {
+            let _e44 = axis_1;
+            if (_e44 == 0i) {
                 local_9 = vec3<f32>(0f, 0f, 1f);
             } else {
                 local_9 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e48 = local_9;
-            let _e49 = normal_3;
-            let _e51 = gabor_impl_unit(cross(_e48, _e49));
-            along = _e51;
+            let _e56 = local_9;
+            let _e57 = normal_3;
+            let _e59 = gabor_impl_unit(cross(_e56, _e57));
+            along = _e59;
             i_2 = 0i;
             loop {
-                let _e55 = i_2;
-                let _e56 = count_1;
-                let _e60 = power_2;
-                if !(((_e55 < i32(ceil(_e56))) && (_e60 > 0f))) {
+                let _e63 = i_2;
+                let _e64 = count_1;
+                let _e68 = power_2;
+                if !(((_e63 < i32(ceil(_e64))) && (_e68 > 0f))) {
                     break;
                 }
                 {
-                    let _e68 = count_1;
-                    let _e69 = i_2;
-                    let _e74 = count_1;
-                    share_2 = (min((_e68 - f32(_e69)), 1f) / _e74);
-                    let _e78 = i_2;
-                    let _e80 = count_1;
-                    let _e83 = share_2;
-                    let _e87 = gabor_impl_wave((0.5f * ((f32(_e78) / _e80) + (0.5f * _e83))));
-                    turn_1 = _e87;
-                    let _e89 = turn_1;
-                    let _e91 = along;
-                    let _e93 = turn_1;
-                    let _e95 = normal_3;
-                    let _e96 = along;
-                    direction_5 = ((_e89.x * _e91) + (_e93.y * cross(_e95, _e96)));
-                    let _e101 = sum_6;
-                    let _e102 = direction_5;
-                    let _e104 = axis_1;
-                    let _e106 = i_2;
-                    let _e108 = power_2;
-                    let _e109 = share_2;
-                    let _e111 = gabor_impl_term(place, frequency, _e102, seed, ((256i * _e104) + _e106), (_e108 * _e109));
-                    sum_6 = (_e101 + _e111);
+                    let _e76 = count_1;
+                    let _e77 = i_2;
+                    let _e82 = count_1;
+                    share_2 = (min((_e76 - f32(_e77)), 1f) / _e82);
+                    let _e86 = i_2;
+                    let _e88 = count_1;
+                    let _e91 = share_2;
+                    let _e95 = gabor_impl_wave((0.5f * ((f32(_e86) / _e88) + (0.5f * _e91))));
+                    turn_1 = _e95;
+                    let _e97 = turn_1;
+                    let _e99 = along;
+                    let _e101 = turn_1;
+                    let _e103 = normal_3;
+                    let _e104 = along;
+                    direction_4 = ((_e97.x * _e99) + (_e101.y * cross(_e103, _e104)));
+                    let _e110 = direction_4;
+                    let _e111 = gabor_wave_3d(frequency, _e110);
+                    let _e113 = axis_1;
+                    let _e115 = i_2;
+                    let _e117 = power_2;
+                    let _e118 = share_2;
+                    gabor_impl_add_term((&sum_6), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
                 }
                 continuing {
-                    let _e65 = i_2;
-                    i_2 = (_e65 + 1i);
+                    let _e73 = i_2;
+                    i_2 = (_e73 + 1i);
                 }
             }
-            let _e114 = power_2;
-            power_2 = (1f - _e114);
+            let _e122 = power_2;
+            power_2 = (1f - _e122);
         }
         continuing {
-            let _e33 = axis_1;
-            axis_1 = (_e33 + 1i);
+            let _e41 = axis_1;
+            axis_1 = (_e41 + 1i);
         }
     }
-    let _e116 = sum_6;
-    return _e116;
+    let _e124 = sum_6;
+    return _e124;
+}
+
+// gabor_noise_3d with its quadrature, for gabor_phasor: see gabor_noise_complex.
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_wave_3d(frequency, direction);
+    let _e13 = gabor_field_3d(_e11, _e12, seed);
+    return _e13.value;
 }
 
 // Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
@@ -802,10 +848,8 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 //   seed       any; each seed is another instance, independent of the others
 // Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_wave_3d(frequency, direction);
-    let _e13 = gabor_value_3d(_e11, _e12, seed);
-    return _e13.x;
+    let _e4 = gabor_noise_3d_complex(p, frequency, direction, seed);
+    return _e4.y;
 }
 
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
@@ -827,34 +871,26 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
     return vec4<f32>(_e17.value.y, _e20.slope_x.y, _e23.slope_y.y, _e26.slope_z.y);
 }
 
-// The noise at p with its quadrature, for gabor_phasor: see gabor_noise_complex.
-fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_wave_3d(frequency, direction);
-    let _e13 = gabor_field_3d(_e11, _e12, seed);
-    return _e13.value;
-}
-
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
     var place_16: GaborPlace3d;
-    var wave_6: vec3<f32>;
+    var wave_7: vec3<f32>;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     place_16 = _e11;
     let _e13 = gabor_wave_3d(frequency, direction);
-    wave_6 = _e13;
+    wave_7 = _e13;
     let _e15 = place_16;
-    let _e16 = wave_6;
+    let _e16 = wave_7;
     let _e18 = gabor_impl_channel(_e15, _e16, seed, 0i);
     let _e19 = place_16;
-    let _e20 = wave_6;
+    let _e20 = wave_7;
     let _e22 = gabor_impl_channel(_e19, _e20, seed, 1i);
     let _e23 = place_16;
-    let _e24 = wave_6;
+    let _e24 = wave_7;
     let _e26 = gabor_impl_channel(_e23, _e24, seed, 2i);
     let _e27 = place_16;
-    let _e28 = wave_6;
+    let _e28 = wave_7;
     let _e30 = gabor_impl_channel(_e27, _e28, seed, 3i);
     return vec4<f32>(_e18, _e22, _e26, _e30);
 }
@@ -883,8 +919,8 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     place_17.period = vec3<i32>(_e43);
     let _e45 = place_17;
     let _e46 = gabor_wave_3d(frequency, direction);
-    let _e47 = gabor_value_3d(_e45, _e46, seed);
-    return _e47.x;
+    let _e47 = gabor_field_3d(_e45, _e46, seed);
+    return _e47.value.y;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
@@ -897,8 +933,8 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
     place_18.time = time;
     let _e17 = place_18;
     let _e18 = gabor_wave_3d(frequency, direction);
-    let _e19 = gabor_value_3d(_e17, _e18, seed);
-    return _e19.x;
+    let _e19 = gabor_field_3d(_e17, _e18, seed);
+    return _e19.value.y;
 }
 
 // The noise averaged over a pixel, and the variance that this removes.
@@ -907,6 +943,7 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var place_19: GaborPlace3d;
+    var field_2: GaborField3d;
 
     let _e13 = gabor_place_3d(vec3(0i), (p * 1.5f));
     place_19 = _e13;
@@ -915,15 +952,18 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
     place_19.dy = dy;
     let _e19 = place_19;
     let _e20 = gabor_wave_3d(frequency, direction);
-    let _e21 = gabor_value_3d(_e19, _e20, seed);
-    return _e21;
+    let _e21 = gabor_field_3d(_e19, _e20, seed);
+    field_2 = _e21;
+    let _e23 = field_2;
+    let _e26 = field_2;
+    return vec2<f32>(_e23.value.y, _e26.removed);
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
-    return _e11.x;
+    return _e11.value.y;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
@@ -931,12 +971,12 @@ fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
-    return _e13.x;
+    return _e13.value.y;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
-    return _e12.x;
+    return _e12.value.y;
 }

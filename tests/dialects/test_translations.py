@@ -1,0 +1,111 @@
+"""What stands on the lattice, translated: each call gives on the device what it gives in GLSL, which other tests compare
+with the reference."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+SHADERS = HERE.parents[1] / "shaders"
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"]
+DXC = pathlib.Path(os.environ.get("GABOR_DXC", HERE.parents[1] / "build" / "dxc" / "libdxcompiler.so"))
+
+CALLS = [
+    "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)",
+    "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x",
+    "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)",
+    "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y",
+    "gabor_noise_3d_filtered(q, vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), 2.0, vec3(1.0, 2.0, 3.0), 7u).x",
+    "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)",
+    "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
+]
+
+GLSL = """
+layout(local_size_x = 8) in;
+layout(std430, binding = 0) writeonly buffer Values { float values[]; };
+void main()
+{
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    vec2 p = (vec2(pixel) + 0.5) / 32.0;
+    vec3 q = vec3(p, 0.3);
+    values[pixel.y * 256u + pixel.x] = CALL;
+}
+"""
+HLSL = """
+RWStructuredBuffer<float> values : register(u0);
+[numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
+{
+    float2 p = (float2(pixel.xy) + 0.5) / 32.0;
+    float3 q = float3(p, 0.3);
+    values[pixel.y * 256 + pixel.x] = CALL;
+}
+"""
+WGSL = """
+@group(0) @binding(0) var<storage, read_write> values: array<f32>;
+@compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
+    let p = (vec2f(pixel.xy) + 0.5) / 32.0;
+    let q = vec3f(p, 0.3);
+    values[pixel.y * 256u + pixel.x] = CALL;
+}
+"""
+
+
+class Translations(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def drawn(self, source, ending, *compiler):
+        """The values of a shader, compiled by a command that takes its file and that of SPIR-V."""
+        shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
+        shader.write_text(source)
+        subprocess.run([*compiler, shader, spirv], check=True, timeout=60, stdout=subprocess.DEVNULL)
+        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True, timeout=60,
+                       stdout=subprocess.DEVNULL)
+        return np.fromfile(values, "<f4")
+
+    def glsl(self, call):
+        text = "#version 450\n" + "".join((SHADERS / f"{file}.glsl").read_text() for file in FILES)
+        return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
+
+    def compare(self, translated):
+        for call in CALLS:
+            with self.subTest(call):
+                wanted = self.glsl(call)
+                self.assertGreater(wanted.std(), 0.5)
+                difference = np.abs(translated(call) - wanted)
+                print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
+                self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()))
+
+    def pasted(self, ending, text):
+        files = [SHADERS / "translations" / f"{file}.{ending}" for file in FILES]
+        return "".join(file.read_text() for file in files) + text
+
+    def test_hlsl_by_glslang(self):
+        command = ["sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"']
+        self.compare(lambda call: self.drawn(self.pasted("hlsl", HLSL.replace("CALL", call.replace("vec", "float"))),
+                                             "hlsl", *command))
+
+    def test_hlsl_by_dxc(self):
+        if not DXC.exists():
+            self.skipTest("libdxcompiler is not installed")
+        os.environ["GABOR_DXC"] = str(DXC)
+        self.compare(lambda call: self.drawn(self.pasted("hlsl", HLSL.replace("CALL", call.replace("vec", "float"))),
+                                             "hlsl", sys.executable, "-B", HERE / "dxc.py"))
+
+    def test_wgsl_by_naga(self):
+        if not shutil.which("naga"):
+            self.skipTest("naga is not installed")
+        self.compare(lambda call: self.drawn(
+            self.pasted("wgsl", WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f"))), "wgsl", "naga"))
+
+
+if __name__ == "__main__":
+    unittest.main()
