@@ -1,0 +1,6 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#define GABOR_TAPS 4
+#include "gabor_lattice.glsl"
+#include "drop_in.glsl"
