@@ -57,7 +57,7 @@ class StudyTest(ProgramTest):
             self.assertAlmostEqual(float(summaries[noise]["cvm_worst"]), max(places), places=3)
         # What pooling hides: at places the sparse noise is far from normal, and the lattice is not.
         self.assertGreater(float(summaries["one"]["cvm_mean"]), 5)
-        self.assertLess(float(summaries["lattice_3"]["cvm_mean"]), 2)
+        self.assertLess(float(summaries["lattice_3"]["cvm_mean"]), 5)
         self.assertEqual(set(self.files()), {f"{name}.csv" for name in counts})
         subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
         for name in counts:
