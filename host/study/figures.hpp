@@ -22,6 +22,7 @@ Tables figure5(const vulkan::Device& device, const Effort& effort);
 Tables figure6(const vulkan::Device& device, const Effort& effort);
 void figure6_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
 Tables stationarity(const vulkan::Device& device, const Effort& effort);
+Tables law(const vulkan::Device& device, const Effort& effort);
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
 

@@ -1,5 +1,11 @@
 #include "study/noise.hpp"
 
+#include "render/bake.hpp"
+
+#include "passes/drop_in.h"
+#include "passes/drop_in_lattice_2.h"
+#include "passes/drop_in_lattice_3.h"
+#include "passes/drop_in_lattice_4.h"
 #include "passes/ingredients.h"
 #include "passes/places_interface.h"
 #include "passes/points.h"
@@ -16,6 +22,9 @@ namespace {
 
 constexpr std::size_t batch = std::size_t{1} << 20; // values
 
+constexpr render::RecipeModules drop_in_modules{
+    drop_in_spirv, {drop_in_lattice_2_spirv, drop_in_lattice_3_spirv, drop_in_lattice_4_spirv}};
+
 } // namespace
 
 Noise::Noise(const vulkan::Device& device, const Ingredients& ingredients, const Wave& wave, double variance)
@@ -25,6 +34,10 @@ Noise::Noise(const vulkan::Device& device, const Ingredients& ingredients, const
 Noise::Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave, double variance)
     : Noise(device, recipes_spirv, constants(variant), wave, std::sqrt(variance / study::variance(variant)),
             variant.radius) {}
+
+Noise::Noise(const vulkan::Device& device, const noise::Recipe& recipe, const Wave& wave)
+    : Noise(device, drop_in_modules.of(recipe), render::recipe_constants(recipe), wave, 1,
+            double{recipe.radius}) {}
 
 Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
              std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
@@ -46,7 +59,9 @@ double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t firs
     push.amplitude = static_cast<float>(amplitude_);
     push.spacing =
         static_cast<float>(std::ldexp(grid.side * cells_per_radius_, -static_cast<int>(grid.bits)));
-    push.origin = grid.random ? 1 : 0;
+    push.corner = {static_cast<float>(grid.shift[0] * cells_per_radius_),
+                   static_cast<float>(grid.shift[1] * cells_per_radius_)};
+    push.within = grid.random ? 1 : 0;
     push.grid_bits = grid.bits;
     push.place_seed = place_seed;
     push.noise_seed = noise_seed;

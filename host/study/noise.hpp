@@ -1,9 +1,11 @@
 #pragma once
 
+#include "noise/recipe.hpp"
 #include "study/ingredients.hpp"
 #include "study/variant.hpp"
 #include "vulkan/pass.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,8 +17,9 @@ namespace gabor::study {
 /// of no extent is a value.
 struct Grid {
     unsigned bits = 0;
-    double side = 0;    ///< kernel radii
-    bool random = true; ///< begins at a random place of a cell; else at a cell's corner
+    double side = 0;               ///< kernel radii
+    bool random = true;            ///< begins at a random place of a cell; else at a cell's corner
+    std::array<double, 2> shift{}; ///< from there, kernel radii
 };
 
 /// A noise on the device, of the variance that is asked for.
@@ -25,6 +28,9 @@ class Noise {
     Noise(const vulkan::Device& device, const Ingredients& ingredients, const Wave& wave = {},
           double variance = 1);
     Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave = {}, double variance = 1);
+
+    /// The drop-in's own, which has variance 1.
+    Noise(const vulkan::Device& device, const noise::Recipe& recipe, const Wave& wave = {});
 
     /// The values of one instance after the other, from `first` on. Instances with the same `place_seed`
     /// begin at the same places. Returns the seconds that it took on the device, NaN where that cannot be

@@ -22,6 +22,7 @@ constexpr std::array known{
     Study{"figure5", "time against N", figure5, nullptr},
     Study{"figure6", "a noise of six lobes, and its time", figure6, figure6_pictures},
     Study{"stationarity", "the noise at each place of a cell, and means of instances", stationarity, nullptr},
+    Study{"law", "the law at each place of a cell and of pairs, and covariance", law, nullptr},
     Study{"frontier", "the Pareto front of recipes", frontier, nullptr},
     Study{"future", "the paper's open questions", future, nullptr},
 };
@@ -32,6 +33,7 @@ Effort Effort::full() {
     return {.samples = 7 << 20,
             .windows = 1 << 13,
             .places = 7 << 14,
+            .law = 1 << 20,
             .impulses = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 25, 30},
             .radii = {1, 1.06, 1.1, 1.25, 1.5},
             .picture_bits = 9,
@@ -42,6 +44,7 @@ Effort Effort::quick() {
     return {.samples = 1 << 17,
             .windows = 1 << 9,
             .places = 1 << 11,
+            .law = 1 << 12,
             .impulses = {1, 2, 4, 10, 30},
             .radii = {1},
             .picture_bits = 8,

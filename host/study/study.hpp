@@ -16,6 +16,7 @@ struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
     std::uint64_t windows;     ///< of independent instances, per row
     std::uint64_t places;      ///< instances that are seen at each place of a cell, per row
+    std::uint64_t law;         ///< values at each place of a cell, and pairs of values, per row
     std::vector<int> impulses; ///< N along the axis of a figure
     std::vector<double> radii; ///< R of recipes, cells
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels

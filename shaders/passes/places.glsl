@@ -1,5 +1,6 @@
-// Where the study looks: a square grid of 4^grid_bits places in each of many instances, starting at a random place of a
-// cell or at the cell's corner. One value at a random place of each instance, windows, cells and pictures all are this.
+// Where the study looks: a square grid of 4^grid_bits places in each of many instances, starting at a fixed place or
+// somewhere in a cell from there. One value at a random place of each instance, pairs, windows, cells and pictures all
+// are this. Include a file that has gabor_impl_mix before.
 
 #include "passes/places_interface.h"
 
@@ -10,8 +11,8 @@ layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; }
 // Two numbers in [0, 1).
 vec2 place_random(uint instance)
 {
-    uint x = gabor_impl_mix(instance * GABOR_IMPL_CELL_STRIDE, place_seed);
-    uint y = gabor_impl_mix(x, place_seed ^ GABOR_IMPL_IMPULSE_STRIDE);
+    uint x = gabor_impl_mix(instance * 0x9e3779b1u, place_seed);
+    uint y = gabor_impl_mix(x, place_seed ^ 0x85ebca6bu);
     return vec2(ivec2(x >> 8u, y >> 8u)) / 16777216.0;
 }
 
@@ -19,8 +20,8 @@ vec2 place_random(uint instance)
 vec2 place_of(uint index, out uint seed)
 {
     uint instance = first + (index >> (2u * grid_bits));
-    seed = gabor_impl_mix(instance * GABOR_IMPL_CELL_STRIDE + noise_seed, noise_seed);
+    seed = gabor_impl_mix(instance * 0x9e3779b1u + noise_seed, noise_seed);
     uint mask = (1u << grid_bits) - 1u;
     vec2 node = vec2(ivec2(index & mask, (index >> grid_bits) & mask));
-    return origin * place_random(instance) + (node + 0.5) * spacing;
+    return corner + within * place_random(instance) + (node + 0.5) * spacing;
 }

@@ -11,9 +11,10 @@ const uint places_group = 64; // invocations
 
 GABOR_PUSH_CONSTANTS(PlacesPush) {
     vec2 wave;       // cycles per kernel radius
+    vec2 corner;     // where the grid starts, in cells
     float amplitude; // K
     float spacing;   // of the grid, in cells
-    float origin;    // 1: starts at a random place of a cell, 0: at the corner
+    float within;    // 1: starts anywhere in a cell from there
     uint grid_bits;
     uint first; // instance
     uint count; // values

@@ -43,6 +43,26 @@ class StudyTest(ProgramTest):
         for name in ("figure1.png", "figure6.png"):
             self.assertGreater((self.folder / name).stat().st_size, 10000)
 
+    def test_the_law_at_places_and_of_pairs(self):
+        self.succeed("study", "law", "--quick", "-o", ".")
+        noises = {"seminal", "advice", "paper", "one", "pure", "lattice_2", "lattice_3", "lattice_4"}
+        counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9}
+        for name, count in counts.items():
+            rows = self.table(name)
+            self.assertEqual({row["noise"] for row in rows}, noises)
+            self.assertEqual(len(rows), count * len(noises))
+        summaries = {row["noise"]: row for row in self.table("law")}
+        for noise in noises:
+            places = [float(row["cvm"]) for row in self.table("law_places") if row["noise"] == noise]
+            self.assertAlmostEqual(float(summaries[noise]["cvm_worst"]), max(places), places=3)
+        # What pooling hides: at places the sparse noise is far from normal, and the lattice is not.
+        self.assertGreater(float(summaries["one"]["cvm_mean"]), 5)
+        self.assertLess(float(summaries["lattice_3"]["cvm_mean"]), 5)
+        self.assertEqual(set(self.files()), {f"{name}.csv" for name in counts})
+        subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
+        for name in counts:
+            self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000)
+
     def test_an_interrupted_study_goes_on_where_it_was(self):
         self.succeed("study", "figure4", "--quick", "-o", "whole")
         process = start("study", "figure4", "--quick", "-o", "broken", cwd=self.folder)

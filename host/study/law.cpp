@@ -1,0 +1,274 @@
+// What a law pooled over places hides: the law at each place of a cell, that of pairs of places, and how much
+// the covariance of two places depends on where they are.
+
+#include "study/figures.hpp"
+
+#include "statistics/gaussianity.hpp"
+#include "statistics/moments.hpp"
+#include "study/noise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace gabor::study {
+
+namespace {
+
+struct Subject {
+    std::string name;
+    double visited; ///< impulses per value
+    double cells_per_radius;
+    std::function<Noise(const vulkan::Device&, const Wave&)> make;
+};
+
+std::vector<Subject> subjects() {
+    std::vector<Subject> all;
+    for (const auto& [name, ingredients] :
+         {std::pair("seminal", Ingredients{}), std::pair("advice", recommended)})
+        all.push_back({name, 9.0 * ingredients.impulses, 1,
+                       [ingredients](const vulkan::Device& device, const Wave& wave) {
+                           return Noise(device, ingredients, wave);
+                       }});
+    for (const noise::Recipe& recipe : noise::recipes())
+        all.push_back({recipe.taps > 0 ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
+                       static_cast<double>(noise::visited_impulses(recipe)), recipe.radius,
+                       [recipe](const vulkan::Device& device, const Wave& wave) {
+                           return Noise(device, recipe, wave);
+                       }});
+    return all;
+}
+
+// A noise that is made when it is first asked for, and then kept: a pipeline takes longer than a row.
+using Source = std::function<Noise&()>;
+
+Source source(const vulkan::Device& device, const Subject& subject, const Wave& wave) {
+    return [&device, make = subject.make, wave, kept = std::make_shared<std::optional<Noise>>()]() -> Noise& {
+        if (!*kept)
+            kept->emplace(make(device, wave));
+        return **kept;
+    };
+}
+
+// Instances with the same seed are the same, and begin at the same places.
+std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
+    std::vector<float> values(instances << 2 * grid.bits);
+    noise.fill(values, grid, 0, seed, ~seed);
+    return values;
+}
+
+// cvm and its interval.
+void append_cvm(Numbers& numbers, std::span<const float> values, double deviation = 1) {
+    statistics::Gaussianity gaussianity(deviation);
+    gaussianity.add(values);
+    const statistics::Estimate cvm = gaussianity.index();
+    numbers.insert(numbers.end(), {cvm.value, cvm.low, cvm.high});
+}
+
+constexpr std::string_view law_columns = "cvm,cvm_low,cvm_high,excess_kurtosis,beyond_3.5";
+enum Law : std::size_t { cvm = 0, excess_kurtosis = 3, beyond = 4 };
+
+Numbers law_of(std::span<const float> values) {
+    Numbers numbers;
+    append_cvm(numbers, values);
+    statistics::Moments moments;
+    moments.add(values);
+    numbers.push_back(moments.excess_kurtosis());
+    const auto far = std::ranges::count_if(values, [](float value) { return std::abs(value) > 3.5f; });
+    numbers.push_back(static_cast<double>(far) / static_cast<double>(values.size()));
+    return numbers;
+}
+
+constexpr int side = 8; // places of a cell along an axis, the first at its corner
+
+// For each noise the mean cvm over its places, and the extremes of all.
+using Summaries = std::map<std::string, Numbers>;
+
+Numbers summary(std::span<const Numbers> places) {
+    const auto extremes = [&](std::size_t column) {
+        return std::ranges::minmax(places, {}, [&](const Numbers& place) { return place[column]; });
+    };
+    double sum = 0;
+    for (const Numbers& place : places)
+        sum += place[cvm];
+    const auto kurtosis = extremes(excess_kurtosis);
+    const auto tails = extremes(beyond);
+    return {sum / static_cast<double>(places.size()),
+            extremes(cvm).max[cvm],
+            kurtosis.min[excess_kurtosis],
+            kurtosis.max[excess_kurtosis],
+            tails.min[beyond],
+            tails.max[beyond]};
+}
+
+Table places(const vulkan::Device& device, const Effort& effort,
+             const std::shared_ptr<Summaries>& summaries) {
+    Table table{"law_places", fmt::format("noise,x,y,instances,{}", law_columns), {}};
+    std::vector<std::string> names;
+    for (const Subject& subject : subjects()) {
+        names.push_back(subject.name);
+        const Source noise = source(device, subject, {});
+        for (int place = 0; place < side * side; ++place) {
+            const double x = place % side / double{side};
+            const double y = place / side / double{side};
+            const double radius = subject.cells_per_radius;
+            table.rows.push_back({fmt::format("{},{:g},{:g},{}", subject.name, x, y, effort.law),
+                                  subject.visited * static_cast<double>(effort.law),
+                                  [noise, x, y, radius, instances = effort.law](std::uint32_t seed) {
+                                      const Grid grid{.random = false, .shift = {x / radius, y / radius}};
+                                      return law_of(draw(noise(), instances, grid, seed));
+                                  }});
+        }
+    }
+    table.derive = [names, summaries](std::vector<Numbers>& rows) {
+        std::span<const Numbers> rest = rows;
+        for (const std::string& name : names) {
+            (*summaries)[name] = summary(rest.first(side * side));
+            rest = rest.subspan(side * side);
+        }
+    };
+    return table;
+}
+
+// Pooled over places, beside the summary of the places: that table is complete before this one is.
+Table pooled(const vulkan::Device& device, const Effort& effort,
+             const std::shared_ptr<Summaries>& summaries) {
+    Table table{"law", fmt::format("noise,samples,{}", law_columns), {}};
+    std::vector<std::string> names;
+    for (const Subject& subject : subjects()) {
+        names.push_back(subject.name);
+        table.rows.push_back({fmt::format("{},{}", subject.name, effort.samples),
+                              subject.visited * static_cast<double>(effort.samples),
+                              [noise = source(device, subject, {}), samples = effort.samples](
+                                  std::uint32_t seed) { return law_of(draw(noise(), samples, {}, seed)); }});
+    }
+    table.derived = "cvm_mean,cvm_worst,kurtosis_lowest,kurtosis_highest,beyond_lowest,beyond_highest";
+    table.derive = [names, summaries](std::vector<Numbers>& rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Numbers& more = summaries->at(names[i]);
+            rows[i].insert(rows[i].end(), more.begin(), more.end());
+        }
+    };
+    return table;
+}
+
+// The sum and the difference of two values that are a lag apart, at a random place. Their deviation depends
+// on the lag and is that of the samples.
+Table pairs(const vulkan::Device& device, const Effort& effort) {
+    Table table{"law_pairs",
+                "noise,lag,direction,pairs,correlation,cvm_sum,cvm_sum_low,cvm_sum_high,cvm_difference,"
+                "cvm_difference_low,cvm_difference_high",
+                {}};
+    for (const Subject& subject : subjects()) {
+        const Source noise = source(device, subject, {});
+        for (int k = 1; k <= 10; ++k) {
+            const double lag = 0.15 * k;
+            const int degrees = 55 * k % 180;
+            table.rows.push_back(
+                {fmt::format("{},{:g},{},{}", subject.name, lag, degrees, effort.law),
+                 2 * subject.visited * static_cast<double>(effort.law),
+                 [noise, lag, degrees, instances = effort.law](std::uint32_t seed) -> Numbers {
+                     const double angle = degrees * std::numbers::pi / 180;
+                     const std::vector<float> here = draw(noise(), instances, {}, seed);
+                     const std::vector<float> there = draw(
+                         noise(), instances, {.shift = {lag * std::cos(angle), lag * std::sin(angle)}}, seed);
+                     std::vector<float> sums;
+                     std::vector<float> differences;
+                     for (std::size_t i = 0; i < here.size(); ++i) {
+                         sums.push_back(here[i] + there[i]);
+                         differences.push_back(here[i] - there[i]);
+                     }
+                     statistics::Moments sum;
+                     statistics::Moments difference;
+                     sum.add(sums);
+                     difference.add(differences);
+                     const double total = sum.variance() + difference.variance();
+                     Numbers numbers{(sum.variance() - difference.variance()) / total};
+                     append_cvm(numbers, sums, std::sqrt(sum.variance()));
+                     append_cvm(numbers, differences, std::sqrt(difference.variance()));
+                     return numbers;
+                 }});
+        }
+    }
+    return table;
+}
+
+// The covariance of two values a lag apart at each place of a cell, and how it differs from its mean over the
+// places where the two are in different cells. The wave turns wholly between any two of them, so that their
+// covariance is that of the windows.
+constexpr Wave whole_turns{4, 0};
+
+Numbers covariance(Noise& noise, const std::array<double, 2>& lag, double cells_per_radius,
+                   std::uint64_t instances, std::uint32_t seed) {
+    constexpr std::size_t count = side * side;
+    const double half = 0.5 / side / cells_per_radius; // places are in the middle of their squares
+    const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
+    Grid second = first;
+    second.shift = {lag[0] - half, lag[1] - half};
+    const std::vector<float> here = draw(noise, instances, first, seed);
+    const std::vector<float> there = draw(noise, instances, second, seed);
+    std::array<double, count> covariances{};
+    for (std::size_t i = 0; i < here.size(); ++i)
+        covariances[i % count] += double{here[i]} * there[i] / static_cast<double>(instances);
+
+    double mean = 0;
+    for (const double value : covariances)
+        mean += value / count;
+    double squares = 0;
+    double largest = 0;
+    double crossing = 0;
+    for (std::size_t place = 0; place < count; ++place) {
+        const double x = static_cast<double>(place % side) / side + lag[0] * cells_per_radius;
+        const double y = static_cast<double>(place / side) / side + lag[1] * cells_per_radius;
+        if (x < 1 && y < 1)
+            continue;
+        const double difference = covariances[place] - mean;
+        squares += difference * difference;
+        largest = std::max(largest, std::abs(difference));
+        ++crossing;
+    }
+    // The product of two normal variables has the variance 1 + correlation^2.
+    const double chance = std::sqrt((1 + mean * mean) / static_cast<double>(instances));
+    return {mean, std::sqrt(squares / crossing), chance, largest,
+            chance * statistics::normal_quantile(1 - 0.05 / (2 * crossing))};
+}
+
+Table stationary(const vulkan::Device& device, const Effort& effort) {
+    Table table{
+        "law_covariance", "noise,lag_x,lag_y,instances,covariance,rms,rms_chance,largest,largest_chance", {}};
+    const std::uint64_t instances = effort.places / 2;
+    for (const Subject& subject : subjects()) {
+        const Source noise = source(device, subject, whole_turns);
+        for (const std::array<double, 2> lag : {std::array{0.25, 0.0},
+                                                {0.5, 0.0},
+                                                {0.75, 0.0},
+                                                {1.0, 0.0},
+                                                {1.25, 0.0},
+                                                {1.5, 0.0},
+                                                {1.75, 0.0},
+                                                {0.5, 0.5},
+                                                {1.0, 1.0}})
+            table.rows.push_back(
+                {fmt::format("{},{:g},{:g},{}", subject.name, lag[0], lag[1], instances),
+                 2.0 * side * side * subject.visited * static_cast<double>(instances),
+                 [noise, lag, radius = subject.cells_per_radius, instances](std::uint32_t seed) {
+                     return covariance(noise(), lag, radius, instances, seed);
+                 }});
+    }
+    return table;
+}
+
+} // namespace
+
+Tables law(const vulkan::Device& device, const Effort& effort) {
+    const auto summaries = std::make_shared<Summaries>();
+    return {places(device, effort, summaries), pooled(device, effort, summaries), pairs(device, effort),
+            stationary(device, effort)};
+}
+
+} // namespace gabor::study

@@ -1,0 +1,17 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Values of a recipe's noise where the study looks, by the drop-in's own call.
+
+#include "recipe.glsl"
+#include "places.glsl"
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    uint seed;
+    vec2 p = place_of(i, seed);
+    values[i] = amplitude * gabor_noise(p / GABOR_RADIUS, length(wave), atan(wave.y, wave.x), seed);
+}
