@@ -112,6 +112,28 @@ void recipe_ingredients(render::Request& request) {
         request.recipe = noise::find_recipe(noise::spelled_out(recipe));
 }
 
+// Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
+// export.
+constexpr std::array<std::string_view, 19> placed{"recipe",
+                                                  "scale",
+                                                  "seed",
+                                                  "paint",
+                                                  "time",
+                                                  "view",
+                                                  "tileable",
+                                                  "depth",
+                                                  "solid",
+                                                  "yaw",
+                                                  "pitch",
+                                                  "zoom",
+                                                  "filter",
+                                                  "lobes",
+                                                  "sum",
+                                                  "frequency",
+                                                  "orientation",
+                                                  "frequency_spread",
+                                                  "orientation_spread"};
+
 constexpr std::array outputs{"value", "gradient", "phase", "intensity", "variance"};
 constexpr std::array output_tips{
     "The noise itself, of mean 0 and variance 1", "Its analytic gradient, as a normal map",
@@ -259,8 +281,9 @@ void files_panel(Session& session) {
         save_preset(session);
     tooltip("Ctrl S");
 
-    for (const char* name : {"width", "height", "values", "quadrature", "gradient", "phasor"})
-        control(session, name);
+    for (const render::Parameter& parameter : render::parameters())
+        if (std::ranges::find(placed, parameter.name) == placed.end())
+            control(session, parameter.name);
     ImGui::InputText("file", &session.export_target.path);
     tooltip("The EXR to write, 32-bit float, its parameters in the header");
     ImGui::Checkbox("PNG beside it", &session.export_target.png);
