@@ -20,7 +20,7 @@ constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
     return {name, 1, 0.5f * static_cast<float>(taps), 0, 0, {}, is, Recipe::Kind::lattice, taps};
 }
 
-// Of each kind the first is what its drop-in does by itself.
+// Of each kind the first is what its drop-in does by itself. The lattice's come first, then the sparse ones.
 constexpr std::array known{
     lattice("lattice", 3, "exactly normal at every place, the best for its price"),
     lattice("lattice-2", 2, "the same with two nodes along each axis, the fastest"),
@@ -43,7 +43,8 @@ std::span<const Recipe> recipes() {
 }
 
 std::span<const Recipe> sparse_recipes() {
-    return std::span(known).subspan(3);
+    const auto first = std::ranges::find(known, Recipe::Kind::sparse, &Recipe::kind);
+    return {first, known.end()};
 }
 
 std::string_view drop_in(const Recipe& recipe) {
