@@ -1,6 +1,5 @@
-// The law of the lattice noise on the device: normal at places and together, over independent instances; and
-// nothing of the lattice in spectra of pictures. GABOR_LAW_SAMPLES says how many samples each figure has;
-// tools/test-long takes 10^8.
+// The law of the lattice noise on the device: normal at places and together, over independent instances.
+// GABOR_LAW_SAMPLES says how many samples each figure has.
 
 #include "lattice_sampler.hpp"
 #include "statistics/estimate.hpp"
