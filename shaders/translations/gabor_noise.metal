@@ -1,4 +1,5 @@
-// gabor_noise.metal: fast, normalized Gabor noise in two dimensions: for the Metal shading language.
+// gabor_noise.metal: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. For new work take
+// gabor_lattice.metal, which has the same calls, is faster, and is normal at every place: for the Metal shading language.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
@@ -14,7 +15,9 @@
 //     gabor_noise_spread                      waves of many orientations and frequencies, up to isotropic
 //     gabor_noise_lobes, gabor_noise_sum      any spectrum, as a list of lobes
 //     gabor_noise_filtered                    without aliasing, whatever a pixel covers
-//     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
+//     gabor_noise_at, gabor_kernel            by integer cell and local offset, for large worlds
+//     gabor_field                             all of it at once
+// Names with gabor_impl_ are private.
 //
 // The noise is a sum of Gabor kernels around random places x_i (sparse convolution):
 //
@@ -39,7 +42,7 @@ using namespace metal;
 
 #define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
-// ---- Recipe: how quality is bought ---------------------------------------------------------------------------------
+// ---- Recipe: macros that trade quality for speed --------------------------------------------------------------------
 // Define these before the file for another recipe. The defaults are the recipe `one`; README has a table of others.
 // GABOR_UNCHECKED is for those who define them as constants that the preprocessor cannot know.
 

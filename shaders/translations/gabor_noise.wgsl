@@ -1,4 +1,5 @@
-// gabor_noise.wgsl: fast, normalized Gabor noise in two dimensions: for WGSL.
+// gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. For new work take
+// gabor_lattice.wgsl, which has the same calls, is faster, and is normal at every place: for WGSL.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
@@ -14,7 +15,9 @@
 //     gabor_noise_spread                      waves of many orientations and frequencies, up to isotropic
 //     gabor_noise_lobes, gabor_noise_sum      any spectrum, as a list of lobes
 //     gabor_noise_filtered                    without aliasing, whatever a pixel covers
-//     gabor_kernel, gabor_field               all of it by integer cell and local offset, for large worlds
+//     gabor_noise_at, gabor_kernel            by integer cell and local offset, for large worlds
+//     gabor_field                             all of it at once
+// Names with gabor_impl_ are private.
 //
 // The noise is a sum of Gabor kernels around random places x_i (sparse convolution):
 //

@@ -118,25 +118,19 @@ GaborField gabor_field_spread(float2 p, float frequency, float orientation, floa
     orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
     float shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
     int shell_count = gabor_impl_pieces(shells);
-    // Loops end at their ends, for software drivers go once more through those that end at their beginnings; and what a
-    // loop adds where it has ended is 0, for some of those drivers let it be added.
-    int j = 0;
-    do {
+    for (int j = 0; j < shell_count; ++j) {
         float3 shell = gabor_impl_piece(j, shells);
         float magnitude = frequency * (1.0 + frequency_spread * shell.x);
         float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
         int direction_count = gabor_impl_pieces(directions);
-        int i = 0;
-        do {
+        for (int i = 0; i < direction_count; ++i) {
             float3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel_ = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel_, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
-            float amplitude = j < shell_count && i < direction_count ? sqrt(shell.y * direction.y) : 0.0;
+            float amplitude = sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
-            ++i;
-        } while (i < direction_count);
-        ++j;
-    } while (j < shell_count);
+        }
+    }
     return sum;
 }
 

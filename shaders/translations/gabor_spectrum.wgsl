@@ -304,7 +304,6 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         var direction: vec3<f32>;
         var kernel_7: GaborKernel;
         var field_3: GaborField;
-        var local_9: f32;
         var amplitude_1: f32;
 
         frequency_8 = frequency;
@@ -325,77 +324,71 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         let _e52 = gabor_impl_pieces(_e51);
         shell_count = _e52;
         loop {
-            {
-                let _e56 = j;
-                let _e57 = shells;
-                let _e58 = gabor_impl_piece(_e56, _e57);
-                shell = _e58;
-                let _e60 = frequency_8;
-                let _e62 = frequency_spread_1;
-                let _e63 = shell;
-                magnitude = (_e60 * (1f + (_e62 * _e63.x)));
-                let _e70 = orientation_spread_1;
-                let _e73 = magnitude;
-                directions = clamp((((0.63661975f * _e70) * ((4.44f * _e73) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e84 = directions;
-                let _e85 = gabor_impl_pieces(_e84);
-                direction_count = _e85;
-                i_3 = 0i;
-                loop {
-                    {
-                        let _e89 = i_3;
-                        let _e90 = directions;
-                        let _e91 = gabor_impl_piece(_e89, _e90);
-                        direction = _e91;
-                        let _e93 = magnitude;
-                        let _e94 = orientation_spread_1;
-                        let _e95 = direction;
-                        let _e99 = gabor_kernel(_e93, (orientation + (_e94 * _e95.x)));
-                        kernel_7 = _e99;
-                        let _e101 = place_3;
-                        let _e102 = kernel_7;
-                        let _e104 = shell;
-                        let _e107 = direction;
-                        let _e111 = gabor_lobe_seed(seed, i32(((128f * _e104.z) + _e107.z)));
-                        let _e112 = gabor_field(_e101, _e102, _e111);
-                        field_3 = _e112;
-                        let _e114 = j;
-                        let _e115 = shell_count;
-                        let _e117 = i_3;
-                        let _e118 = direction_count;
-                        if ((_e114 < _e115) && (_e117 < _e118)) {
-                            let _e121 = shell;
-                            let _e123 = direction;
-                            local_9 = sqrt((_e121.y * _e123.y));
-                        } else {
-                            local_9 = 0f;
-                        }
-                        let _e129 = local_9;
-                        amplitude_1 = _e129;
-                        let _e132 = field_3;
-                        let _e133 = amplitude_1;
-                        let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
-                        let _e136 = i_3;
-                        i_3 = (_e136 + 1i);
-                    }
-                    let _e139 = i_3;
-                    let _e140 = direction_count;
-                    if !((_e139 < _e140)) {
-                        break;
-                    }
-                }
-                let _e143 = j;
-                j = (_e143 + 1i);
-            }
-            let _e146 = j;
-            let _e147 = shell_count;
-            if !((_e146 < _e147)) {
+            let _e56 = j;
+            let _e57 = shell_count;
+            if !((_e56 < _e57)) {
                 break;
             }
+            {
+                let _e63 = j;
+                let _e64 = shells;
+                let _e65 = gabor_impl_piece(_e63, _e64);
+                shell = _e65;
+                let _e67 = frequency_8;
+                let _e69 = frequency_spread_1;
+                let _e70 = shell;
+                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
+                let _e77 = orientation_spread_1;
+                let _e80 = magnitude;
+                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
+                let _e91 = directions;
+                let _e92 = gabor_impl_pieces(_e91);
+                direction_count = _e92;
+                i_3 = 0i;
+                loop {
+                    let _e96 = i_3;
+                    let _e97 = direction_count;
+                    if !((_e96 < _e97)) {
+                        break;
+                    }
+                    {
+                        let _e103 = i_3;
+                        let _e104 = directions;
+                        let _e105 = gabor_impl_piece(_e103, _e104);
+                        direction = _e105;
+                        let _e107 = magnitude;
+                        let _e108 = orientation_spread_1;
+                        let _e109 = direction;
+                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
+                        kernel_7 = _e113;
+                        let _e115 = place_3;
+                        let _e116 = kernel_7;
+                        let _e118 = shell;
+                        let _e121 = direction;
+                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
+                        let _e126 = gabor_field(_e115, _e116, _e125);
+                        field_3 = _e126;
+                        let _e128 = shell;
+                        let _e130 = direction;
+                        amplitude_1 = sqrt((_e128.y * _e130.y));
+                        let _e136 = field_3;
+                        let _e137 = amplitude_1;
+                        let _e138 = amplitude_1;
+                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
+                    }
+                    continuing {
+                        let _e100 = i_3;
+                        i_3 = (_e100 + 1i);
+                    }
+                }
+            }
+            continuing {
+                let _e60 = j;
+                j = (_e60 + 1i);
+            }
         }
-        let _e150 = sum_4;
-        return _e150;
+        let _e140 = sum_4;
+        return _e140;
     } else if GABOR_TAPS == 4 {
         var frequency_8: f32;
         var frequency_spread_1: f32;
@@ -413,7 +406,6 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         var direction: vec3<f32>;
         var kernel_7: GaborKernel;
         var field_3: GaborField;
-        var local_9: f32;
         var amplitude_1: f32;
 
         frequency_8 = frequency;
@@ -434,77 +426,71 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         let _e52 = gabor_impl_pieces(_e51);
         shell_count = _e52;
         loop {
-            {
-                let _e56 = j;
-                let _e57 = shells;
-                let _e58 = gabor_impl_piece(_e56, _e57);
-                shell = _e58;
-                let _e60 = frequency_8;
-                let _e62 = frequency_spread_1;
-                let _e63 = shell;
-                magnitude = (_e60 * (1f + (_e62 * _e63.x)));
-                let _e70 = orientation_spread_1;
-                let _e73 = magnitude;
-                directions = clamp((((0.63661975f * _e70) * ((4.44f * _e73) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e84 = directions;
-                let _e85 = gabor_impl_pieces(_e84);
-                direction_count = _e85;
-                i_3 = 0i;
-                loop {
-                    {
-                        let _e89 = i_3;
-                        let _e90 = directions;
-                        let _e91 = gabor_impl_piece(_e89, _e90);
-                        direction = _e91;
-                        let _e93 = magnitude;
-                        let _e94 = orientation_spread_1;
-                        let _e95 = direction;
-                        let _e99 = gabor_kernel(_e93, (orientation + (_e94 * _e95.x)));
-                        kernel_7 = _e99;
-                        let _e101 = place_3;
-                        let _e102 = kernel_7;
-                        let _e104 = shell;
-                        let _e107 = direction;
-                        let _e111 = gabor_lobe_seed(seed, i32(((128f * _e104.z) + _e107.z)));
-                        let _e112 = gabor_field(_e101, _e102, _e111);
-                        field_3 = _e112;
-                        let _e114 = j;
-                        let _e115 = shell_count;
-                        let _e117 = i_3;
-                        let _e118 = direction_count;
-                        if ((_e114 < _e115) && (_e117 < _e118)) {
-                            let _e121 = shell;
-                            let _e123 = direction;
-                            local_9 = sqrt((_e121.y * _e123.y));
-                        } else {
-                            local_9 = 0f;
-                        }
-                        let _e129 = local_9;
-                        amplitude_1 = _e129;
-                        let _e132 = field_3;
-                        let _e133 = amplitude_1;
-                        let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
-                        let _e136 = i_3;
-                        i_3 = (_e136 + 1i);
-                    }
-                    let _e139 = i_3;
-                    let _e140 = direction_count;
-                    if !((_e139 < _e140)) {
-                        break;
-                    }
-                }
-                let _e143 = j;
-                j = (_e143 + 1i);
-            }
-            let _e146 = j;
-            let _e147 = shell_count;
-            if !((_e146 < _e147)) {
+            let _e56 = j;
+            let _e57 = shell_count;
+            if !((_e56 < _e57)) {
                 break;
             }
+            {
+                let _e63 = j;
+                let _e64 = shells;
+                let _e65 = gabor_impl_piece(_e63, _e64);
+                shell = _e65;
+                let _e67 = frequency_8;
+                let _e69 = frequency_spread_1;
+                let _e70 = shell;
+                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
+                let _e77 = orientation_spread_1;
+                let _e80 = magnitude;
+                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
+                let _e91 = directions;
+                let _e92 = gabor_impl_pieces(_e91);
+                direction_count = _e92;
+                i_3 = 0i;
+                loop {
+                    let _e96 = i_3;
+                    let _e97 = direction_count;
+                    if !((_e96 < _e97)) {
+                        break;
+                    }
+                    {
+                        let _e103 = i_3;
+                        let _e104 = directions;
+                        let _e105 = gabor_impl_piece(_e103, _e104);
+                        direction = _e105;
+                        let _e107 = magnitude;
+                        let _e108 = orientation_spread_1;
+                        let _e109 = direction;
+                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
+                        kernel_7 = _e113;
+                        let _e115 = place_3;
+                        let _e116 = kernel_7;
+                        let _e118 = shell;
+                        let _e121 = direction;
+                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
+                        let _e126 = gabor_field(_e115, _e116, _e125);
+                        field_3 = _e126;
+                        let _e128 = shell;
+                        let _e130 = direction;
+                        amplitude_1 = sqrt((_e128.y * _e130.y));
+                        let _e136 = field_3;
+                        let _e137 = amplitude_1;
+                        let _e138 = amplitude_1;
+                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
+                    }
+                    continuing {
+                        let _e100 = i_3;
+                        i_3 = (_e100 + 1i);
+                    }
+                }
+            }
+            continuing {
+                let _e60 = j;
+                j = (_e60 + 1i);
+            }
         }
-        let _e150 = sum_4;
-        return _e150;
+        let _e140 = sum_4;
+        return _e140;
     } else {
         var frequency_8: f32;
         var frequency_spread_1: f32;
@@ -522,7 +508,6 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         var direction: vec3<f32>;
         var kernel_7: GaborKernel;
         var field_3: GaborField;
-        var local_9: f32;
         var amplitude_1: f32;
 
         frequency_8 = frequency;
@@ -543,77 +528,71 @@ fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         let _e52 = gabor_impl_pieces(_e51);
         shell_count = _e52;
         loop {
-            {
-                let _e56 = j;
-                let _e57 = shells;
-                let _e58 = gabor_impl_piece(_e56, _e57);
-                shell = _e58;
-                let _e60 = frequency_8;
-                let _e62 = frequency_spread_1;
-                let _e63 = shell;
-                magnitude = (_e60 * (1f + (_e62 * _e63.x)));
-                let _e70 = orientation_spread_1;
-                let _e73 = magnitude;
-                directions = clamp((((0.63661975f * _e70) * ((4.44f * _e73) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e84 = directions;
-                let _e85 = gabor_impl_pieces(_e84);
-                direction_count = _e85;
-                i_3 = 0i;
-                loop {
-                    {
-                        let _e89 = i_3;
-                        let _e90 = directions;
-                        let _e91 = gabor_impl_piece(_e89, _e90);
-                        direction = _e91;
-                        let _e93 = magnitude;
-                        let _e94 = orientation_spread_1;
-                        let _e95 = direction;
-                        let _e99 = gabor_kernel(_e93, (orientation + (_e94 * _e95.x)));
-                        kernel_7 = _e99;
-                        let _e101 = place_3;
-                        let _e102 = kernel_7;
-                        let _e104 = shell;
-                        let _e107 = direction;
-                        let _e111 = gabor_lobe_seed(seed, i32(((128f * _e104.z) + _e107.z)));
-                        let _e112 = gabor_field(_e101, _e102, _e111);
-                        field_3 = _e112;
-                        let _e114 = j;
-                        let _e115 = shell_count;
-                        let _e117 = i_3;
-                        let _e118 = direction_count;
-                        if ((_e114 < _e115) && (_e117 < _e118)) {
-                            let _e121 = shell;
-                            let _e123 = direction;
-                            local_9 = sqrt((_e121.y * _e123.y));
-                        } else {
-                            local_9 = 0f;
-                        }
-                        let _e129 = local_9;
-                        amplitude_1 = _e129;
-                        let _e132 = field_3;
-                        let _e133 = amplitude_1;
-                        let _e134 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e132, _e133, _e134);
-                        let _e136 = i_3;
-                        i_3 = (_e136 + 1i);
-                    }
-                    let _e139 = i_3;
-                    let _e140 = direction_count;
-                    if !((_e139 < _e140)) {
-                        break;
-                    }
-                }
-                let _e143 = j;
-                j = (_e143 + 1i);
-            }
-            let _e146 = j;
-            let _e147 = shell_count;
-            if !((_e146 < _e147)) {
+            let _e56 = j;
+            let _e57 = shell_count;
+            if !((_e56 < _e57)) {
                 break;
             }
+            {
+                let _e63 = j;
+                let _e64 = shells;
+                let _e65 = gabor_impl_piece(_e63, _e64);
+                shell = _e65;
+                let _e67 = frequency_8;
+                let _e69 = frequency_spread_1;
+                let _e70 = shell;
+                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
+                let _e77 = orientation_spread_1;
+                let _e80 = magnitude;
+                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
+                let _e91 = directions;
+                let _e92 = gabor_impl_pieces(_e91);
+                direction_count = _e92;
+                i_3 = 0i;
+                loop {
+                    let _e96 = i_3;
+                    let _e97 = direction_count;
+                    if !((_e96 < _e97)) {
+                        break;
+                    }
+                    {
+                        let _e103 = i_3;
+                        let _e104 = directions;
+                        let _e105 = gabor_impl_piece(_e103, _e104);
+                        direction = _e105;
+                        let _e107 = magnitude;
+                        let _e108 = orientation_spread_1;
+                        let _e109 = direction;
+                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
+                        kernel_7 = _e113;
+                        let _e115 = place_3;
+                        let _e116 = kernel_7;
+                        let _e118 = shell;
+                        let _e121 = direction;
+                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
+                        let _e126 = gabor_field(_e115, _e116, _e125);
+                        field_3 = _e126;
+                        let _e128 = shell;
+                        let _e130 = direction;
+                        amplitude_1 = sqrt((_e128.y * _e130.y));
+                        let _e136 = field_3;
+                        let _e137 = amplitude_1;
+                        let _e138 = amplitude_1;
+                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
+                    }
+                    continuing {
+                        let _e100 = i_3;
+                        i_3 = (_e100 + 1i);
+                    }
+                }
+            }
+            continuing {
+                let _e60 = j;
+                j = (_e60 + 1i);
+            }
         }
-        let _e150 = sum_4;
-        return _e150;
+        let _e140 = sum_4;
+        return _e140;
     }
 }
 
@@ -997,9 +976,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var apart: f32;
     var larger: f32;
     var side: f32;
-    var local_10: f32;
+    var local_9: f32;
     var smaller: f32;
-    var local_11: f32;
+    var local_10: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1046,11 +1025,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
         let _e94 = larger;
         let _e96 = side;
         let _e98 = mean;
-        local_10 = min(((_e93 / _e94) * _e96), _e98);
+        local_9 = min(((_e93 / _e94) * _e96), _e98);
     } else {
-        local_10 = 0f;
+        local_9 = 0f;
     }
-    let _e102 = local_10;
+    let _e102 = local_9;
     smaller = _e102;
     let _e105 = footprint;
     footprint.resolved = _e105.covariance;
@@ -1064,11 +1043,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e114 > 0f) {
                 let _e119 = smaller;
                 let _e122 = apart;
-                local_11 = ((0.5f * (0.25f - _e119)) / _e122);
+                local_10 = ((0.5f * (0.25f - _e119)) / _e122);
             } else {
-                local_11 = 0f;
+                local_10 = 0f;
             }
-            let _e126 = local_11;
+            let _e126 = local_10;
             axis = (_e113 * _e126);
             let _e131 = smaller;
             let _e134 = axis;
@@ -1400,7 +1379,7 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
     var i_6: i32 = 0i;
     var lobe_1: GaborLobe;
     var value_2: vec2<f32>;
-    var local_12: vec2<f32>;
+    var local_11: vec2<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1442,10 +1421,10 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
         let _e66 = sum_6;
         let _e67 = power_2;
         let _e70 = power_2;
-        local_12 = (_e66 * vec2<f32>(inverseSqrt(_e67), (1f / _e70)));
+        local_11 = (_e66 * vec2<f32>(inverseSqrt(_e67), (1f / _e70)));
     } else {
-        local_12 = vec2(0f);
+        local_11 = vec2(0f);
     }
-    let _e77 = local_12;
+    let _e77 = local_11;
     return _e77;
 }
