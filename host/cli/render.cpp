@@ -269,7 +269,8 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         if (frame + 1 == frames)
             progress.reset();
         fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
-                   region.width, region.height, noise::spelled_out(render::drawing_recipe(request)), device.info().name);
+                   region.width, region.height, noise::spelled_out(render::drawing_recipe(request)),
+                   device.info().name);
     }
     if (options.verbose)
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
