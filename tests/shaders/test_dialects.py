@@ -17,6 +17,7 @@ VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 FILES = {
     "gabor_noise": ["gabor_noise", "gabor_noise_3d"],
     "gabor_lattice": ["gabor_lattice"],
+    "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
 }
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
@@ -29,6 +30,7 @@ RECIPES = {
         "lobes": {"GABOR_LOBES": "6"},
     },
     "gabor_lattice": {"default": {}, "two taps": {"GABOR_TAPS": "2"}, "four taps": {"GABOR_TAPS": "4"}},
+    "gabor_lattice_3d": {"default": {}, "lobes": {"GABOR_LOBES": "6"}},
 }
 
 # What a macro must not be, and what the compiler's log then says.
@@ -51,6 +53,7 @@ BAD_MACROS = {
         ("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4"),
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
     ],
+    "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
 }
 
 # The functions to call, with values that no compiler can fold.
@@ -82,6 +85,20 @@ USE_MORE = {
            + gabor_noise_3d_at(ivec3(q), fract(q), solid, 7u);
 """,
     "gabor_lattice": "",
+    "gabor_lattice_3d": """
+    GaborLobes lobes;
+    for (int i = 0; i < GABOR_LOBES; ++i)
+        lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
+    lobes.count = GABOR_LOBES;
+    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u) + gabor_noise_lobes(p, lobes, 7u)
+           + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
+    vec3 q = vec3(p, 0.3);
+    noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
+           + dot(gabor_noise_3d_gradient(q, 4.0, q, 7u), vec4(1.0)) + gabor_phasor(gabor_noise_3d_complex(q, 4.0, q, 7u)).x
+           + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
+           + gabor_noise_3d_filtered(q, q, q.yxz, 4.0, q, 7u).x + gabor_noise_surface(q, q, 4.0, q, 7u)
+           + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
+""",
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
            "    color = vec4(gabor_unorm(noise));\n}}\n"
@@ -162,7 +179,7 @@ class Dialects(unittest.TestCase):
             self.compile(f"#version {version}\n{before}{(SHADERS / 'gabor_noise_3d.glsl').read_text()}", stage, options)
 
     def test_both_at_once_are_an_error_that_says_so(self):
-        for both in (FILES, reversed(FILES)):
+        for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
             with self.assertRaisesRegex(AssertionError, "not both"):
                 self.compile("#version 450\n" + "".join(map(SOURCES.get, both)) + "void main() {}\n", "frag", [])
 
@@ -187,7 +204,7 @@ class Dialects(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def setUp(self):
-        self.text = "".join(SOURCES.values())
+        self.text = "".join((SHADERS / f"{file}.glsl").read_text() for file in sorted({*sum(FILES.values(), [])}))
         lines = strip_comments(self.text).splitlines()
         self.directives = [line.strip() for line in lines if line.strip().startswith("#")]
         self.code = "\n".join(line for line in lines if not line.strip().startswith("#"))
@@ -212,11 +229,19 @@ class Names(unittest.TestCase):
 
     def test_it_states_its_precision(self):
         guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
-        for name in sum(FILES.values(), []):
+        for name in ("gabor_lattice", "gabor_noise", "gabor_noise_3d"):  # all others come after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
                 self.assertEqual(text.count(guard), 1)
                 self.assertEqual(len(re.findall("^precision ", text, re.MULTILINE)), 2)
+
+    def test_no_function_is_overloaded(self):
+        # WGSL tells functions apart by their names alone.
+        for files in FILES.values():
+            code = strip_comments("".join((SHADERS / f"{file}.glsl").read_text() for file in files))
+            found = re.findall(r"^\w+ (gabor_\w+)\(", re.sub(r"^#(?:elif|else)(?:.|\n)*?^#endif", "", code, flags=re.MULTILINE),
+                               re.MULTILINE)
+            self.assertEqual({name for name in found if found.count(name) > 1}, set())
 
     def test_its_messages_have_no_quotes(self):
         # naga, which wgpu reads GLSL with, takes words and numbers only.
@@ -228,8 +253,10 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
-        # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Lobes are the only arrays.
-        self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)), {"GaborLobe lobe[GABOR_LOBES]"})
+        # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Lobes, and the nodes of the
+        # filter's rows, are the only arrays.
+        self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
+                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[5]", "GaborFactors column[5]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 
