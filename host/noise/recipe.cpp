@@ -30,8 +30,6 @@ constexpr std::array known{
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},
 };
 
-constexpr Recipe in_space{"solid", 1, 1.0f, 1.0f, 256, {3.1f, -3.9f, 1.8f}, "27 impulses"};
-
 std::string fields(const Recipe& recipe) {
     return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius,
                        recipe.weight_floor, recipe.phases, recipe.window[0], recipe.window[1],
@@ -128,14 +126,6 @@ int visited_cells(const Recipe& recipe) {
 
 int visited_impulses(const Recipe& recipe) {
     return visited_cells(recipe) * visited_cells(recipe) * recipe.impulses;
-}
-
-int visited_impulses_3d(const Recipe& recipe) {
-    return visited_cells(recipe) * visited_impulses(recipe);
-}
-
-const Recipe& recipe_3d() {
-    return in_space;
 }
 
 } // namespace gabor::noise

@@ -63,12 +63,7 @@ constexpr float largest_radius = 3;
 /// Cells visited along each axis: ceil(2 R) + 1, or the lattice's nodes.
 int visited_cells(const Recipe& recipe);
 
-/// Impulses, or nodes, visited for each evaluation of the noise, and of that in space.
+/// Impulses, or nodes, visited for each evaluation of the noise.
 int visited_impulses(const Recipe& recipe);
-int visited_impulses_3d(const Recipe& recipe);
-
-/// The recipe of shaders/gabor_noise_3d.glsl, whose GABOR_3D_ macros are its fields; `phases` and
-/// `weight_floor` are fixed there.
-const Recipe& recipe_3d();
 
 } // namespace gabor::noise

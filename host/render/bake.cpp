@@ -26,8 +26,14 @@ std::vector<passes::Run> runs_along(const Request& request, int side, int first,
                      longest);
 }
 
-Block block_for(const vulkan::Device& device, const noise::Recipe& recipe) {
-    return device.info().kind == "CPU" ? cpu_block : gpu_block(recipe);
+// A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
+Block block_for(const vulkan::Device& device, const Request& request) {
+    if (device.info().kind != "CPU")
+        return gpu_block(request.recipe);
+    if (request.recipe.kind == noise::Recipe::Kind::sparse)
+        return cpu_block;
+    const double cell = std::ceil(request.scale / double{request.recipe.radius}); // pixels
+    return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
 passes::vec2 turn(double turns) {
@@ -125,7 +131,7 @@ bool Bake::can_fill(const Request& request) {
 }
 
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : block_(block_for(device, request.recipe)), height_(region.height),
+    : block_(block_for(device, request)), height_(region.height),
       column_runs_(runs_along(request, request.width, region.x, region.width, block_.columns)),
       row_runs_(runs_along(request, request.height, region.y, region.height, block_.rows)),
       pass_(make_bake_pass(device, request, block_.columns)), columns_(upload(device, column_runs_)),

@@ -34,8 +34,8 @@ struct Block {
     int rows; ///< at most; the last of a cell has fewer
 };
 
-/// A CPU has few lanes to fill and large caches: `cpu_block`. A GPU wants many small blocks, whose impulses
-/// fit its registers.
+/// A CPU has few lanes to fill and large caches: `cpu_block`, for the lattice about as many pixels. A GPU
+/// wants many small blocks, whose impulses fit its registers.
 constexpr Block cpu_block{8, 32};
 Block gpu_block(const noise::Recipe& recipe);
 

@@ -147,8 +147,8 @@ std::vector<Parameter> make_table() {
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
         {"recipe", Kind::recipe, "", none, none, "",
-         "How quality is bought; `one` draws what a lattice has not: lobes, spreads, the filter, noise in "
-         "space",
+         "How quality is bought; lobes, spreads and the filter in a plane are drawn by `one` in a lattice's "
+         "place",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),

@@ -26,7 +26,7 @@ NoisePass of_drop_in(const render::Request& request) {
         pass.shader = "passes/solid.comp";
         pass.constants = render::solid_constants(request, 0);
         pass.name = "in space";
-        pass.visited = noise::visited_impulses_3d(noise::recipe_3d());
+        pass.visited = 27; // nodes of the lattice in space
     } else {
         const noise::Recipe recipe = render::drawing_recipe(request);
         pass.shader =

@@ -308,26 +308,24 @@ inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
-// (cell + local) / GABOR_RADIUS kernel radii, without periods: full precision everywhere in a world of 2^32 cells each
-// way, where it wraps around.
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
 inline GaborPlace gabor_place(int2 cell, float2 local)
 {
     return GaborPlace{cell, local, float2(GABOR_RADIUS), int2(0), false, 0.0};
+}
+
+// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+inline GaborKernel gabor_kernel_stretched(GaborKernel kernel_, float2 radius)
+{
+    float2 step = kernel_.wave / radius;
+    return GaborKernel{kernel_.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 inline GaborKernel gabor_kernel(float frequency, float orientation)
 {
     float2 wave = min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation);
-    float2 step = wave * (1.0 / GABOR_RADIUS);
-    return GaborKernel{wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
-}
-
-// The same kernel where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
-inline GaborKernel gabor_kernel_stretched(GaborKernel kernel_, float2 radius)
-{
-    float2 step = kernel_.wave / radius;
-    return GaborKernel{kernel_.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
+    return gabor_kernel_stretched(GaborKernel{wave, float2(0.0), float2(0.0)}, float2(GABOR_RADIUS));
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
@@ -397,9 +395,7 @@ inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float o
 // itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 {
-    GaborPlace place = gabor_place(int2(0), p * GABOR_RADIUS);
-    place.animated = true;
-    place.time = time;
+    GaborPlace place = GaborPlace{int2(0), p * GABOR_RADIUS, float2(GABOR_RADIUS), int2(0), true, time};
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

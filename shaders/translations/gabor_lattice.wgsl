@@ -1023,8 +1023,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     }
 }
 
-// (cell + local) / GABOR_RADIUS kernel radii, without periods: full precision everywhere in a world of 2^32 cells each
-// way, where it wraps around.
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
@@ -1035,67 +1034,49 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
+// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+fn gabor_kernel_stretched(kernel: GaborKernel, radius: vec2<f32>) -> GaborKernel {
+    var kernel_3: GaborKernel;
+    var step_1: vec2<f32>;
+
+    kernel_3 = kernel;
+    let _e3 = kernel_3;
+    step_1 = (_e3.wave / radius);
+    let _e7 = kernel_3;
+    let _e9 = step_1;
+    let _e11 = gabor_impl_wave(_e9.x);
+    let _e12 = step_1;
+    let _e14 = gabor_impl_wave(_e12.y);
+    return GaborKernel(_e7.wave, _e11, _e14);
+}
+
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     if GABOR_TAPS == 2 {
         var wave: vec2<f32>;
-        var step_1: vec2<f32>;
 
         let _e7 = gabor_impl_wave((0.15915494f * orientation));
         wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        step_1 = (_e10 * 1f);
-        let _e19 = wave;
-        let _e20 = step_1;
-        let _e22 = gabor_impl_wave(_e20.x);
-        let _e23 = step_1;
-        let _e25 = gabor_impl_wave(_e23.y);
-        return GaborKernel(_e19, _e22, _e25);
+        let _e21 = gabor_kernel_stretched(GaborKernel(_e10, vec2(0f), vec2(0f)), vec2(1f));
+        return _e21;
     } else if GABOR_TAPS == 4 {
         var wave: vec2<f32>;
-        var step_1: vec2<f32>;
 
         let _e7 = gabor_impl_wave((0.15915494f * orientation));
         wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        step_1 = (_e10 * 0.5f);
-        let _e19 = wave;
-        let _e20 = step_1;
-        let _e22 = gabor_impl_wave(_e20.x);
-        let _e23 = step_1;
-        let _e25 = gabor_impl_wave(_e23.y);
-        return GaborKernel(_e19, _e22, _e25);
+        let _e21 = gabor_kernel_stretched(GaborKernel(_e10, vec2(0f), vec2(0f)), vec2(2f));
+        return _e21;
     } else {
         var wave: vec2<f32>;
-        var step_1: vec2<f32>;
 
         let _e7 = gabor_impl_wave((0.15915494f * orientation));
         wave = (min(abs(frequency), 1000000f) * _e7);
         let _e10 = wave;
-        step_1 = (_e10 * 0.6666667f);
-        let _e19 = wave;
-        let _e20 = step_1;
-        let _e22 = gabor_impl_wave(_e20.x);
-        let _e23 = step_1;
-        let _e25 = gabor_impl_wave(_e23.y);
-        return GaborKernel(_e19, _e22, _e25);
+        let _e21 = gabor_kernel_stretched(GaborKernel(_e10, vec2(0f), vec2(0f)), vec2(1.5f));
+        return _e21;
     }
-}
-
-// The same kernel where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
-fn gabor_kernel_stretched(kernel: GaborKernel, radius: vec2<f32>) -> GaborKernel {
-    var kernel_3: GaborKernel;
-    var step_2: vec2<f32>;
-
-    kernel_3 = kernel;
-    let _e3 = kernel_3;
-    step_2 = (_e3.wave / radius);
-    let _e7 = kernel_3;
-    let _e9 = step_2;
-    let _e11 = gabor_impl_wave(_e9.x);
-    let _e12 = step_2;
-    let _e14 = gabor_impl_wave(_e12.y);
-    return GaborKernel(_e7.wave, _e11, _e14);
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
@@ -1338,36 +1319,27 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     if GABOR_TAPS == 2 {
         var place_2: GaborPlace;
 
-        let _e12 = gabor_place(vec2(0i), (p * 1f));
-        place_2 = _e12;
-        place_2.animated = true;
-        place_2.time = time;
-        let _e17 = place_2;
-        let _e18 = gabor_kernel(frequency, orientation);
-        let _e19 = gabor_field(_e17, _e18, seed);
-        return _e19.value.y;
+        place_2 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
+        let _e22 = place_2;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
     } else if GABOR_TAPS == 4 {
         var place_2: GaborPlace;
 
-        let _e12 = gabor_place(vec2(0i), (p * 2f));
-        place_2 = _e12;
-        place_2.animated = true;
-        place_2.time = time;
-        let _e17 = place_2;
-        let _e18 = gabor_kernel(frequency, orientation);
-        let _e19 = gabor_field(_e17, _e18, seed);
-        return _e19.value.y;
+        place_2 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
+        let _e22 = place_2;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
     } else {
         var place_2: GaborPlace;
 
-        let _e12 = gabor_place(vec2(0i), (p * 1.5f));
-        place_2 = _e12;
-        place_2.animated = true;
-        place_2.time = time;
-        let _e17 = place_2;
-        let _e18 = gabor_kernel(frequency, orientation);
-        let _e19 = gabor_field(_e17, _e18, seed);
-        return _e19.value.y;
+        place_2 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+        let _e22 = place_2;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
     }
 }
 

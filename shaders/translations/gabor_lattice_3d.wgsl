@@ -319,7 +319,7 @@ fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
 fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
     var d_1: vec3<f32>;
-    var step_3: vec2<f32>;
+    var step_2: vec2<f32>;
     var reach: vec3<f32>;
     var real_1: vec3<f32>;
     var imaginary_1: vec3<f32>;
@@ -329,7 +329,7 @@ fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
 
     d_1 = ((vec3(offset) + vec3<f32>(1f, 0f, -1f)) / vec3(1.5f));
     let _e17 = gabor_impl_wave(turns);
-    step_3 = _e17;
+    step_2 = _e17;
     let _e20 = d_1;
     reach = clamp(((vec3(1f) - abs(_e20)) / vec3(max((0.5f * deviation), 0.000001f))), vec3(0f), vec3(1f));
     let _e36 = reach;
@@ -337,12 +337,12 @@ fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
     let _e42 = reach;
     reach = (_e36 * ((0.5f * _e38) * (vec3(3f) - (2f * _e42))));
     let _e48 = reach;
-    let _e49 = step_3;
-    let _e52 = step_3;
+    let _e49 = step_2;
+    let _e52 = step_2;
     real_1 = (_e48 * vec3<f32>(_e49.x, 1f, _e52.x));
     let _e57 = reach;
-    let _e58 = step_3;
-    let _e61 = step_3;
+    let _e58 = step_2;
+    let _e61 = step_2;
     imaginary_1 = (_e57 * vec3<f32>(_e58.y, 0f, -(_e61.y)));
     let _e69 = d_1;
     let _e72 = gabor_impl_wave((0.5f * _e69.y));

@@ -1110,7 +1110,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var word_8: array<u32, 5>;
     var column_2: array<GaborFactors, 5>;
     var turn_1: vec2<f32>;
-    var step_3: vec2<f32>;
+    var step_2: vec2<f32>;
     var back: vec2<f32>;
     var phase_1: vec2<f32> = vec2<f32>(1f, 0f);
     var i_4: i32 = 0i;
@@ -1204,7 +1204,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     turn_1 = _e186;
     let _e188 = turns;
     let _e191 = gabor_impl_wave(-(_e188.x));
-    step_3 = _e191;
+    step_2 = _e191;
     let _e193 = kernel_9;
     let _e196 = kernel_9;
     back = vec2<f32>(_e193.step_x.x, -(_e196.step_x.y));
@@ -1238,7 +1238,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e260 = factors;
             column_2[_e240] = GaborFactors(((_e242.x * _e244.real) - (_e247.y * _e249.imaginary)), ((_e253.x * _e255.imaginary) + (_e258.y * _e260.real)));
             let _e265 = turn_1;
-            let _e266 = step_3;
+            let _e266 = step_2;
             let _e267 = gabor_impl_product(_e265, _e266);
             turn_1 = _e267;
             let _e268 = phase_1;
@@ -1257,7 +1257,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     turn_1 = _e276;
     let _e277 = turns;
     let _e280 = gabor_impl_wave(-(_e277.y));
-    step_3 = _e280;
+    step_2 = _e280;
     let _e281 = kernel_9;
     let _e284 = kernel_9;
     back = vec2<f32>(_e281.step_y.x, -(_e284.step_y.y));
@@ -1341,7 +1341,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e435 = gabor_impl_product(_e433, _e434);
             sum_5 = (_e432 + _e435);
             let _e437 = turn_1;
-            let _e438 = step_3;
+            let _e438 = step_2;
             let _e439 = gabor_impl_product(_e437, _e438);
             turn_1 = _e439;
             let _e440 = phase_1;

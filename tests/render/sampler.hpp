@@ -112,7 +112,7 @@ struct SpectraAnswer {
     float sum;
 };
 
-/// All the answers, or some of which millions are wanted: as in passes/sample.comp and sample_3d.comp.
+/// All the answers, or some of which millions are wanted: as in passes/sample.comp.
 enum class Wanted : std::int32_t { all, at, moving, four };
 
 /// Asks the drop-in on the device through one of the passes above, up to `capacity` samples at a time.

@@ -15,8 +15,8 @@ VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
 # Each drop-in and what stands on it.
 FILES = {
-    "gabor_noise": ["gabor_noise", "gabor_noise_3d"],
-    "gabor_lattice": ["gabor_lattice"],
+    "gabor_noise": ["gabor_noise"],
+    "gabor_lattice": ["gabor_lattice", "gabor_spectrum"],
     "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
 }
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
@@ -24,13 +24,15 @@ SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in file
 LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
 RECIPES = {
     "gabor_noise": {
-        **{recipe["name"]: recipe["macros"] for recipe in LISTED},
-        "solid": {"GABOR_3D_IMPULSES": "2", "GABOR_3D_RADIUS": "1.5", "GABOR_3D_WINDOW": "vec3(0.7, -0.9, 1.2)"},
+        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_noise.glsl"},
         "native sine": {"GABOR_NATIVE_SINE": "1"},
         "lobes": {"GABOR_LOBES": "6"},
     },
-    "gabor_lattice": {"default": {}, "two taps": {"GABOR_TAPS": "2"}, "four taps": {"GABOR_TAPS": "4"}},
-    "gabor_lattice_3d": {"default": {}, "lobes": {"GABOR_LOBES": "6"}},
+    "gabor_lattice": {
+        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_lattice.glsl"},
+        "lobes": {"GABOR_LOBES": "6"},
+    },
+    "gabor_lattice_3d": {"default": {}},
 }
 
 # What a macro must not be, and what the compiler's log then says.
@@ -45,8 +47,6 @@ BAD_MACROS = {
         ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macro_must_be_a_float"),
         ("GABOR_WINDOW", "1.0", "gabor_impl_macro_must_be_a_vec3"),
         ("GABOR_NATIVE_SINE", "1.0", "gabor_impl_macro_must_be_an_int"),
-        ("GABOR_3D_IMPULSES", "0", "GABOR_3D_IMPULSES is an int *, at least 1"),
-        ("GABOR_3D_RADIUS", "1", "gabor_impl_macro_must_be_a_float"),
     ],
     "gabor_lattice": [
         ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
@@ -66,9 +66,18 @@ USE = """
     noise += bump.x + bump.y + bump.z + phasor.x + phasor.y + four.x + four.y + four.z + four.w
            + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
 """
+SPECTRA = """
+    GaborLobes lobes;
+    for (int i = 0; i < GABOR_LOBES; ++i)
+        lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
+    lobes.count = GABOR_LOBES;
+    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u) + gabor_noise_lobes(p, lobes, 7u);
+#if GABOR_TAPS == 3
+    noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
+#endif
+"""
 USE_MORE = {
     "gabor_noise": """
-    vec3 dx = vec3(0.1, p);
     GaborLobes lobes;
     for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = gabor_lobe(p.x, p.y, 0.0, 0.0, 1.0);
@@ -76,28 +85,14 @@ USE_MORE = {
     noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u)
            + gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u)
            + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
-    vec3 q = vec3(p, 0.3);
-    GaborKernel3d solid = gabor_filtered_3d(gabor_kernel_isotropic_3d(p.y), dx, 0.5 * dx);
-    noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
-           + dot(gabor_noise_3d_gradient(q, 4.0, q, 7u), vec4(1.0)) + gabor_phasor(gabor_noise_3d_complex(q, 4.0, q, 7u)).x
-           + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
-           + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u)
-           + gabor_noise_3d_at(ivec3(q), fract(q), solid, 7u);
 """,
-    "gabor_lattice": "",
-    "gabor_lattice_3d": """
-    GaborLobes lobes;
-    for (int i = 0; i < GABOR_LOBES; ++i)
-        lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
-    lobes.count = GABOR_LOBES;
-    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u) + gabor_noise_lobes(p, lobes, 7u)
-           + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
+    "gabor_lattice": SPECTRA,
+    "gabor_lattice_3d": SPECTRA + """
     vec3 q = vec3(p, 0.3);
     noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
            + dot(gabor_noise_3d_gradient(q, 4.0, q, 7u), vec4(1.0)) + gabor_phasor(gabor_noise_3d_complex(q, 4.0, q, 7u)).x
            + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
-           + gabor_noise_3d_filtered(q, q, q.yxz, 4.0, q, 7u).x + gabor_noise_surface(q, q, 4.0, q, 7u)
-           + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
+           + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
 """,
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
@@ -173,10 +168,11 @@ class Dialects(unittest.TestCase):
                 with self.subTest(f"{macro} {value}"), self.assertRaisesRegex(AssertionError, message):
                     self.compile(shader(name, *parts, {macro: value}), stage, options)
 
-    def test_in_space_it_says_what_must_come_before(self):
+    def test_they_say_what_must_come_before(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
-        with self.assertRaisesRegex(AssertionError, "put that file before it"):
-            self.compile(f"#version {version}\n{before}{(SHADERS / 'gabor_noise_3d.glsl').read_text()}", stage, options)
+        for name in ("gabor_spectrum", "gabor_lattice_3d"):
+            with self.subTest(name), self.assertRaisesRegex(AssertionError, "Include gabor_lattice.glsl before"):
+                self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_both_at_once_are_an_error_that_says_so(self):
         for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
@@ -214,7 +210,7 @@ class Names(unittest.TestCase):
         vectors = re.compile(r"[biu]?vec[234]|mat[234]")
         names = {name for name in re.findall(r"[A-Za-z_]\w*", outermost(self.code))
                  if name not in types and not vectors.fullmatch(name)}
-        for wanted in ("gabor_noise", "gabor_noise_3d", "GaborKernel", "gabor_impl_windows"):
+        for wanted in ("gabor_noise", "gabor_noise_spread", "gabor_noise_3d", "GaborKernel", "gabor_impl_windows"):
             self.assertIn(wanted, names)
         self.assertEqual({name for name in names if not re.match("gabor_|Gabor", name)}, set())
 
@@ -229,7 +225,7 @@ class Names(unittest.TestCase):
 
     def test_it_states_its_precision(self):
         guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
-        for name in ("gabor_lattice", "gabor_noise", "gabor_noise_3d"):  # all others come after one of these
+        for name in ("gabor_lattice", "gabor_noise"):  # all others come after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
                 self.assertEqual(text.count(guard), 1)

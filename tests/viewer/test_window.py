@@ -65,7 +65,7 @@ class Window(ViewerTest):
             wait 3
             save after.json
             quit""")
-        self.assertEqual(json.loads((self.folder / "after.json").read_text())["recipe"], "pure")
+        self.assertEqual(json.loads((self.folder / "after.json").read_text())["recipe"], "lattice-2")
 
     def test_the_panel_is_worked_with_the_mouse(self):
         # The first drop-down of the panel is the recipe; the third of its entries is `paper`.
