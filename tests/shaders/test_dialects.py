@@ -171,7 +171,7 @@ class Dialects(unittest.TestCase):
     def test_they_say_what_must_come_before(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
         for name in ("gabor_spectrum", "gabor_lattice_3d"):
-            with self.subTest(name), self.assertRaisesRegex(AssertionError, "Include gabor_lattice.glsl before"):
+            with self.subTest(name), self.assertRaisesRegex(AssertionError, "Include gabor_lattice . glsl before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_both_at_once_are_an_error_that_says_so(self):
