@@ -276,7 +276,7 @@ void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, i
     if (GABOR_TAPS > 3)
         gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
     vec2 factor = vec2(rows.real[k], rows.imaginary[k]);
-    if (factor.x > -2.0) { // always; but at a branch compilers for CPUs keep rows, and so registers, in order
+    if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
         sum.real += factor.x * row.real - factor.y * row.imaginary;
         sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
         sum.slope_x += gabor_impl_product(row.slope_x, factor);

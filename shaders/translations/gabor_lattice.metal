@@ -268,7 +268,7 @@ inline void gabor_impl_add_row(thread GaborSum& sum, GaborAxis columns, GaborAxi
     if (GABOR_TAPS > 3)
         gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
     float2 factor = float2(rows.real[k], rows.imaginary[k]);
-    if (factor.x > -2.0) { // always; but at a branch compilers for CPUs keep rows, and so registers, in order
+    if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
         sum.real += factor.x * row.real - factor.y * row.imaginary;
         sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
         sum.slope_x += gabor_impl_product(row.slope_x, factor);

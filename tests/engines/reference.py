@@ -66,10 +66,10 @@ def law(u):
 
 
 def amplitude(word):
-    """A node's amplitude, its parts from the high byte and the 24 bits below, with variance 1 on average."""
-    high, low = (word >> 24).astype(np.int8) + 0.5, (word << 8).view(np.int32) / 2.0**24
-    variance = [np.mean(law((np.arange(n) + 0.5) / n) ** 2) for n in (128, 2**20)]
-    return (law(high / 128) + 1j * law(low / 128)) / np.sqrt(np.mean(variance))
+    """A node's amplitude, its parts from the whole word and from its low half, each of variance 1."""
+    whole, half = word.view(np.int32) / 2.0**31, (word << 16).view(np.int32) / 2.0**31
+    deviation = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
+    return (law(whole) + 1j * law(half)) / deviation
 
 
 def window(d, taps):

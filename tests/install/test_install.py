@@ -28,10 +28,18 @@ INSTALLED = {
     "share/gabor-noise/shaders/translations/gabor_lattice.hlsl",
     "share/gabor-noise/shaders/translations/gabor_lattice.metal",
     "share/gabor-noise/shaders/translations/gabor_lattice.wgsl",
+    "share/gabor-noise/shaders/translations/gabor_lattice_3d.gdshaderinc",
+    "share/gabor-noise/shaders/translations/gabor_lattice_3d.hlsl",
+    "share/gabor-noise/shaders/translations/gabor_lattice_3d.metal",
+    "share/gabor-noise/shaders/translations/gabor_lattice_3d.wgsl",
     "share/gabor-noise/shaders/translations/gabor_noise.gdshaderinc",
     "share/gabor-noise/shaders/translations/gabor_noise.hlsl",
     "share/gabor-noise/shaders/translations/gabor_noise.metal",
     "share/gabor-noise/shaders/translations/gabor_noise.wgsl",
+    "share/gabor-noise/shaders/translations/gabor_spectrum.gdshaderinc",
+    "share/gabor-noise/shaders/translations/gabor_spectrum.hlsl",
+    "share/gabor-noise/shaders/translations/gabor_spectrum.metal",
+    "share/gabor-noise/shaders/translations/gabor_spectrum.wgsl",
 }
 
 
