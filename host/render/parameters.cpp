@@ -401,7 +401,9 @@ std::string written(const Value& value) {
 
 void set(Request& request, const Values& values) {
     for (const bool deciding : {true, false}) {
-        for (const auto& [p, value] : values) {
+        for (const auto& named : values) { // no structured binding: clang's lambdas do not capture these
+            const Parameter* p = named.first;
+            const Value& value = named.second;
             if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
                 continue;
             of_parameter(*p, [&] { check_value(*p, value); });

@@ -29,12 +29,14 @@ struct Subject {
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    for (const auto& [name, ingredients] :
-         {std::pair("seminal", Ingredients{}), std::pair("advice", recommended)})
+    const auto add_ingredients = [&](const char* name, const Ingredients& ingredients) {
         all.push_back({name, 9.0 * ingredients.impulses, 1,
                        [ingredients](const vulkan::Device& device, const Wave& wave) {
                            return Noise(device, ingredients, wave);
                        }});
+    };
+    add_ingredients("seminal", Ingredients{});
+    add_ingredients("advice", recommended);
     for (const noise::Recipe& recipe : noise::recipes())
         all.push_back({recipe.taps > 0 ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
                        static_cast<double>(noise::visited_impulses(recipe)), recipe.radius,

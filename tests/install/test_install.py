@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -12,6 +13,7 @@ import numpy as np
 CMAKE = os.environ["CMAKE"]
 SIDE = 256
 
+VERSION = re.search(r"project\(gabor-noise VERSION (\d+\.\d+)", (pathlib.Path(__file__).parents[2] / "CMakeLists.txt").read_text())[1]
 INSTALLED = {
     "bin/gabor",
     "lib/cmake/gabor-noise/gabor-noise-config-version.cmake",
@@ -77,11 +79,12 @@ class Install(unittest.TestCase):
 
     def test_a_consumer_renders_what_the_program_does(self):
         listed = subprocess.run([self.prefix / "bin/gabor", "recipes", "--json"], capture_output=True, check=True)
-        recipes = {recipe["name"]: recipe["macros"] for recipe in json.loads(listed.stdout)}
+        recipes = {recipe["name"]: recipe["macros"] | ({"LATTICE": "1"} if "lattice" in recipe["file"] else {})
+                   for recipe in json.loads(listed.stdout)}
         self.assertGreaterEqual(len(recipes), 3)
         macros = [f"-D{name}=" + ";".join(f"-D{macro}={value.replace(' ', '')}" for macro, value in defined.items())
                   for name, defined in recipes.items()]
-        self.configure("-DWANTED_VERSION=1.0", "-DRECIPES=" + ";".join(recipes), *macros)
+        self.configure(f"-DWANTED_VERSION={VERSION}", "-DRECIPES=" + ";".join(recipes), *macros)
         run(CMAKE, "--build", self.build)
         for recipe in recipes:
             with self.subTest(recipe):

@@ -1,7 +1,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+#ifdef LATTICE
+#include "gabor_lattice.glsl"
+#else
 #include "gabor_noise.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Values { float values[]; };
