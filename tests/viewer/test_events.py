@@ -88,7 +88,7 @@ class Events(ViewerTest):
         for chord in ("n", "n", "ctrl+z", "n", "ctrl+s"): # 1, 2, 1, 2
             self.xdotool("key", "--delay", 0, chord)
             if chord == "n":
-                time.sleep(0.3) # each its own step of undo
+                time.sleep(1) # each its own step of undo
         # What `answers` sent more than once may be saved before.
         self.wait_for(lambda: json.loads(self.read("noise.json") or b"{}").get("seed") == 2)
         self.close()
