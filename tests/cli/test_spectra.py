@@ -210,6 +210,18 @@ class Filter(SpectraTest):
                 self.assertLess(np.abs(error).max(), 0.2)
                 self.assertGreater(plain.std(), 0.5)
 
+    def test_what_it_takes_is_as_calculated(self):
+        # A lobe of variance B along each axis under a filter of variance S, from the window's own integrals.
+        window = np.polynomial.Polynomial([0, 0, 3.0, -4.5, 2.5])(np.polynomial.Polynomial([1, 0, -1]))
+        energy, slope = ((w ** 2).integ() for w in (window, window.deriv()))
+        b = (slope(1) - slope(-1)) / (energy(1) - energy(-1)) / (4 * np.pi ** 2)
+        for frequency, scale in ((1, 4), (3, 6), (2, 16)):
+            s = 0.25 / scale ** 2
+            widened = 1 + 8 * np.pi ** 2 * b * s
+            kept = np.exp(-4 * np.pi ** 2 * frequency ** 2 * s / widened) / widened
+            removed = self.render("--filter", recipe="one", frequency=frequency, scale=scale, size="8x8").channels["removed"]
+            self.assertAlmostEqual(removed[0, 0] / (1 - kept), 1, delta=0.001)
+
     def test_what_it_takes_is_in_a_channel_of_its_own(self):
         exr = self.render("--filter", frequency=3, scale=6, size="1024x1024")
         removed = exr.channels["removed"]
