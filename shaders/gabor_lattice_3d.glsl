@@ -258,7 +258,7 @@ float gabor_impl_channel(GaborPlace3d place, vec3 wave, uint seed, int channel)
 // Adds term `index` of a sum of independent noises, with its share of the variance.
 void gabor_impl_add_term(inout GaborField3d sum, GaborPlace3d place, vec3 wave, uint seed, int index, float power)
 {
-    GaborField3d term = gabor_field_3d(place, wave, gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u));
+    GaborField3d term = gabor_field_3d(place, wave, gabor_lobe_seed(seed, index));
     sum.value += sqrt(power) * term.value;
     sum.slope_x += sqrt(power) * term.slope_x;
     sum.slope_y += sqrt(power) * term.slope_y;

@@ -46,7 +46,7 @@ void add_drop_in(std::vector<Subject>& all) {
                                    "spread",   "lobes, 3",           "lobes, 16", "filtered"};
     constexpr std::size_t of_lattice = 5; // the first functions
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        const bool lattice = recipe->kind == noise::Recipe::Kind::lattice;
+        const bool lattice = recipe->is_lattice();
         for (std::size_t i = 0; i < (lattice ? of_lattice : functions.size()); ++i)
             all.push_back({fmt::format("gabor_noise_{}, {}", functions.at(i), recipe->name),
                            static_cast<double>(noise::visited_impulses(*recipe)),

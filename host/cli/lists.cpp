@@ -41,7 +41,7 @@ void print_recipes(bool as_json) {
         if (as_json)
             continue;
         fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.is,
-                   noise::visited_impulses(recipe), recipe.taps > 0 ? "nodes" : "impulses");
+                   noise::visited_impulses(recipe), recipe.is_lattice() ? "nodes" : "impulses");
         for (const noise::Macro& macro : noise::macros(recipe))
             fmt::print("          #define {} {}\n", macro.name, macro.value);
     }

@@ -17,7 +17,7 @@ namespace gabor::noise {
 namespace {
 
 constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
-    return {name, 1, 0.5f * static_cast<float>(taps), 0, 0, {}, is, Recipe::Kind::lattice, taps};
+    return {name, 1, 0.5f * static_cast<float>(taps), 0, 0, {}, is, taps};
 }
 
 // Of each kind the first is what its drop-in does by itself. The lattice's come first, then the sparse ones.
@@ -43,12 +43,12 @@ std::span<const Recipe> recipes() {
 }
 
 std::span<const Recipe> sparse_recipes() {
-    const auto first = std::ranges::find(known, Recipe::Kind::sparse, &Recipe::kind);
+    const auto first = std::ranges::find(known, 0, &Recipe::taps);
     return {first, known.end()};
 }
 
 std::string_view drop_in(const Recipe& recipe) {
-    return recipe.kind == Recipe::Kind::lattice ? "gabor_lattice.glsl" : "gabor_noise.glsl";
+    return recipe.is_lattice() ? "gabor_lattice.glsl" : "gabor_noise.glsl";
 }
 
 Recipe find_recipe(std::string_view text) {
@@ -78,14 +78,14 @@ std::string accepted_recipes() {
 }
 
 std::string spelled_out(const Recipe& recipe) {
-    if (recipe.kind == Recipe::Kind::lattice)
+    if (recipe.is_lattice())
         return std::string(recipe.name);
     const auto same = std::ranges::find(sparse_recipes(), fields(recipe), fields);
     return same == sparse_recipes().end() ? fields(recipe) : std::string(same->name);
 }
 
 std::vector<Macro> macros(const Recipe& recipe) {
-    if (recipe.kind == Recipe::Kind::lattice)
+    if (recipe.is_lattice())
         return recipe.taps == known.front().taps
                    ? std::vector<Macro>()
                    : std::vector<Macro>{{"GABOR_TAPS", fmt::format("{}", recipe.taps)}};
@@ -120,7 +120,7 @@ bool acceptable(const Recipe& recipe) {
 }
 
 int visited_cells(const Recipe& recipe) {
-    if (recipe.kind == Recipe::Kind::lattice)
+    if (recipe.is_lattice())
         return recipe.taps;
     return static_cast<int>(std::ceil(2 * recipe.radius)) + 1;
 }

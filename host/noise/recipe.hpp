@@ -11,8 +11,6 @@ namespace gabor::noise {
 /// A noise of the drop-ins, with its compile-time trade-offs: the GABOR_ macros of
 /// shaders/gabor_lattice.glsl, or of shaders/gabor_noise.glsl, the sparse one.
 struct Recipe {
-    enum class Kind { sparse, lattice }; ///< which drop-in
-
     std::string_view name;
     int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)
     float radius;                ///< R, cells per kernel radius (GABOR_RADIUS)
@@ -20,10 +18,9 @@ struct Recipe {
     int phases;                  ///< 2 is a sine with random sign (GABOR_PHASES)
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
     std::string_view is;         ///< what it is, for help texts
-    Kind kind = Kind::sparse;
-    int taps =
-        0; ///< of the lattice's, nodes along each axis that reach a point (GABOR_TAPS); R is half of it
+    int taps = 0; ///< nodes along each axis that reach a point (GABOR_TAPS), R is half of it; 0: sparse
 
+    bool is_lattice() const { return taps > 0; }
     bool operator==(const Recipe&) const = default;
 };
 

@@ -21,16 +21,15 @@ constexpr RecipeModules modules{bake_spirv,
 std::vector<passes::Run> runs_along(const Request& request, int side, int first, int count, int longest) {
     const double radius = axis_along(request, side).radius;
     // The lattice's windows stretch with its nodes to fit a period.
-    const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
-    return make_runs(first, count, radius / request.scale, lattice ? double{request.recipe.radius} : radius,
-                     longest);
+    return make_runs(first, count, radius / request.scale,
+                     request.recipe.is_lattice() ? double{request.recipe.radius} : radius, longest);
 }
 
 // A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
 Block block_for(const vulkan::Device& device, const Request& request) {
     if (device.info().kind != "CPU")
         return gpu_block(request.recipe);
-    if (request.recipe.kind == noise::Recipe::Kind::sparse)
+    if (!request.recipe.is_lattice())
         return cpu_block;
     const double cell = std::ceil(request.scale / double{request.recipe.radius}); // pixels
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
@@ -57,7 +56,7 @@ passes::BakePush make_push(const Request& request) {
     push.time = wrapped_time(request);
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
     push.amplitude =
-        recipe.kind == noise::Recipe::Kind::lattice
+        recipe.is_lattice()
             ? 1.0f
             : static_cast<float>(recipe.radius / std::sqrt(x.radius * y.radius *
                                                            noise::variance(recipe, lobe.frequency,
@@ -77,7 +76,7 @@ std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
 }
 
 Block gpu_block(const noise::Recipe& recipe) {
-    if (recipe.kind == noise::Recipe::Kind::lattice)
+    if (recipe.is_lattice())
         return {8, 16};
     return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
 }
@@ -125,9 +124,8 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
 }
 
 bool Bake::can_fill(const Request& request) {
-    return request.lobes.size() == 1 && request.lobes.front().is_one_wave() && request.paint.empty() &&
-           std::holds_alternative<Plane>(request.view) && !request.filter && !request.phasor &&
-           request.values == 1;
+    return is_one_wave(request) && request.paint.empty() && std::holds_alternative<Plane>(request.view) &&
+           !request.filter && !request.phasor && request.values == 1;
 }
 
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region)

@@ -15,7 +15,7 @@ struct RecipeModules {
     std::array<std::span<const std::uint32_t>, 3> lattice; ///< with 2, 3 and 4 taps
 
     std::span<const std::uint32_t> of(const noise::Recipe& recipe) const {
-        return recipe.taps == 0 ? sparse : lattice.at(static_cast<std::size_t>(recipe.taps - 2));
+        return recipe.is_lattice() ? lattice.at(static_cast<std::size_t>(recipe.taps - 2)) : sparse;
     }
 };
 

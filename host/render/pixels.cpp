@@ -20,11 +20,6 @@ bool in_perspective(const Request& request) {
     return std::holds_alternative<Horizon>(request.view);
 }
 
-// A single wave is not counted as a lobe: it keeps the phases of the recipe.
-bool is_one_wave(const Request& request) {
-    return request.lobes.size() == 1 && request.lobes.front().is_one_wave();
-}
-
 // Pixel i is centred at (i + 0.5) / scale kernel radii, or in perspective (i + 0.5) - origin pixels on.
 std::vector<passes::Line> lines_along(const Request& request, int side, int first, int count, double origin) {
     const double cells_per_pixel = axis_along(request, side).radius / request.scale;
@@ -56,6 +51,7 @@ std::vector<passes::Lobe> pixels_lobes(const Request& request) {
 std::vector<std::uint32_t> pixels_constants(const Request& request) {
     const auto of_recipe = recipe_constants(drawing_recipe(request));
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
+    // A single wave is not counted as a lobe: it keeps the phases of the recipe.
     constants.push_back(is_one_wave(request) ? 0 : static_cast<std::uint32_t>(request.lobes.size()));
     constants.push_back(request.sum && request.lobes.size() > 1);
     constants.push_back(request.filter);

@@ -8,16 +8,19 @@ bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
 }
 
+bool is_one_wave(const Request& request) {
+    return request.lobes.size() == 1 && request.lobes.front().is_one_wave();
+}
+
 bool needs_sparse(const Request& request) {
-    return !in_space(request) &&
-           (request.lobes.size() > 1 || !request.lobes.front().is_one_wave() || request.filter);
+    return !in_space(request) && (!is_one_wave(request) || request.filter);
 }
 
 noise::Recipe drawing_recipe(const Request& request) {
     if (in_space(request))
         return noise::find_recipe("lattice");
-    const bool lattice = request.recipe.kind == noise::Recipe::Kind::lattice;
-    return lattice && needs_sparse(request) ? noise::sparse_recipes().front() : request.recipe;
+    return request.recipe.is_lattice() && needs_sparse(request) ? noise::sparse_recipes().front()
+                                                                : request.recipe;
 }
 
 bool is_isotropic(const noise::Lobe& lobe) {

@@ -80,6 +80,9 @@ bool needs_sparse(const Request& request);
 /// sparse noise. In space it is always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
+/// Whether the spectrum is a single frequency and orientation.
+bool is_one_wave(const Request& request);
+
 /// Whether waves have all orientations: noise in space has one, or all.
 bool is_isotropic(const noise::Lobe& lobe);
 

@@ -38,11 +38,12 @@ std::vector<Subject> subjects() {
     add_ingredients("seminal", Ingredients{});
     add_ingredients("advice", recommended);
     for (const noise::Recipe& recipe : noise::recipes())
-        all.push_back({recipe.taps > 0 ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
-                       static_cast<double>(noise::visited_impulses(recipe)), recipe.radius,
-                       [recipe](const vulkan::Device& device, const Wave& wave) {
-                           return Noise(device, recipe, wave);
-                       }});
+        all.push_back(
+            {recipe.is_lattice() ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
+             static_cast<double>(noise::visited_impulses(recipe)), recipe.radius,
+             [recipe](const vulkan::Device& device, const Wave& wave) {
+                 return Noise(device, recipe, wave);
+             }});
     return all;
 }
 

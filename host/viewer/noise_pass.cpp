@@ -30,7 +30,7 @@ NoisePass of_drop_in(const render::Request& request) {
     } else {
         const noise::Recipe recipe = render::drawing_recipe(request);
         pass.shader =
-            recipe.taps > 0 ? fmt::format("passes/pixels.comp@{}", recipe.taps) : "passes/pixels.comp";
+            recipe.is_lattice() ? fmt::format("passes/pixels.comp@{}", recipe.taps) : "passes/pixels.comp";
         pass.constants = render::pixels_constants(request);
         pass.name = noise::spelled_out(recipe);
         pass.visited = noise::visited_impulses(recipe);

@@ -200,7 +200,7 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
 void noise_panel(Session& session) {
     render::Request& request = session.document().request;
     control(session, "recipe");
-    if (request.recipe.kind == noise::Recipe::Kind::sparse && ImGui::TreeNode("ingredients")) {
+    if (!request.recipe.is_lattice() && ImGui::TreeNode("ingredients")) {
         recipe_ingredients(request);
         ImGui::TreePop();
     }

@@ -29,7 +29,7 @@ std::string lobe(const noise::Lobe& lobe) {
 }
 
 bool on_lattice(const render::Request& request) {
-    return render::drawing_recipe(request).kind == noise::Recipe::Kind::lattice;
+    return render::drawing_recipe(request).is_lattice();
 }
 
 // The noise at `place`, as seen through `footprint` where there is a filter.

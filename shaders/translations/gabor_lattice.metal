@@ -46,6 +46,12 @@ inline uint gabor_impl_mix(uint word, uint salt)
     return word ^ (word >> 15u);
 }
 
+// The seed of noise `index` of a sum: those of different indices are independent.
+inline uint gabor_lobe_seed(uint seed, int index)
+{
+    return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+}
+
 // The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
 // would have squares for words.
 #define GABOR_IMPL_ROWS 0x5bd1e995u

@@ -35,6 +35,12 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
+// The seed of noise `index` of a sum: those of different indices are independent.
+fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
+    return _e7;
+}
+
 fn gabor_impl_salt(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;

@@ -604,24 +604,24 @@ fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: 
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wave: vec3<f32>, seed: u32, index: i32, power: f32) {
     var term: GaborField3d;
 
-    let _e11 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
-    let _e12 = gabor_field_3d(place, wave, _e11);
-    term = _e12;
-    let _e15 = (*sum);
-    let _e18 = term;
-    (*sum).value = (_e15.value + (sqrt(power) * _e18.value));
-    let _e23 = (*sum);
-    let _e26 = term;
-    (*sum).slope_x = (_e23.slope_x + (sqrt(power) * _e26.slope_x));
-    let _e31 = (*sum);
-    let _e34 = term;
-    (*sum).slope_y = (_e31.slope_y + (sqrt(power) * _e34.slope_y));
-    let _e39 = (*sum);
-    let _e42 = term;
-    (*sum).slope_z = (_e39.slope_z + (sqrt(power) * _e42.slope_z));
-    let _e47 = (*sum);
-    let _e49 = term;
-    (*sum).removed = (_e47.removed + (power * _e49.removed));
+    let _e6 = gabor_lobe_seed(seed, index);
+    let _e7 = gabor_field_3d(place, wave, _e6);
+    term = _e7;
+    let _e10 = (*sum);
+    let _e13 = term;
+    (*sum).value = (_e10.value + (sqrt(power) * _e13.value));
+    let _e18 = (*sum);
+    let _e21 = term;
+    (*sum).slope_x = (_e18.slope_x + (sqrt(power) * _e21.slope_x));
+    let _e26 = (*sum);
+    let _e29 = term;
+    (*sum).slope_y = (_e26.slope_y + (sqrt(power) * _e29.slope_y));
+    let _e34 = (*sum);
+    let _e37 = term;
+    (*sum).slope_z = (_e34.slope_z + (sqrt(power) * _e37.slope_z));
+    let _e42 = (*sum);
+    let _e44 = term;
+    (*sum).removed = (_e42.removed + (power * _e44.removed));
     return;
 }
 

@@ -16,6 +16,21 @@
 
 namespace gabor::test {
 
+/// Moves a sample, by cell and by position.
+template <typename AnySample>
+void move_to(AnySample& sample, float local_x, float local_y) {
+    sample.place.local_x = local_x;
+    sample.place.local_y = local_y;
+    sample.x = local_x / sample.place.radius_x;
+    sample.y = local_y / sample.place.radius_y;
+}
+
+/// Where the functions of a position evaluate: in cells, in single precision as they do.
+template <typename AnySample>
+noise::Place here(const AnySample& sample, const noise::Recipe& recipe) {
+    return noise::place_at(recipe, 0, 0, sample.x * recipe.radius, sample.y * recipe.radius);
+}
+
 /// As in passes/sample.comp.
 struct Sample {
     noise::Place place;
@@ -28,19 +43,6 @@ struct Sample {
     std::uint32_t padding = 0;
     float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
     float y = place.local_y / place.radius_y;
-
-    /// There, by cell and by position.
-    void move_to(float local_x, float local_y) {
-        place.local_x = local_x;
-        place.local_y = local_y;
-        x = local_x / place.radius_x;
-        y = local_y / place.radius_y;
-    }
-
-    /// Where those functions evaluate: in cells, in single precision as they do.
-    noise::Place here(const noise::Recipe& recipe) const {
-        return noise::place_at(recipe, 0, 0, x * recipe.radius, y * recipe.radius);
-    }
 };
 
 inline std::string to_string(const Sample& s) {
@@ -75,19 +77,6 @@ struct SpectraSample {
     float padding = 0;
     float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
     float y = place.local_y / place.radius_y;
-
-    /// There, by cell and by position.
-    void move_to(float local_x, float local_y) {
-        place.local_x = local_x;
-        place.local_y = local_y;
-        x = local_x / place.radius_x;
-        y = local_y / place.radius_y;
-    }
-
-    /// Where those functions evaluate: in cells, in single precision as they do.
-    noise::Place here(const noise::Recipe& recipe) const {
-        return noise::place_at(recipe, 0, 0, x * recipe.radius, y * recipe.radius);
-    }
 
     noise::Lobe lobe(std::size_t i) const {
         const float* l = lobes + 5 * i;

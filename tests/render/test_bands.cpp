@@ -29,7 +29,7 @@ struct AnyReference {
     AnyReference(const noise::Recipe& recipe, const noise::Lobe& lobe, std::uint32_t seed)
         : recipe_(recipe), sparse_(noise::sparse_recipes().front(), lobe.frequency, lobe.angle(), seed),
           lattice_(std::max(recipe.taps, 2), lobe.frequency, lobe.angle(), seed) {
-        if (recipe.taps == 0)
+        if (!recipe.is_lattice())
             sparse_ = noise::Reference(recipe, lobe.frequency, lobe.angle(), seed);
     }
 

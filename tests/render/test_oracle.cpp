@@ -64,7 +64,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
                 quadrature_slope.see(answer.slope_y[0], field.slope_y.real(), quadrature_loose, sample);
                 at.see(answer.at, expected, tight, sample);
                 unorm.see(answer.unorm, std::clamp(0.5 + 0.25 * expected, 0.0, 1.0), tight, sample);
-                const noise::Reference::Field here = reference.field(sample.here(recipe));
+                const noise::Reference::Field here = reference.field(test::here(sample, recipe));
                 plain.see(answer.noise, here.value.imag(), tight, sample);
                 plain.see(answer.gradient[0], here.value.imag(), tight, sample);
                 plain.see(answer.complex[1], here.value.imag(), tight, sample);
@@ -132,7 +132,7 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
                 const double y = sample.y;
                 if (std::max(std::abs(x), std::abs(y)) > 8)
                     continue;
-                noise::Place still = sample.here(recipe);
+                noise::Place still = test::here(sample, recipe);
                 still.time = sample.place.time;
                 animated.see(answers[i].animated, reference(still), rounded, sample);
                 const double period_x = std::max(2.0f, sample.period_x);
@@ -208,7 +208,7 @@ TEST_CASE("the device's own sine gives the same noise as exactly as the driver m
         Largest noise, complex, gradient;
         for (std::size_t i = 0; i < per_batch; ++i) {
             const test::Sample& sample = sampler.samples()[i];
-            const noise::Reference::Field here = reference.field(sample.here(recipe));
+            const noise::Reference::Field here = reference.field(test::here(sample, recipe));
             // Vulkan promises 5e-4 of a sine, of which a few are added.
             constexpr double promised = 2e-3;
             noise.see(answers[i].noise, here.value.imag(), promised, sample);

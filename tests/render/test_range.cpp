@@ -185,7 +185,7 @@ TEST_CASE("any cell of the world and any place in it give a finite noise", "[ran
             s.place.cell_x = draw.cell();
             s.place.cell_y = draw.cell();
             const float x = draw.within(world / 2);
-            s.move_to(x, draw.within(world / 2));
+            test::move_to(s, x, draw.within(world / 2));
             s.place.period_x = draw.cell() & 0x7fffffff;
             s.place.period_y = draw.cell() & 0x7fffffff;
         });
@@ -202,7 +202,7 @@ TEST_CASE("any finite time gives a finite noise", "[range]") {
 TEST_CASE("any period of the world, and those that are too short, give a finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, Draw& draw) {
-            s.move_to(draw.within(world / 2), s.place.local_y);
+            test::move_to(s, draw.within(world / 2), s.place.local_y);
             s.period_x = draw.within(world / 2);
             s.period_y = draw.word() % 8 ? draw.within(world / 2) : -infinity;
         });

@@ -68,7 +68,7 @@ TEST_CASE("spreads and lobes agree with the reference", "[oracle]") {
             for (test::SpectraSample& sample : sampler.samples()) {
                 sample = common;
                 sample.place = draw.place(recipe);
-                sample.move_to(sample.place.local_x, sample.place.local_y);
+                test::move_to(sample, sample.place.local_x, sample.place.local_y);
                 sample.place.time = draw.uniform(-1, 1);
             }
             const noise::Reference reference(recipe, all_lobes(common), common.seed);
@@ -88,7 +88,7 @@ TEST_CASE("spreads and lobes agree with the reference", "[oracle]") {
                 value.see(answers[i].value[0], field.value.real(), tight, sample);
                 slope.see(answers[i].slope_x[1], field.slope_x.imag(), 2 * test::slope_tolerance(12), sample);
                 slope.see(answers[i].slope_y[1], field.slope_y.imag(), 2 * test::slope_tolerance(12), sample);
-                const noise::Place here = sample.here(recipe);
+                const noise::Place here = test::here(sample, recipe);
                 spread.see(answers[i].spread, first(here), tight, sample);
                 chosen.see(answers[i].chosen, reference(here), tight, sample);
                 double expected = 0;
@@ -167,7 +167,7 @@ TEST_CASE("the filtered noise is the noise through the filter", "[oracle]") {
                 sample = common;
                 sample.place = noise::place_at(recipe, 0, 0, 0, 0);
                 const float x = draw.uniform(0, 99);
-                sample.move_to(x, draw.uniform(0, 99));
+                test::move_to(sample, x, draw.uniform(0, 99));
             }
             const noise::Reference single(recipe, common.lobes[0], common.lobes[1], common.seed);
             const noise::Reference lobes(recipe, all_lobes(common), common.seed);
@@ -223,7 +223,7 @@ TEST_CASE("the filter says what variance it took", "[instances]") {
                 sample.seed = draw.word();
                 sample.place = noise::place_at(recipe, 0, 0, 0, 0);
                 const float x = draw.uniform(0, 1);
-                sample.move_to(x, draw.uniform(0, 1));
+                test::move_to(sample, x, draw.uniform(0, 1));
             }
             const auto answers = sampler.answers(batch);
             for (const test::SpectraAnswer& answer : answers) {
