@@ -21,6 +21,7 @@ using noise::Lobe;
 constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
 constexpr std::string_view one_lobe = "a single lobe";
+constexpr std::string_view several_lobes = "several lobes";
 constexpr std::string_view bodies = "the views sphere and torus";
 
 // A view with its own values as by default, by its name.
@@ -158,7 +159,7 @@ std::vector<Parameter> make_table() {
         {"lobes", Kind::lobes, "", none, none, "", "The spectrum as a list of lobes, one for each impulse",
          [](const Request& r) { return Value(r.lobes); },
          [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        flag("sum", "several lobes", "Let lobes be independent noises instead, at the cost of each",
+        flag("sum", several_lobes, "Let lobes be independent noises instead, at the cost of each",
              [](auto& r) { return r.lobes.size() > 1 ? &r.sum : nullptr; }),
         row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Which instance of the noise",
             [](auto& r) { return &r.seed; }),
@@ -409,10 +410,10 @@ void set(Request& request, const Values& values) {
             of_parameter(*p, [&] { check_value(*p, value); });
             if (!p->get(request))
                 throw RequestError(fmt::format(
-                    "{}: it is for {}{}", p->name, p->of,
-                    p->of == one_lobe
-                        ? fmt::format(", and here are {}, each with its own", request.lobes.size())
-                        : ""));
+                    "{} is for {}, and here {}", p->name, p->of,
+                    p->of == one_lobe        ? fmt::format("are {}, each with its own", request.lobes.size())
+                    : p->of == several_lobes ? "is one"
+                                             : fmt::format("it is {}", name_of(request.view))));
             p->put(request, value);
         }
     }

@@ -30,6 +30,9 @@ class Help(ProgramTest):
             text = self.succeed(command, "--help")
             listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
             self.assertEqual(listed, {"-h,--help", *names}, command)
+            self.assertNotIn("TEXT", text)
+        self.assertIn('[{"frequency": 4, "orientation": 45, "power": 1}]', self.succeed("render", "--help"))
+        self.assertNotIn("TEXT", self.succeed("study", "--help"))
 
     def test_recipes_are_those_of_the_readme(self):
         readme = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
