@@ -129,6 +129,13 @@ constexpr std::array of_lobe{
                   {0, 1},
                   "The lobe's share of the variance",
                   &Lobe::power},
+    LobeParameter{"radius",
+                  Kind::number,
+                  "kernel radii",
+                  {0.01, 100},
+                  {0.1, 10},
+                  "How far its kernels reach; the lobe is as narrow as they are wide",
+                  &Lobe::radius},
 };
 
 Parameter of_only_lobe(const LobeParameter& p) {

@@ -105,8 +105,9 @@ std::string to_json(const Request& request) {
     Request drawn = request;
     drawn.recipe = drawing_recipe(request);
     ordered_json object;
-    // A single lobe of power 1 is written by its values.
-    const bool by_values = request.lobes.size() == 1 && request.lobes.front().power == 1;
+    // A single lobe is written by the values that have options of their own, where the others are by default.
+    const Lobe& lobe = request.lobes.front();
+    const bool by_values = request.lobes.size() == 1 && lobe.power == 1 && lobe.radius == 1;
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
