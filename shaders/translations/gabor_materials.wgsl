@@ -44,22 +44,22 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_5: GaborPlace;
-    var kernel_10: GaborKernel;
+    var place_11: GaborPlace;
+    var kernel_11: GaborKernel;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_5 = _e14;
+    place_11 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
-    kernel_10 = _e16;
+    kernel_11 = _e16;
     if pixel.filtered {
-        let _e19 = place_5;
-        let _e20 = kernel_10;
+        let _e19 = place_11;
+        let _e20 = kernel_11;
         let _e25 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
         let _e26 = gabor_field_filtered(_e19, _e20, _e25, seed);
         return _e26;
     }
-    let _e27 = place_5;
-    let _e28 = kernel_10;
+    let _e27 = place_11;
+    let _e28 = kernel_11;
     let _e29 = gabor_field(_e27, _e28, seed);
     return vec3<f32>(_e29.value.x, _e29.value.y, 0f);
 }
@@ -118,14 +118,14 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_6: GaborPlace;
+    var place_12: GaborPlace;
     var field_6: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_6 = _e13;
-    let _e15 = place_6;
+    place_12 = _e13;
+    let _e15 = place_12;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
     field_6 = _e19;
