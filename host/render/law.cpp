@@ -20,7 +20,7 @@ std::optional<double> gradient_variance(const Request& request, bool along_y) {
     const noise::Lobe& lobe = request.lobes.front();
     const double along = along_y ? std::sin(lobe.angle()) : std::cos(lobe.angle());
     const double slope = 2 * std::numbers::pi * lobe.frequency * along;
-    return slope * slope + noise::window_slope_energy(recipe);
+    return slope * slope + noise::window_slope_energy(recipe) / (lobe.radius * lobe.radius);
 }
 
 } // namespace

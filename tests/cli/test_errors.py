@@ -83,7 +83,6 @@ class Words(ErrorTest):
         self.assert_refused(["did you mean render?"], "rendr")
 
     def test_what_belongs_to_others(self):
-        self.refuse_render(["sum is for several lobes, and here is one"], "--sum")
         self.refuse_render(["solid is for the views sphere and torus, and here it is flat"], "--solid")
         self.refuse_render(["depth is for the view slice, and here it is horizon"], "--depth=3", "--view=horizon")
         self.refuse_render(["frequency is for a single lobe, and here are 3, each with its own"], "--preset=wood",
