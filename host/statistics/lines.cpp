@@ -100,4 +100,22 @@ double Lines::largest() const {
     return result;
 }
 
+void NoiseLines::add_row(std::span<const float> row) {
+    using Of = float (*)(float);
+    constexpr std::array<Of, count> functions{
+        [](float n) { return n; }, [](float n) { return n * n; }, [](float n) { return std::abs(n); },
+        [](float n) { return n * n * n * n; }, [](float n) { return std::abs(n) > 2.5f ? 1.0f : 0.0f; }};
+    of_row_.resize(row.size());
+    for (std::size_t f = 0; f < count; ++f) {
+        std::ranges::transform(row, of_row_.begin(), functions[f]);
+        lines_[f].add_row(of_row_);
+    }
+}
+
+std::array<double, NoiseLines::count> NoiseLines::largest() const {
+    std::array<double, count> result{};
+    std::ranges::transform(lines_, result.begin(), &Lines::largest);
+    return result;
+}
+
 } // namespace gabor::statistics

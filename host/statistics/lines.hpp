@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace gabor::statistics {
@@ -41,6 +43,26 @@ class Lines {
         sums_; ///< by step along x and y and pixel within a cell: the transform but for the cell
     std::vector<double> powers_; ///< by frequency, then by step along y and x
     int pictures_ = 0;
+};
+
+/// The lines of functions of a noise: where its mean or variance, the kurtosis or the tails of its law depend
+/// on the place within a cell, one of these has them.
+class NoiseLines {
+  public:
+    enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };
+    /// What each function is of a value n.
+    static constexpr std::array<std::string_view, count> names{"n", "n^2", "|n|", "n^4", "|n| > 2.5"};
+
+    /// As Lines, of values with variance 1.
+    explicit NoiseLines(int side) : lines_(count, Lines(side)) {}
+    void add_row(std::span<const float> row);
+
+    /// Of each function, in the order of the names.
+    std::array<double, count> largest() const;
+
+  private:
+    std::vector<Lines> lines_;
+    std::vector<float> of_row_;
 };
 
 } // namespace gabor::statistics

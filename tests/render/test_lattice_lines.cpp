@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 using namespace gabor;
@@ -33,17 +32,8 @@ int picture_side() {
         std::bit_floor(static_cast<unsigned>(std::clamp(std::sqrt(samples / 6), 256.0, 4096.0))));
 }
 
-struct Function {
-    std::string_view name;
-    float (*of)(float);
-};
-constexpr std::array functions{
-    Function{"n", [](float n) { return n; }}, Function{"n^2", [](float n) { return n * n; }},
-    Function{"|n|", [](float n) { return std::abs(n); }},
-    Function{"n^4", [](float n) { return n * n * n * n; }},
-    Function{"|n| > 2.5", [](float n) { return std::abs(n) > 2.5f ? 1.0f : 0.0f; }}};
-enum Which : std::size_t { mean, square, magnitude, fourth, tails };
-using Peaks = std::array<double, functions.size()>;
+using statistics::NoiseLines;
+using Peaks = std::array<double, NoiseLines::count>;
 
 // Of 12 pictures: one of the six frequencies has that much in one case of 2500.
 constexpr double beyond_chance = 2.5;
@@ -62,29 +52,23 @@ Peaks peaks(const vulkan::Device& device, const char* recipe, double frequency, 
     request.height = pictures * side;
     render::check(request);
 
-    std::vector<statistics::Lines> lines(functions.size(), statistics::Lines(side));
-    std::vector<float> of_row(static_cast<std::size_t>(side));
-    const auto add_row = [&](std::span<const float> row) {
-        for (std::size_t f = 0; f < functions.size(); ++f) {
-            for (std::size_t x = 0; x < row.size(); ++x) {
-                const double phase = std::numbers::pi / 2 * static_cast<double>(x % 4);
-                of_row[x] = functions[f].of(row[x] * static_cast<float>(1 + modulation * std::cos(phase)));
+    NoiseLines lines(side);
+    std::vector<float> modulated(static_cast<std::size_t>(side));
+    render::render_region(
+        device, request, {0, 0, request.width, request.height}, [&](std::span<const float> rows) {
+            for (; !rows.empty(); rows = rows.subspan(modulated.size())) {
+                for (std::size_t x = 0; x < modulated.size(); ++x)
+                    modulated[x] =
+                        rows[x] * static_cast<float>(1 + modulation * std::cos(std::numbers::pi / 2 *
+                                                                               static_cast<double>(x % 4)));
+                lines.add_row(modulated);
             }
-            lines[f].add_row(of_row);
-        }
-    };
-    render::render_region(device, request, {0, 0, request.width, request.height},
-                          [&](std::span<const float> rows) {
-                              for (; !rows.empty(); rows = rows.subspan(of_row.size()))
-                                  add_row(rows.first(of_row.size()));
-                          });
+        });
 
-    Peaks result{};
+    const Peaks result = lines.largest();
     fmt::print("  {:<10} frequency {:<4} ", recipe, frequency);
-    for (std::size_t f = 0; f < functions.size(); ++f) {
-        result[f] = lines[f].largest();
-        fmt::print(" {}: {:.2f}", functions[f].name, result[f]);
-    }
+    for (std::size_t f = 0; f < result.size(); ++f)
+        fmt::print(" {}: {:.2f}", NoiseLines::names[f], result[f]);
     fmt::print("\n");
     return result;
 }
@@ -108,13 +92,13 @@ TEST_CASE("the lattice does not show in power spectra", "[law]") {
         // With two taps a node's own place has one amplitude alone, whose law is only nearly normal: it shows
         // in the tails.
         const Peaks two = peaks(device, "lattice-2", frequency);
-        CHECK(two[mean] < beyond_chance);
-        CHECK(two[square] < beyond_chance);
+        CHECK(two[NoiseLines::value] < beyond_chance);
+        CHECK(two[NoiseLines::square] < beyond_chance);
         // The test sees what is there: the kurtosis of `one`, which depends on the place, and 2 % of the
         // amplitude.
         const Peaks one = peaks(device, "one", frequency);
-        for (const std::size_t f : {magnitude, fourth, tails})
+        for (const std::size_t f : {NoiseLines::magnitude, NoiseLines::fourth_power, NoiseLines::tails})
             CHECK(one[f] > 20);
-        CHECK(peaks(device, "lattice", frequency, 0.02)[square] > 2 * beyond_chance);
+        CHECK(peaks(device, "lattice", frequency, 0.02)[NoiseLines::square] > 2 * beyond_chance);
     }
 }
