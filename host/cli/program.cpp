@@ -76,6 +76,7 @@ int parse_and_work(int argc, const char* const* argv) {
     app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
     app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
     add_render_command(app);
+    add_join_command(app);
     add_stats_command(app);
     add_bench_command(app);
     add_study_command(app);

@@ -4,6 +4,8 @@
 #include "image/png.hpp"
 #include "render/parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <vector>
 
@@ -26,12 +28,14 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr,
-                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                  .window = region,
-                                                  .channels = names,
-                                                  .compression = files.compression,
-                                                  .parameters = to_json(request)});
+        exr.emplace(*files.exr, image::ExrWriter::Description{
+                                    .picture = {0, 0, request.width, request.height},
+                                    .window = region,
+                                    .channels = names,
+                                    .compression = files.compression,
+                                    .parameters = to_json(request),
+                                    .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
+                                                            device.info().name, device.info().driver)});
     const int colours = request.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (files.png)

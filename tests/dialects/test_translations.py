@@ -14,7 +14,7 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHADERS = HERE.parents[1] / "shaders"
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"]
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials"]
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", HERE.parents[1] / "build" / "dxc" / "libdxcompiler.so"))
 
 CALLS = [
@@ -25,6 +25,8 @@ CALLS = [
     "gabor_noise_3d_filtered(q, vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), 2.0, vec3(1.0, 2.0, 3.0), 7u).x",
     "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)",
     "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
+    "4.0 * gabor_zebra(p, 7u).colour.y",
+    "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height",
 ]
 
 GLSL = """
