@@ -48,16 +48,29 @@ void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitu
     sum.four += amplitude * field.four;
 }
 
-// The noise of a sum of lobes at p, with its quadrature and derivatives per unit of p.
-GaborField gabor_field_lobes(vec2 p, GaborLobes lobes, uint seed)
+// The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
+// rounded to a float: within a period, or without one as p is.
+GaborPlace gabor_place_scaled(GaborPlace place, float radius)
+{
+    ivec2 cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
+    vec2 unit = 1.0 / (place.radius * radius);
+    GaborPlace scaled = gabor_place_tiled((vec2(cell) + place.local) * unit, vec2(place.period) * unit);
+    scaled.animated = place.animated;
+    scaled.time = place.time;
+    return scaled;
+}
+
+// The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
+GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 {
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        GaborField field = gabor_field(gabor_place(ivec2(0), p * (GABOR_RADIUS / lobe.radius)),
-                                       gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
-                                       gabor_lobe_seed(seed, i));
+        GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
+        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
+                                                    scaled.radius);
+        GaborField field = gabor_field(scaled, kernel, gabor_lobe_seed(seed, i));
         gabor_impl_accumulate(sum, field, sqrt(lobe.power), sqrt(lobe.power) / lobe.radius);
         power += lobe.power;
     }
@@ -92,11 +105,10 @@ vec3 gabor_impl_piece(int i, float c)
     return vec3((2.0 * float(i) + 1.0) * width - 1.0, share * width, float(i + (n & 1) * 64));
 }
 
-// The noise of a range of waves at p, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
-GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float frequency_spread,
+// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
                               float orientation_spread, uint seed)
 {
-    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
@@ -111,6 +123,7 @@ GaborField gabor_field_spread(vec2 p, float frequency, float orientation, float 
         for (int i = 0; i < direction_count; ++i) {
             vec3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
+            kernel = gabor_kernel_stretched(kernel, place.radius);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
@@ -278,20 +291,20 @@ GaborLobe gabor_lobe(float frequency, float orientation, float radius, float pow
 //     lobes.count = 2;
 float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
 {
-    return gabor_field_lobes(p, lobes, seed).value.y;
+    return gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
 {
-    GaborField field = gabor_field_lobes(p, lobes, seed);
+    GaborField field = gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The same with its quadrature, as gabor_noise_complex.
 vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
 {
-    return gabor_field_lobes(p, lobes, seed).value;
+    return gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed).value;
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
@@ -305,14 +318,16 @@ vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
 float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          uint seed)
 {
-    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
+    return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
                                  float orientation_spread, uint seed)
 {
-    GaborField field = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
+    GaborField field = gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
@@ -320,7 +335,8 @@ vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, flo
 vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
                                 float orientation_spread, uint seed)
 {
-    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value;
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
+    return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
 #if GABOR_TAPS == 3

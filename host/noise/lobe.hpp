@@ -15,13 +15,14 @@ constexpr double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-/// Waves around one frequency and one orientation, as GaborLobe in shaders/gabor_noise.glsl, in degrees.
+/// Waves around one frequency and one orientation, in degrees: part of a spectrum.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
     double orientation = 0;        ///< degrees, of the wave vector, from right towards down
     double frequency_spread = 0;   ///< waves are evenly spread within frequency (1 +- this), in [0, 1]
     double orientation_spread = 0; ///< and within orientation +- this, degrees in [0, 90]; 90 is isotropic
     double power = 1;              ///< in proportion to that of the other lobes
+    double radius = 1; ///< of its kernel, in kernel radii: its bandwidth is in proportion to the inverse
 
     /// Whether all its waves have one frequency and one orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }

@@ -105,8 +105,9 @@ std::string to_json(const Request& request) {
     Request drawn = request;
     drawn.recipe = drawing_recipe(request);
     ordered_json object;
-    // A single lobe of power 1 is written by its values.
-    const bool by_values = request.lobes.size() == 1 && request.lobes.front().power == 1;
+    // A single lobe is written by the values that have options of their own, where the others are by default.
+    const Lobe& lobe = request.lobes.front();
+    const bool by_values = request.lobes.size() == 1 && lobe.power == 1 && lobe.radius == 1;
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
@@ -121,6 +122,8 @@ Request from_json(std::string_view text) {
     Values others;
     bool has_lobes = false;
     for (const auto& [name, entry] : object.items()) {
+        if (name == "sum") // of versions before 1.1.0, where lobes were not always summed
+            continue;
         const Parameter& p = parameter(name);
         const Value value = value_of(p, entry);
         const auto* lobes = std::get_if<std::vector<Lobe>>(&value);

@@ -1040,6 +1040,93 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
+// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+
+        nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            {
+                let _e27 = nodes;
+                place_1.period.x = i32(_e27.x);
+                let _e32 = nodes;
+                place_1.radius.x = (_e32.x / period.x);
+            }
+        }
+        if (period.y > 0f) {
+            {
+                let _e41 = nodes;
+                place_1.period.y = i32(_e41.y);
+                let _e46 = nodes;
+                place_1.radius.y = (_e46.y / period.y);
+            }
+        }
+        let _e51 = place_1;
+        place_1.local = (p * _e51.radius);
+        let _e54 = place_1;
+        return _e54;
+    } else if GABOR_TAPS == 4 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+
+        nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            {
+                let _e27 = nodes;
+                place_1.period.x = i32(_e27.x);
+                let _e32 = nodes;
+                place_1.radius.x = (_e32.x / period.x);
+            }
+        }
+        if (period.y > 0f) {
+            {
+                let _e41 = nodes;
+                place_1.period.y = i32(_e41.y);
+                let _e46 = nodes;
+                place_1.radius.y = (_e46.y / period.y);
+            }
+        }
+        let _e51 = place_1;
+        place_1.local = (p * _e51.radius);
+        let _e54 = place_1;
+        return _e54;
+    } else {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+
+        nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            {
+                let _e27 = nodes;
+                place_1.period.x = i32(_e27.x);
+                let _e32 = nodes;
+                place_1.radius.x = (_e32.x / period.x);
+            }
+        }
+        if (period.y > 0f) {
+            {
+                let _e41 = nodes;
+                place_1.period.y = i32(_e41.y);
+                let _e46 = nodes;
+                place_1.radius.y = (_e46.y / period.y);
+            }
+        }
+        let _e51 = place_1;
+        place_1.local = (p * _e51.radius);
+        let _e54 = place_1;
+        return _e54;
+    }
+}
+
 // A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
 fn gabor_kernel_stretched(kernel: GaborKernel, radius: vec2<f32>) -> GaborKernel {
     var kernel_3: GaborKernel;
@@ -1234,88 +1321,19 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var period_3: vec2<f32>;
-        var nodes: vec2<f32>;
-        var radius_1: vec2<f32>;
-        var kernel_6: GaborKernel;
-        var place_1: GaborPlace;
+    var place_2: GaborPlace;
+    var kernel_6: GaborKernel;
 
-        period_3 = period;
-        let _e6 = period_3;
-        period_3 = max(_e6, vec2(0.0009765625f));
-        let _e10 = period_3;
-        nodes = max(floor(((_e10 * 1f) + vec2(0.5f))), vec2(2f));
-        let _e25 = nodes;
-        let _e26 = period_3;
-        radius_1 = (_e25 / _e26);
-        let _e29 = gabor_kernel(frequency, orientation);
-        let _e30 = radius_1;
-        let _e31 = gabor_kernel_stretched(_e29, _e30);
-        kernel_6 = _e31;
-        let _e35 = radius_1;
-        let _e37 = radius_1;
-        let _e38 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
-        let _e44 = place_1;
-        let _e45 = kernel_6;
-        let _e46 = gabor_field(_e44, _e45, seed);
-        return _e46.value.y;
-    } else if GABOR_TAPS == 4 {
-        var period_3: vec2<f32>;
-        var nodes: vec2<f32>;
-        var radius_1: vec2<f32>;
-        var kernel_6: GaborKernel;
-        var place_1: GaborPlace;
-
-        period_3 = period;
-        let _e6 = period_3;
-        period_3 = max(_e6, vec2(0.0009765625f));
-        let _e10 = period_3;
-        nodes = max(floor(((_e10 * 2f) + vec2(0.5f))), vec2(4f));
-        let _e25 = nodes;
-        let _e26 = period_3;
-        radius_1 = (_e25 / _e26);
-        let _e29 = gabor_kernel(frequency, orientation);
-        let _e30 = radius_1;
-        let _e31 = gabor_kernel_stretched(_e29, _e30);
-        kernel_6 = _e31;
-        let _e35 = radius_1;
-        let _e37 = radius_1;
-        let _e38 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
-        let _e44 = place_1;
-        let _e45 = kernel_6;
-        let _e46 = gabor_field(_e44, _e45, seed);
-        return _e46.value.y;
-    } else {
-        var period_3: vec2<f32>;
-        var nodes: vec2<f32>;
-        var radius_1: vec2<f32>;
-        var kernel_6: GaborKernel;
-        var place_1: GaborPlace;
-
-        period_3 = period;
-        let _e6 = period_3;
-        period_3 = max(_e6, vec2(0.0009765625f));
-        let _e10 = period_3;
-        nodes = max(floor(((_e10 * 1.5f) + vec2(0.5f))), vec2(3f));
-        let _e25 = nodes;
-        let _e26 = period_3;
-        radius_1 = (_e25 / _e26);
-        let _e29 = gabor_kernel(frequency, orientation);
-        let _e30 = radius_1;
-        let _e31 = gabor_kernel_stretched(_e29, _e30);
-        kernel_6 = _e31;
-        let _e35 = radius_1;
-        let _e37 = radius_1;
-        let _e38 = nodes;
-        place_1 = GaborPlace(vec2(0i), (p * _e35), _e37, vec2<i32>(_e38), false, 0f);
-        let _e44 = place_1;
-        let _e45 = kernel_6;
-        let _e46 = gabor_field(_e44, _e45, seed);
-        return _e46.value.y;
-    }
+    let _e8 = gabor_place_tiled(p, max(period, vec2(0.0009765625f)));
+    place_2 = _e8;
+    let _e10 = gabor_kernel(frequency, orientation);
+    let _e11 = place_2;
+    let _e13 = gabor_kernel_stretched(_e10, _e11.radius);
+    kernel_6 = _e13;
+    let _e15 = place_2;
+    let _e16 = kernel_6;
+    let _e17 = gabor_field(_e15, _e16, seed);
+    return _e17.value.y;
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
@@ -1323,26 +1341,26 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
 // itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
-        var place_2: GaborPlace;
+        var place_3: GaborPlace;
 
-        place_2 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
-        let _e22 = place_2;
+        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
+        let _e22 = place_3;
         let _e23 = gabor_kernel(frequency, orientation);
         let _e24 = gabor_field(_e22, _e23, seed);
         return _e24.value.y;
     } else if GABOR_TAPS == 4 {
-        var place_2: GaborPlace;
+        var place_3: GaborPlace;
 
-        place_2 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
-        let _e22 = place_2;
+        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
+        let _e22 = place_3;
         let _e23 = gabor_kernel(frequency, orientation);
         let _e24 = gabor_field(_e22, _e23, seed);
         return _e24.value.y;
     } else {
-        var place_2: GaborPlace;
+        var place_3: GaborPlace;
 
-        place_2 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
-        let _e22 = place_2;
+        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+        let _e22 = place_3;
         let _e23 = gabor_kernel(frequency, orientation);
         let _e24 = gabor_field(_e22, _e23, seed);
         return _e24.value.y;

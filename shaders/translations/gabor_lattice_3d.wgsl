@@ -591,11 +591,11 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
 }
 
 fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: i32) -> f32 {
-    var place_10: GaborPlace3d;
+    var place_11: GaborPlace3d;
 
-    place_10 = place;
-    place_10.channel = channel;
-    let _e6 = place_10;
+    place_11 = place;
+    place_11.channel = channel;
+    let _e6 = place_11;
     let _e7 = gabor_field_3d(_e6, wave, seed);
     return _e7.value.y;
 }
@@ -855,12 +855,12 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
 // normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var place_15: GaborPlace3d;
+    var place_16: GaborPlace3d;
     var field_1: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_15 = _e11;
-    let _e13 = place_15;
+    place_16 = _e11;
+    let _e13 = place_16;
     let _e14 = gabor_wave_3d(frequency, direction);
     let _e15 = gabor_field_3d(_e13, _e14, seed);
     field_1 = _e15;
@@ -873,23 +873,23 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var place_16: GaborPlace3d;
+    var place_17: GaborPlace3d;
     var wave_7: vec3<f32>;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_16 = _e11;
+    place_17 = _e11;
     let _e13 = gabor_wave_3d(frequency, direction);
     wave_7 = _e13;
-    let _e15 = place_16;
+    let _e15 = place_17;
     let _e16 = wave_7;
     let _e18 = gabor_impl_channel(_e15, _e16, seed, 0i);
-    let _e19 = place_16;
+    let _e19 = place_17;
     let _e20 = wave_7;
     let _e22 = gabor_impl_channel(_e19, _e20, seed, 1i);
-    let _e23 = place_16;
+    let _e23 = place_17;
     let _e24 = wave_7;
     let _e26 = gabor_impl_channel(_e23, _e24, seed, 2i);
-    let _e27 = place_16;
+    let _e27 = place_17;
     let _e28 = wave_7;
     let _e30 = gabor_impl_channel(_e27, _e28, seed, 3i);
     return vec4<f32>(_e18, _e22, _e26, _e30);
@@ -899,7 +899,7 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_5: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_17: GaborPlace3d;
+    var place_18: GaborPlace3d;
 
     period_5 = period;
     let _e6 = period_5;
@@ -911,13 +911,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e32 = nodes_1;
     let _e33 = period_5;
     let _e36 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e26)) * _e29)) * (_e32 / _e33)));
-    place_17 = _e36;
+    place_18 = _e36;
     let _e39 = nodes_1;
     let _e40 = period_5;
-    place_17.radius = (_e39 / _e40);
+    place_18.radius = (_e39 / _e40);
     let _e43 = nodes_1;
-    place_17.period = vec3<i32>(_e43);
-    let _e45 = place_17;
+    place_18.period = vec3<i32>(_e43);
+    let _e45 = place_18;
     let _e46 = gabor_wave_3d(frequency, direction);
     let _e47 = gabor_field_3d(_e45, _e46, seed);
     return _e47.value.y;
@@ -925,13 +925,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_18: GaborPlace3d;
+    var place_19: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_18 = _e12;
-    place_18.animated = true;
-    place_18.time = time;
-    let _e17 = place_18;
+    place_19 = _e12;
+    place_19.animated = true;
+    place_19.time = time;
+    let _e17 = place_19;
     let _e18 = gabor_wave_3d(frequency, direction);
     let _e19 = gabor_field_3d(_e17, _e18, seed);
     return _e19.value.y;
@@ -942,15 +942,15 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 // The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var place_19: GaborPlace3d;
+    var place_20: GaborPlace3d;
     var field_2: GaborField3d;
 
     let _e13 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_19 = _e13;
-    place_19.filtered = true;
-    place_19.dx = dx;
-    place_19.dy = dy;
-    let _e19 = place_19;
+    place_20 = _e13;
+    place_20.filtered = true;
+    place_20.dx = dx;
+    place_20.dy = dy;
+    let _e19 = place_20;
     let _e20 = gabor_wave_3d(frequency, direction);
     let _e21 = gabor_field_3d(_e19, _e20, seed);
     field_2 = _e21;

@@ -38,14 +38,38 @@ fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, ampl
     return;
 }
 
-// The noise of a sum of lobes at p, with its quadrature and derivatives per unit of p.
-fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
+// The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
+// rounded to a float: within a period, or without one as p is.
+fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
+    var cell_2: vec2<i32>;
+    var unit: vec2<f32>;
+    var scaled: GaborPlace;
+
+    let _e6 = gabor_impl_wrap(place.cell.x, place.period.x);
+    let _e11 = gabor_impl_wrap(place.cell.y, place.period.y);
+    cell_2 = vec2<i32>(_e6, _e11);
+    unit = (vec2(1f) / (place.radius * radius));
+    let _e20 = cell_2;
+    let _e24 = unit;
+    let _e28 = unit;
+    let _e30 = gabor_place_tiled(((vec2<f32>(_e20) + place.local) * _e24), (vec2<f32>(place.period) * _e28));
+    scaled = _e30;
+    scaled.animated = place.animated;
+    scaled.time = place.time;
+    let _e36 = scaled;
+    return _e36;
+}
+
+// The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
+fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var lobes_1: GaborLobes;
         var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
+        var scaled_1: GaborPlace;
+        var kernel_7: GaborKernel;
         var field_2: GaborField;
         var local_7: f32;
         var scale_1: f32;
@@ -61,54 +85,62 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
                 lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
+                let _e35 = lobe;
                 let _e37 = lobe;
-                let _e41 = gabor_place(vec2(0i), (p * (1f / _e37.radius)));
-                let _e42 = lobe;
-                let _e44 = lobe;
-                let _e47 = lobe;
-                let _e49 = gabor_kernel((_e42.frequency * _e44.radius), _e47.orientation);
-                let _e50 = i;
-                let _e51 = gabor_lobe_seed(seed, _e50);
-                let _e52 = gabor_field(_e41, _e49, _e51);
-                field_2 = _e52;
-                let _e55 = field_2;
-                let _e56 = lobe;
-                let _e59 = lobe;
-                let _e62 = lobe;
-                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
-                let _e66 = power;
-                let _e67 = lobe;
-                power = (_e66 + _e67.power);
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                let _e43 = scaled_1;
+                let _e45 = gabor_kernel_stretched(_e42, _e43.radius);
+                kernel_7 = _e45;
+                let _e47 = scaled_1;
+                let _e48 = kernel_7;
+                let _e49 = i;
+                let _e50 = gabor_lobe_seed(seed, _e49);
+                let _e51 = gabor_field(_e47, _e48, _e50);
+                field_2 = _e51;
+                let _e54 = field_2;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                let _e61 = lobe;
+                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                let _e65 = power;
+                let _e66 = lobe;
+                power = (_e65 + _e66.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e70 = power;
-        if (_e70 > 0f) {
-            let _e73 = power;
-            local_7 = inverseSqrt(_e73);
+        let _e69 = power;
+        if (_e69 > 0f) {
+            let _e72 = power;
+            local_7 = inverseSqrt(_e72);
         } else {
             local_7 = 0f;
         }
-        let _e77 = local_7;
-        scale_1 = _e77;
-        let _e79 = scale_1;
-        let _e80 = sum_3;
-        let _e83 = scale_1;
-        let _e84 = sum_3;
-        let _e87 = scale_1;
-        let _e88 = sum_3;
-        let _e91 = scale_1;
-        let _e92 = sum_3;
-        return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
+        let _e76 = local_7;
+        scale_1 = _e76;
+        let _e78 = scale_1;
+        let _e79 = sum_3;
+        let _e82 = scale_1;
+        let _e83 = sum_3;
+        let _e86 = scale_1;
+        let _e87 = sum_3;
+        let _e90 = scale_1;
+        let _e91 = sum_3;
+        return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
         var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
+        var scaled_1: GaborPlace;
+        var kernel_7: GaborKernel;
         var field_2: GaborField;
         var local_7: f32;
         var scale: f32;
@@ -124,54 +156,62 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
                 lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
+                let _e35 = lobe;
                 let _e37 = lobe;
-                let _e41 = gabor_place(vec2(0i), (p * (2f / _e37.radius)));
-                let _e42 = lobe;
-                let _e44 = lobe;
-                let _e47 = lobe;
-                let _e49 = gabor_kernel((_e42.frequency * _e44.radius), _e47.orientation);
-                let _e50 = i;
-                let _e51 = gabor_lobe_seed(seed, _e50);
-                let _e52 = gabor_field(_e41, _e49, _e51);
-                field_2 = _e52;
-                let _e55 = field_2;
-                let _e56 = lobe;
-                let _e59 = lobe;
-                let _e62 = lobe;
-                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
-                let _e66 = power;
-                let _e67 = lobe;
-                power = (_e66 + _e67.power);
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                let _e43 = scaled_1;
+                let _e45 = gabor_kernel_stretched(_e42, _e43.radius);
+                kernel_7 = _e45;
+                let _e47 = scaled_1;
+                let _e48 = kernel_7;
+                let _e49 = i;
+                let _e50 = gabor_lobe_seed(seed, _e49);
+                let _e51 = gabor_field(_e47, _e48, _e50);
+                field_2 = _e51;
+                let _e54 = field_2;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                let _e61 = lobe;
+                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                let _e65 = power;
+                let _e66 = lobe;
+                power = (_e65 + _e66.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e70 = power;
-        if (_e70 > 0f) {
-            let _e73 = power;
-            local_7 = inverseSqrt(_e73);
+        let _e69 = power;
+        if (_e69 > 0f) {
+            let _e72 = power;
+            local_7 = inverseSqrt(_e72);
         } else {
             local_7 = 0f;
         }
-        let _e77 = local_7;
-        scale = _e77;
-        let _e79 = scale;
-        let _e80 = sum_3;
-        let _e83 = scale;
-        let _e84 = sum_3;
-        let _e87 = scale;
-        let _e88 = sum_3;
-        let _e91 = scale;
-        let _e92 = sum_3;
-        return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
+        let _e76 = local_7;
+        scale = _e76;
+        let _e78 = scale;
+        let _e79 = sum_3;
+        let _e82 = scale;
+        let _e83 = sum_3;
+        let _e86 = scale;
+        let _e87 = sum_3;
+        let _e90 = scale;
+        let _e91 = sum_3;
+        return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     } else {
         var lobes_1: GaborLobes;
         var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
+        var scaled_1: GaborPlace;
+        var kernel_7: GaborKernel;
         var field_2: GaborField;
         var local_7: f32;
         var scale: f32;
@@ -187,48 +227,54 @@ fn gabor_field_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
                 lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
+                let _e35 = lobe;
                 let _e37 = lobe;
-                let _e41 = gabor_place(vec2(0i), (p * (1.5f / _e37.radius)));
-                let _e42 = lobe;
-                let _e44 = lobe;
-                let _e47 = lobe;
-                let _e49 = gabor_kernel((_e42.frequency * _e44.radius), _e47.orientation);
-                let _e50 = i;
-                let _e51 = gabor_lobe_seed(seed, _e50);
-                let _e52 = gabor_field(_e41, _e49, _e51);
-                field_2 = _e52;
-                let _e55 = field_2;
-                let _e56 = lobe;
-                let _e59 = lobe;
-                let _e62 = lobe;
-                gabor_impl_accumulate((&sum_3), _e55, sqrt(_e56.power), (sqrt(_e59.power) / _e62.radius));
-                let _e66 = power;
-                let _e67 = lobe;
-                power = (_e66 + _e67.power);
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                let _e43 = scaled_1;
+                let _e45 = gabor_kernel_stretched(_e42, _e43.radius);
+                kernel_7 = _e45;
+                let _e47 = scaled_1;
+                let _e48 = kernel_7;
+                let _e49 = i;
+                let _e50 = gabor_lobe_seed(seed, _e49);
+                let _e51 = gabor_field(_e47, _e48, _e50);
+                field_2 = _e51;
+                let _e54 = field_2;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                let _e61 = lobe;
+                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                let _e65 = power;
+                let _e66 = lobe;
+                power = (_e65 + _e66.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e70 = power;
-        if (_e70 > 0f) {
-            let _e73 = power;
-            local_7 = inverseSqrt(_e73);
+        let _e69 = power;
+        if (_e69 > 0f) {
+            let _e72 = power;
+            local_7 = inverseSqrt(_e72);
         } else {
             local_7 = 0f;
         }
-        let _e77 = local_7;
-        scale = _e77;
-        let _e79 = scale;
-        let _e80 = sum_3;
-        let _e83 = scale;
-        let _e84 = sum_3;
-        let _e87 = scale;
-        let _e88 = sum_3;
-        let _e91 = scale;
-        let _e92 = sum_3;
-        return GaborField((_e79 * _e80.value), (_e83 * _e84.slope_x), (_e87 * _e88.slope_y), (_e91 * _e92.four));
+        let _e76 = local_7;
+        scale = _e76;
+        let _e78 = scale;
+        let _e79 = sum_3;
+        let _e82 = scale;
+        let _e83 = sum_3;
+        let _e86 = scale;
+        let _e87 = sum_3;
+        let _e90 = scale;
+        let _e91 = sum_3;
+        return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     }
 }
 
@@ -279,315 +325,108 @@ fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     return vec3<f32>(((((2f * f32(_e31)) + 1f) * _e36) - 1f), (_e40 * _e41), f32((_e43 + ((_e44 & 1i) * 64i))));
 }
 
-// The noise of a range of waves at p, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
-fn gabor_field_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var frequency_8: f32;
-        var frequency_spread_1: f32;
-        var orientation_spread_1: f32;
-        var place_3: GaborPlace;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var shells: f32;
-        var shell_count: i32;
-        var j: i32 = 0i;
-        var shell: vec3<f32>;
-        var magnitude: f32;
-        var directions: f32;
-        var direction_count: i32;
-        var i_3: i32;
-        var direction: vec3<f32>;
-        var kernel_7: GaborKernel;
-        var field_3: GaborField;
-        var amplitude_1: f32;
+// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
+    var frequency_8: f32;
+    var frequency_spread_1: f32;
+    var orientation_spread_1: f32;
+    var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var shells: f32;
+    var shell_count: i32;
+    var j: i32 = 0i;
+    var shell: vec3<f32>;
+    var magnitude: f32;
+    var directions: f32;
+    var direction_count: i32;
+    var i_3: i32;
+    var direction: vec3<f32>;
+    var kernel_8: GaborKernel;
+    var field_3: GaborField;
+    var amplitude_1: f32;
 
-        frequency_8 = frequency;
-        frequency_spread_1 = frequency_spread;
-        orientation_spread_1 = orientation_spread;
-        let _e16 = gabor_place(vec2(0i), (p * 1f));
-        place_3 = _e16;
-        let _e28 = frequency_8;
-        frequency_8 = min(abs(_e28), 1000000f);
-        let _e32 = frequency_spread_1;
-        frequency_spread_1 = clamp(_e32, 0f, 1f);
-        let _e36 = orientation_spread_1;
-        orientation_spread_1 = clamp(_e36, 0f, 1.5707963f);
-        let _e41 = frequency_spread_1;
-        let _e43 = frequency_8;
-        shells = clamp((((2.857f * _e41) * _e43) + 0.8f), 1f, 16f);
-        let _e51 = shells;
-        let _e52 = gabor_impl_pieces(_e51);
-        shell_count = _e52;
-        loop {
-            let _e56 = j;
-            let _e57 = shell_count;
-            if !((_e56 < _e57)) {
-                break;
-            }
-            {
-                let _e63 = j;
-                let _e64 = shells;
-                let _e65 = gabor_impl_piece(_e63, _e64);
-                shell = _e65;
-                let _e67 = frequency_8;
-                let _e69 = frequency_spread_1;
-                let _e70 = shell;
-                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
-                let _e77 = orientation_spread_1;
-                let _e80 = magnitude;
-                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e91 = directions;
-                let _e92 = gabor_impl_pieces(_e91);
-                direction_count = _e92;
-                i_3 = 0i;
-                loop {
-                    let _e96 = i_3;
-                    let _e97 = direction_count;
-                    if !((_e96 < _e97)) {
-                        break;
-                    }
-                    {
-                        let _e103 = i_3;
-                        let _e104 = directions;
-                        let _e105 = gabor_impl_piece(_e103, _e104);
-                        direction = _e105;
-                        let _e107 = magnitude;
-                        let _e108 = orientation_spread_1;
-                        let _e109 = direction;
-                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
-                        kernel_7 = _e113;
-                        let _e115 = place_3;
-                        let _e116 = kernel_7;
-                        let _e118 = shell;
-                        let _e121 = direction;
-                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
-                        let _e126 = gabor_field(_e115, _e116, _e125);
-                        field_3 = _e126;
-                        let _e128 = shell;
-                        let _e130 = direction;
-                        amplitude_1 = sqrt((_e128.y * _e130.y));
-                        let _e136 = field_3;
-                        let _e137 = amplitude_1;
-                        let _e138 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
-                    }
-                    continuing {
-                        let _e100 = i_3;
-                        i_3 = (_e100 + 1i);
-                    }
+    frequency_8 = frequency;
+    frequency_spread_1 = frequency_spread;
+    orientation_spread_1 = orientation_spread;
+    let _e19 = frequency_8;
+    frequency_8 = min(abs(_e19), 1000000f);
+    let _e23 = frequency_spread_1;
+    frequency_spread_1 = clamp(_e23, 0f, 1f);
+    let _e27 = orientation_spread_1;
+    orientation_spread_1 = clamp(_e27, 0f, 1.5707963f);
+    let _e32 = frequency_spread_1;
+    let _e34 = frequency_8;
+    shells = clamp((((2.857f * _e32) * _e34) + 0.8f), 1f, 16f);
+    let _e42 = shells;
+    let _e43 = gabor_impl_pieces(_e42);
+    shell_count = _e43;
+    loop {
+        let _e47 = j;
+        let _e48 = shell_count;
+        if !((_e47 < _e48)) {
+            break;
+        }
+        {
+            let _e54 = j;
+            let _e55 = shells;
+            let _e56 = gabor_impl_piece(_e54, _e55);
+            shell = _e56;
+            let _e58 = frequency_8;
+            let _e60 = frequency_spread_1;
+            let _e61 = shell;
+            magnitude = (_e58 * (1f + (_e60 * _e61.x)));
+            let _e68 = orientation_spread_1;
+            let _e71 = magnitude;
+            directions = clamp((((0.63661975f * _e68) * ((4.44f * _e71) + 0.6f)) + 0.8f), 1f, 64f);
+            let _e82 = directions;
+            let _e83 = gabor_impl_pieces(_e82);
+            direction_count = _e83;
+            i_3 = 0i;
+            loop {
+                let _e87 = i_3;
+                let _e88 = direction_count;
+                if !((_e87 < _e88)) {
+                    break;
+                }
+                {
+                    let _e94 = i_3;
+                    let _e95 = directions;
+                    let _e96 = gabor_impl_piece(_e94, _e95);
+                    direction = _e96;
+                    let _e98 = magnitude;
+                    let _e99 = orientation_spread_1;
+                    let _e100 = direction;
+                    let _e104 = gabor_kernel(_e98, (orientation + (_e99 * _e100.x)));
+                    kernel_8 = _e104;
+                    let _e106 = kernel_8;
+                    let _e108 = gabor_kernel_stretched(_e106, place.radius);
+                    kernel_8 = _e108;
+                    let _e109 = kernel_8;
+                    let _e111 = shell;
+                    let _e114 = direction;
+                    let _e118 = gabor_lobe_seed(seed, i32(((128f * _e111.z) + _e114.z)));
+                    let _e119 = gabor_field(place, _e109, _e118);
+                    field_3 = _e119;
+                    let _e121 = shell;
+                    let _e123 = direction;
+                    amplitude_1 = sqrt((_e121.y * _e123.y));
+                    let _e129 = field_3;
+                    let _e130 = amplitude_1;
+                    let _e131 = amplitude_1;
+                    gabor_impl_accumulate((&sum_4), _e129, _e130, _e131);
+                }
+                continuing {
+                    let _e91 = i_3;
+                    i_3 = (_e91 + 1i);
                 }
             }
-            continuing {
-                let _e60 = j;
-                j = (_e60 + 1i);
-            }
         }
-        let _e140 = sum_4;
-        return _e140;
-    } else if GABOR_TAPS == 4 {
-        var frequency_8: f32;
-        var frequency_spread_1: f32;
-        var orientation_spread_1: f32;
-        var place_3: GaborPlace;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var shells: f32;
-        var shell_count: i32;
-        var j: i32 = 0i;
-        var shell: vec3<f32>;
-        var magnitude: f32;
-        var directions: f32;
-        var direction_count: i32;
-        var i_3: i32;
-        var direction: vec3<f32>;
-        var kernel_7: GaborKernel;
-        var field_3: GaborField;
-        var amplitude_1: f32;
-
-        frequency_8 = frequency;
-        frequency_spread_1 = frequency_spread;
-        orientation_spread_1 = orientation_spread;
-        let _e16 = gabor_place(vec2(0i), (p * 2f));
-        place_3 = _e16;
-        let _e28 = frequency_8;
-        frequency_8 = min(abs(_e28), 1000000f);
-        let _e32 = frequency_spread_1;
-        frequency_spread_1 = clamp(_e32, 0f, 1f);
-        let _e36 = orientation_spread_1;
-        orientation_spread_1 = clamp(_e36, 0f, 1.5707963f);
-        let _e41 = frequency_spread_1;
-        let _e43 = frequency_8;
-        shells = clamp((((2.857f * _e41) * _e43) + 0.8f), 1f, 16f);
-        let _e51 = shells;
-        let _e52 = gabor_impl_pieces(_e51);
-        shell_count = _e52;
-        loop {
-            let _e56 = j;
-            let _e57 = shell_count;
-            if !((_e56 < _e57)) {
-                break;
-            }
-            {
-                let _e63 = j;
-                let _e64 = shells;
-                let _e65 = gabor_impl_piece(_e63, _e64);
-                shell = _e65;
-                let _e67 = frequency_8;
-                let _e69 = frequency_spread_1;
-                let _e70 = shell;
-                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
-                let _e77 = orientation_spread_1;
-                let _e80 = magnitude;
-                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e91 = directions;
-                let _e92 = gabor_impl_pieces(_e91);
-                direction_count = _e92;
-                i_3 = 0i;
-                loop {
-                    let _e96 = i_3;
-                    let _e97 = direction_count;
-                    if !((_e96 < _e97)) {
-                        break;
-                    }
-                    {
-                        let _e103 = i_3;
-                        let _e104 = directions;
-                        let _e105 = gabor_impl_piece(_e103, _e104);
-                        direction = _e105;
-                        let _e107 = magnitude;
-                        let _e108 = orientation_spread_1;
-                        let _e109 = direction;
-                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
-                        kernel_7 = _e113;
-                        let _e115 = place_3;
-                        let _e116 = kernel_7;
-                        let _e118 = shell;
-                        let _e121 = direction;
-                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
-                        let _e126 = gabor_field(_e115, _e116, _e125);
-                        field_3 = _e126;
-                        let _e128 = shell;
-                        let _e130 = direction;
-                        amplitude_1 = sqrt((_e128.y * _e130.y));
-                        let _e136 = field_3;
-                        let _e137 = amplitude_1;
-                        let _e138 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
-                    }
-                    continuing {
-                        let _e100 = i_3;
-                        i_3 = (_e100 + 1i);
-                    }
-                }
-            }
-            continuing {
-                let _e60 = j;
-                j = (_e60 + 1i);
-            }
+        continuing {
+            let _e51 = j;
+            j = (_e51 + 1i);
         }
-        let _e140 = sum_4;
-        return _e140;
-    } else {
-        var frequency_8: f32;
-        var frequency_spread_1: f32;
-        var orientation_spread_1: f32;
-        var place_3: GaborPlace;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
-        var shells: f32;
-        var shell_count: i32;
-        var j: i32 = 0i;
-        var shell: vec3<f32>;
-        var magnitude: f32;
-        var directions: f32;
-        var direction_count: i32;
-        var i_3: i32;
-        var direction: vec3<f32>;
-        var kernel_7: GaborKernel;
-        var field_3: GaborField;
-        var amplitude_1: f32;
-
-        frequency_8 = frequency;
-        frequency_spread_1 = frequency_spread;
-        orientation_spread_1 = orientation_spread;
-        let _e16 = gabor_place(vec2(0i), (p * 1.5f));
-        place_3 = _e16;
-        let _e28 = frequency_8;
-        frequency_8 = min(abs(_e28), 1000000f);
-        let _e32 = frequency_spread_1;
-        frequency_spread_1 = clamp(_e32, 0f, 1f);
-        let _e36 = orientation_spread_1;
-        orientation_spread_1 = clamp(_e36, 0f, 1.5707963f);
-        let _e41 = frequency_spread_1;
-        let _e43 = frequency_8;
-        shells = clamp((((2.857f * _e41) * _e43) + 0.8f), 1f, 16f);
-        let _e51 = shells;
-        let _e52 = gabor_impl_pieces(_e51);
-        shell_count = _e52;
-        loop {
-            let _e56 = j;
-            let _e57 = shell_count;
-            if !((_e56 < _e57)) {
-                break;
-            }
-            {
-                let _e63 = j;
-                let _e64 = shells;
-                let _e65 = gabor_impl_piece(_e63, _e64);
-                shell = _e65;
-                let _e67 = frequency_8;
-                let _e69 = frequency_spread_1;
-                let _e70 = shell;
-                magnitude = (_e67 * (1f + (_e69 * _e70.x)));
-                let _e77 = orientation_spread_1;
-                let _e80 = magnitude;
-                directions = clamp((((0.63661975f * _e77) * ((4.44f * _e80) + 0.6f)) + 0.8f), 1f, 64f);
-                let _e91 = directions;
-                let _e92 = gabor_impl_pieces(_e91);
-                direction_count = _e92;
-                i_3 = 0i;
-                loop {
-                    let _e96 = i_3;
-                    let _e97 = direction_count;
-                    if !((_e96 < _e97)) {
-                        break;
-                    }
-                    {
-                        let _e103 = i_3;
-                        let _e104 = directions;
-                        let _e105 = gabor_impl_piece(_e103, _e104);
-                        direction = _e105;
-                        let _e107 = magnitude;
-                        let _e108 = orientation_spread_1;
-                        let _e109 = direction;
-                        let _e113 = gabor_kernel(_e107, (orientation + (_e108 * _e109.x)));
-                        kernel_7 = _e113;
-                        let _e115 = place_3;
-                        let _e116 = kernel_7;
-                        let _e118 = shell;
-                        let _e121 = direction;
-                        let _e125 = gabor_lobe_seed(seed, i32(((128f * _e118.z) + _e121.z)));
-                        let _e126 = gabor_field(_e115, _e116, _e125);
-                        field_3 = _e126;
-                        let _e128 = shell;
-                        let _e130 = direction;
-                        amplitude_1 = sqrt((_e128.y * _e130.y));
-                        let _e136 = field_3;
-                        let _e137 = amplitude_1;
-                        let _e138 = amplitude_1;
-                        gabor_impl_accumulate((&sum_4), _e136, _e137, _e138);
-                    }
-                    continuing {
-                        let _e100 = i_3;
-                        i_3 = (_e100 + 1i);
-                    }
-                }
-            }
-            continuing {
-                let _e60 = j;
-                j = (_e60 + 1i);
-            }
-        }
-        let _e140 = sum_4;
-        return _e140;
     }
+    let _e133 = sum_4;
+    return _e133;
 }
 
 // What a pixel covers: see gabor_footprint.
@@ -895,37 +734,104 @@ fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> Gabo
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
 fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
-    var lobes_3: GaborLobes;
+    if GABOR_TAPS == 2 {
+        var lobes_3: GaborLobes;
 
-    lobes_3 = lobes;
-    let _e4 = lobes_3;
-    let _e5 = gabor_field_lobes(p, _e4, seed);
-    return _e5.value.y;
+        lobes_3 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = lobes_3;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value.y;
+    } else if GABOR_TAPS == 4 {
+        var lobes_3: GaborLobes;
+
+        lobes_3 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = lobes_3;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value.y;
+    } else {
+        var lobes_3: GaborLobes;
+
+        lobes_3 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = lobes_3;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value.y;
+    }
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
-    var lobes_5: GaborLobes;
-    var field_4: GaborField;
+    if GABOR_TAPS == 2 {
+        var lobes_5: GaborLobes;
+        var field_4: GaborField;
 
-    lobes_5 = lobes;
-    let _e4 = lobes_5;
-    let _e5 = gabor_field_lobes(p, _e4, seed);
-    field_4 = _e5;
-    let _e7 = field_4;
-    let _e10 = field_4;
-    let _e13 = field_4;
-    return vec3<f32>(_e7.value.y, _e10.slope_x.y, _e13.slope_y.y);
+        lobes_5 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = lobes_5;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        field_4 = _e13;
+        let _e15 = field_4;
+        let _e18 = field_4;
+        let _e21 = field_4;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var lobes_5: GaborLobes;
+        var field_4: GaborField;
+
+        lobes_5 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = lobes_5;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        field_4 = _e13;
+        let _e15 = field_4;
+        let _e18 = field_4;
+        let _e21 = field_4;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else {
+        var lobes_5: GaborLobes;
+        var field_4: GaborField;
+
+        lobes_5 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = lobes_5;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        field_4 = _e13;
+        let _e15 = field_4;
+        let _e18 = field_4;
+        let _e21 = field_4;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    }
 }
 
 // The same with its quadrature, as gabor_noise_complex.
 fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
-    var lobes_7: GaborLobes;
+    if GABOR_TAPS == 2 {
+        var lobes_7: GaborLobes;
 
-    lobes_7 = lobes;
-    let _e4 = lobes_7;
-    let _e5 = gabor_field_lobes(p, _e4, seed);
-    return _e5.value;
+        lobes_7 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = lobes_7;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value;
+    } else if GABOR_TAPS == 4 {
+        var lobes_7: GaborLobes;
+
+        lobes_7 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = lobes_7;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value;
+    } else {
+        var lobes_7: GaborLobes;
+
+        lobes_7 = lobes;
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = lobes_7;
+        let _e13 = gabor_field_lobes(_e11, _e12, seed);
+        return _e13.value;
+    }
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
@@ -937,26 +843,104 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up
 // to 16; at some arguments, a fifth of all, two such numbers next to each other together.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
-    let _e6 = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
-    return _e6.value.y;
+    if GABOR_TAPS == 2 {
+        var place_7: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1f));
+        place_7 = _e13;
+        let _e15 = place_7;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value.y;
+    } else if GABOR_TAPS == 4 {
+        var place_7: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 2f));
+        place_7 = _e13;
+        let _e15 = place_7;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value.y;
+    } else {
+        var place_7: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+        place_7 = _e13;
+        let _e15 = place_7;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value.y;
+    }
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
-    var field_5: GaborField;
+    if GABOR_TAPS == 2 {
+        var place_8: GaborPlace;
+        var field_5: GaborField;
 
-    let _e6 = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
-    field_5 = _e6;
-    let _e8 = field_5;
-    let _e11 = field_5;
-    let _e14 = field_5;
-    return vec3<f32>(_e8.value.y, _e11.slope_x.y, _e14.slope_y.y);
+        let _e13 = gabor_place(vec2(0i), (p * 1f));
+        place_8 = _e13;
+        let _e15 = place_8;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        field_5 = _e16;
+        let _e18 = field_5;
+        let _e21 = field_5;
+        let _e24 = field_5;
+        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var place_8: GaborPlace;
+        var field_5: GaborField;
+
+        let _e13 = gabor_place(vec2(0i), (p * 2f));
+        place_8 = _e13;
+        let _e15 = place_8;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        field_5 = _e16;
+        let _e18 = field_5;
+        let _e21 = field_5;
+        let _e24 = field_5;
+        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+    } else {
+        var place_8: GaborPlace;
+        var field_5: GaborField;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+        place_8 = _e13;
+        let _e15 = place_8;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        field_5 = _e16;
+        let _e18 = field_5;
+        let _e21 = field_5;
+        let _e24 = field_5;
+        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+    }
 }
 
 // The same with its quadrature, as gabor_noise_complex.
 fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
-    let _e6 = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
-    return _e6.value;
+    if GABOR_TAPS == 2 {
+        var place_9: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1f));
+        place_9 = _e13;
+        let _e15 = place_9;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value;
+    } else if GABOR_TAPS == 4 {
+        var place_9: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 2f));
+        place_9 = _e13;
+        let _e15 = place_9;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value;
+    } else {
+        var place_9: GaborPlace;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+        place_9 = _e13;
+        let _e15 = place_9;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        return _e16.value;
+    }
 }
 
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
@@ -1058,7 +1042,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
 // periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec3<f32> {
-    var kernel_9: GaborKernel;
+    var kernel_10: GaborKernel;
     var wave_2: vec2<f32>;
     var transmitted: f32;
     var s_2: vec3<f32>;
@@ -1100,8 +1084,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var part: vec2<f32>;
     var amplitude_3: f32;
 
-    kernel_9 = kernel;
-    let _e5 = kernel_9;
+    kernel_10 = kernel;
+    let _e5 = kernel_10;
     wave_2 = (_e5.wave * (vec2(1.5f) / place.radius));
     let _e16 = wave_2;
     let _e18 = gabor_impl_transmitted(_e16, footprint.covariance);
@@ -1178,8 +1162,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     let _e188 = turns;
     let _e191 = gabor_impl_wave(-(_e188.x));
     step_2 = _e191;
-    let _e193 = kernel_9;
-    let _e196 = kernel_9;
+    let _e193 = kernel_10;
+    let _e196 = kernel_10;
     back = vec2<f32>(_e193.step_x.x, -(_e196.step_x.y));
     loop {
         let _e208 = i_4;
@@ -1231,10 +1215,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     let _e277 = turns;
     let _e280 = gabor_impl_wave(-(_e277.y));
     step_2 = _e280;
-    let _e281 = kernel_9;
-    let _e284 = kernel_9;
+    let _e281 = kernel_10;
+    let _e284 = kernel_10;
     back = vec2<f32>(_e281.step_y.x, -(_e284.step_y.y));
-    let _e289 = kernel_9;
+    let _e289 = kernel_10;
     let _e293 = x_1;
     let _e295 = gabor_impl_wave(dot((_e289.wave / place.radius), _e293));
     phase_1 = _e295;

@@ -114,9 +114,9 @@ class Spectra(SpectraTest):
 
     def test_header_keeps_every_field_of_lobes(self):
         lobes = [{"frequency": 3.25, "orientation": -12.5, "frequency_spread": 0.125, "orientation_spread": 7.5,
-                  "power": 2.75},
+                  "power": 2.75, "radius": 0.625},
                  {"frequency": 1.75, "orientation": 210.25, "frequency_spread": 0.375, "orientation_spread": 80.5,
-                  "power": 0.3}]
+                  "power": 0.3, "radius": 1.0}]
         first = self.render(output="a.exr", lobes=self.write_lobes(lobes), size="64x48", scale=16)
         self.assertEqual(first.parameters["lobes"], lobes)
         again = self.render(output="b.exr", like="a.exr")
@@ -161,6 +161,8 @@ class Spectra(SpectraTest):
             (["power", "number"], ["--lobes", self.write_lobes([{"power": "x"}], "text.json")]),
             (["power"], ["--lobes", self.write_lobes([{"power": 0}], "powerless.json")]),
             (["frequency", "0.001"], ["--lobes", self.write_lobes([{"frequency": -1}], "negative.json")]),
+            (["radius of a lobe 0", "0.01 to 100", "kernel radii"],
+             ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["frequency", "a single lobe", "5, each with its own"], ["--lobes", good, "--frequency=3"]),
             (["sum", "several lobes"], ["--sum"]),
             (["depth", "the view slice"], ["--depth=3"]),

@@ -26,7 +26,7 @@ Value another(const Parameter& parameter, const Value& value) {
     case Parameter::Kind::text:
         return "a \"name\".exr";
     case Parameter::Kind::lobes:
-        return std::vector<noise::Lobe>{{0.1, -33.3, 0.25, 12.345678901234567, 3}, {7, 90}};
+        return std::vector<noise::Lobe>{{0.1, -33.3, 0.25, 12.345678901234567, 3, 0.7}, {7, 90}};
     case Parameter::Kind::integer:
         return parameter.range.high;
     default:
