@@ -234,10 +234,11 @@ const std::array exclusions{
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
               "paint is stretched over a picture of the view flat"},
-    Exclusion{
-        "filter", "recipe",
-        [](const Request& r) { return r.filter && !in_space(r) && r.recipe != noise::recipes().front(); },
-        "the filter in a plane is for the recipe lattice"},
+    Exclusion{"values", "recipe",
+              [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
+              "several values are for the lattice's recipes"},
+    Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
+              "the filter in a plane is for the recipe lattice"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&

@@ -22,6 +22,10 @@ noise::Recipe drawing_recipe(const Request& request) {
     return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }
 
+bool can_filter(const Request& request) {
+    return in_space(request) || request.recipe == noise::find_recipe("lattice");
+}
+
 bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }

@@ -80,6 +80,9 @@ bool has_material(const Request& request);
 /// The recipe that draws it: the one asked for, but in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
+/// Whether its pixels can be filtered: in the plane by the recipe `lattice` alone.
+bool can_filter(const Request& request);
+
 /// Whether the spectrum is a single frequency and orientation.
 bool is_one_wave(const Request& request);
 

@@ -40,7 +40,9 @@ vec2 painted_at(vec2 pixel)
 }
 
 struct Values {
-    GaborField field;
+    vec4 values;
+    vec2 complex;
+    vec2 slope;
     float removed;
 };
 
@@ -70,48 +72,49 @@ Values wave_at(PixelsWave wave, Footprint here)
     if (filtered) {
         vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
         vec3 value = gabor_field_filtered(place, kernel, gabor_footprint(nodes * here.dx, nodes * here.dy), wave.seed);
-        return Values(GaborField(value.xy, vec2(0.0), vec2(0.0), vec4(value.y)), value.z);
+        return Values(vec4(value.y), value.xy, vec2(0.0), value.z);
     }
 #endif
-    return Values(gabor_field(place, kernel, wave.seed), 0.0);
+    GaborField field = gabor_field(place, kernel, wave.seed);
+#ifdef GABOR_TAPS
+    vec4 four = values > 1 ? field.four : vec4(field.value.y);
+#else
+    vec4 four = vec4(field.value.y); // of which only the first is wanted
+#endif
+    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), 0.0);
 }
-
-const Values nothing = Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 0.0);
 
 Values values_at(Footprint here)
 {
-    Values sum = nothing;
+    Values sum = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0);
     for (int i = 0; i < waves; ++i) {
         PixelsWave wave = wave_table[i];
         Values one = wave_at(wave, here);
-        sum.field.value += wave.amplitude * one.field.value;
-        sum.field.slope_x += wave.amplitude / wave.radius * one.field.slope_x;
-        sum.field.slope_y += wave.amplitude / wave.radius * one.field.slope_y;
-        sum.field.four += wave.amplitude * one.field.four;
+        sum.values += wave.amplitude * one.values;
+        sum.complex += wave.amplitude * one.complex;
+        sum.slope += wave.amplitude / wave.radius * one.slope;
         sum.removed += wave.amplitude * wave.amplitude * one.removed;
     }
     return sum;
 }
 
-void write_pixel(int at, Values values_here)
+void write_pixel(int at, Values here)
 {
-    GaborField field = values_here.field;
-    picture[at++] = values > 1 ? field.four.x : field.value.y;
-    for (int i = 1; i < values; ++i)
-        picture[at++] = field.four[i];
+    for (int i = 0; i < values; ++i)
+        picture[at++] = here.values[i];
     if (with_quadrature)
-        picture[at++] = field.value.x;
+        picture[at++] = here.complex.x;
     if (with_gradient) {
-        picture[at++] = field.slope_x.y;
-        picture[at++] = field.slope_y.y;
+        picture[at++] = here.slope.x;
+        picture[at++] = here.slope.y;
     }
     if (with_phasor) {
-        vec2 phasor = gabor_phasor(field.value);
+        vec2 phasor = gabor_phasor(here.complex);
         picture[at++] = phasor.x;
         picture[at++] = phasor.y;
     }
     if (filtered)
-        picture[at++] = values_here.removed;
+        picture[at++] = here.removed;
 }
 
 void main()
@@ -125,7 +128,7 @@ void main()
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         if (seen.y <= 0.0) { // the sky
-            write_pixel(at, Values(nothing.field, 1.0));
+            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0));
             return;
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
