@@ -217,11 +217,6 @@ void spectrum_panel(Session& session) {
     changed |= lobe_sliders(lobes[session.selected_lobe], lobes.size() > 1);
     if (changed || dragging)
         attempt(session, [&] { set_parameter(session.document(), "lobes", lobes); });
-    if (lobes.size() > 1) {
-        ImGui::Checkbox("independent noises", &session.document().request.sum);
-        tooltip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
-                "noises");
-    }
 }
 
 } // namespace gabor::viewer
