@@ -78,6 +78,7 @@ int parse_and_work(int argc, const char* const* argv) {
     add_render_command(app);
     add_stats_command(app);
     add_bench_command(app);
+    add_fit_command(app);
     add_study_command(app);
     add_devices_command(app);
     add_recipes_command(app);
