@@ -103,18 +103,24 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
     SpectraEstimate estimate(exemplar.width, exemplar.height, count);
     exemplar.quantiles.resize(static_cast<std::size_t>(count));
     Rows rows(path, exemplar.channels == 1);
+    Structure structure(exemplar.width);
     Eigen::MatrixXf values(count, exemplar.width);
+    std::vector<float> first(static_cast<std::size_t>(exemplar.width));
     for (int y = 0; y < exemplar.height; ++y) {
         const std::span<float> row = rows.next();
         exemplar.trend.subtract(y, row);
         values.noalias() = map * Eigen::Map<const Eigen::MatrixXf>(row.data(), exemplar.channels, exemplar.width);
         estimate.add_row({values.data(), static_cast<std::size_t>(values.size())});
+        for (int x = 0; x < exemplar.width; ++x)
+            first[static_cast<std::size_t>(x)] = values(0, x);
+        structure.add_row(first);
         for (int c = 0; c < count; ++c)
             for (int x = 0; x < exemplar.width; ++x)
                 exemplar.quantiles[static_cast<std::size_t>(c)].add(values(c, x));
         advance((1 + static_cast<double>(y + 1) / exemplar.height) / 2);
     }
     exemplar.spectra = estimate.spectra();
+    exemplar.structure = structure.excess_kurtosis();
     return exemplar;
 }
 

@@ -2,6 +2,7 @@
 
 #include "fit/histogram.hpp"
 #include "fit/spectra.hpp"
+#include "fit/structure.hpp"
 #include "fit/trend.hpp"
 
 #include <filesystem>
@@ -27,6 +28,7 @@ struct Exemplar {
     Eigen::MatrixXd components; ///< a column for each, as long as its deviation: channels = mean + components * values
     Spectra spectra{1};         ///< of the components
     std::vector<Quantiles> quantiles; ///< of the components
+    double structure = 0; ///< of the first component: see Structure
 };
 
 /// Reads the file twice, and holds no more of it than the rows of a window. Throws RequestError where it cannot be

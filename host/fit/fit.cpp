@@ -10,17 +10,12 @@ namespace gabor::fit {
 
 namespace {
 
-// The relative error that chance leaves on the estimate from a picture of a side of as many windows. Windows of larger
-// pictures are sampled.
-double error_by_chance(const Exemplar& exemplar) {
+// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall with the
+// number of windows along a side. Windows of larger pictures are sampled.
+bool is_chance(const Figures& figures, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
-    return 0.44 * window_side / std::min(side, 2048.0);
-}
-
-double relative_error(const Spectra& estimate, const std::vector<Wave>& waves) {
-    const Eigen::ArrayXd power = estimate.total() * multiplicities();
-    const Eigen::ArrayXd found = model(waves, estimate.channels).total() * multiplicities();
-    return (found - power).abs().sum() / power.sum();
+    const double windows = std::min(side, 2048.0) / window_side;
+    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows;
 }
 
 void drop_empty(std::vector<Wave>& waves) {
@@ -52,7 +47,7 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
             refine(target, waves, Free::all, 6);
         drop_empty(waves);
         advance(0.8 * (i + 1) / lobes);
-        if (relative_error(spectra, waves) < error_by_chance(exemplar))
+        if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
             break;
     }
     refine(target, waves, Free::all, 30);

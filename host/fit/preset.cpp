@@ -19,7 +19,6 @@ render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
     request.width = exemplar.width;
     request.height = exemplar.height;
     request.scale = texture.waves.front().radius; // the unit is that of the strongest lobe
-    request.sum = texture.waves.size() > 1;
     request.lobes.clear();
     for (const Wave& wave : texture.waves) {
         noise::Lobe lobe;

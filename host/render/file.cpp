@@ -32,7 +32,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                                                   .channels = names,
                                                   .compression = files.compression,
                                                   .parameters = to_json(request)});
-    const int colours = request.values >= 3 ? 3 : 1; // colour, where there are as many noises
+    const int colours = request.colour || request.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, colours);
@@ -47,8 +47,10 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         if (png) {
             shown.clear();
             for (std::size_t i = 0; i < values.size(); i += names.size())
-                for (int k = 0; k < colours; ++k)
-                    shown.push_back(unorm(values[i + static_cast<std::size_t>(k)]));
+                for (int k = 0; k < colours; ++k) {
+                    const float value = values[i + static_cast<std::size_t>(k)];
+                    shown.push_back(request.colour ? value : unorm(value));
+                }
             png->write_rows(shown);
         }
         times.writing += seconds_since(before);

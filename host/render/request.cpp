@@ -23,6 +23,8 @@ bool is_isotropic(const noise::Lobe& lobe) {
 std::vector<std::string> channels(const Request& request) {
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.colour)
+        names = {"R", "G", "B"};
     if (request.quadrature)
         names.push_back("quadrature");
     if (request.gradient)
