@@ -1,11 +1,17 @@
 #include "render/request.hpp"
 
+#include "render/material.hpp"
+
 #include <array>
 
 namespace gabor::render {
 
 bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
+}
+
+bool has_material(const Request& request) {
+    return request.material != no_material;
 }
 
 bool is_one_wave(const Request& request) {
@@ -21,6 +27,8 @@ bool is_isotropic(const noise::Lobe& lobe) {
 }
 
 std::vector<std::string> channels(const Request& request) {
+    if (has_material(request))
+        return {material_channels.begin(), material_channels.end()};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
     if (request.colour)

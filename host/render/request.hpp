@@ -58,6 +58,8 @@ struct Request {
     std::uint32_t seed = 0;
     double time = 0; ///< in periods of an animation that ends where it began
     View view = Plane();
+    std::string material =
+        "none"; ///< what to make of noises of its own, in place of the noise: see render/material.hpp
     bool filter = false;    ///< pixels are seen through a normal filter with a deviation of half a pixel
     std::string paint = {}; ///< an EXR with channels `frequency` and `orientation`, in degrees, stretched
                             ///< over the picture in place of those of the lobe; empty for none
@@ -76,6 +78,9 @@ struct Request {
 
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
+
+/// Whether it is a picture of a material in place of the noise.
+bool has_material(const Request& request);
 
 /// The recipe that draws it: the one asked for, but in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);

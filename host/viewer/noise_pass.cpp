@@ -250,7 +250,7 @@ GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
         const double cell = 1 / std::ranges::min(radii);
         const double apart = std::ceil(2 * widest / cell) + 2;
         for (int i = 0; i < count; ++i) {
-            const double within = (generator() >> 8) * 0x1p-24;
+            const double within = static_cast<double>(generator() >> 8) * 0x1p-24;
             for (const double radius : radii) {
                 const double at = (i * apart + within) * cell * radius;
                 points.push_back({static_cast<std::int32_t>(std::floor(at)),

@@ -18,6 +18,7 @@ FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_lattice": ["gabor_lattice", "gabor_spectrum"],
     "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
+    "gabor_materials": ["gabor_lattice", "gabor_spectrum", "gabor_materials"],
 }
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
@@ -33,6 +34,7 @@ RECIPES = {
         "lobes": {"GABOR_LOBES": "6"},
     },
     "gabor_lattice_3d": {"default": {}},
+    "gabor_materials": {"default": {}},
 }
 
 # What a macro must not be, and what the compiler's log then says.
@@ -54,6 +56,7 @@ BAD_MACROS = {
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
     ],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
+    "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
 }
 
 # The functions to call, with values that no compiler can fold.
@@ -94,6 +97,9 @@ USE_MORE = {
            + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
            + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
 """,
+    "gabor_materials": "".join(
+        f"    noise += {material}(p, 7u).colour.x + {material}_filtered(p, p, p.yx, 7u).height;\n"
+        for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(", SOURCES["gabor_materials"], re.MULTILINE)),
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
            "    color = vec4(gabor_unorm(noise));\n}}\n"
@@ -170,8 +176,8 @@ class Dialects(unittest.TestCase):
 
     def test_they_say_what_must_come_before(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
-        for name in ("gabor_spectrum", "gabor_lattice_3d"):
-            with self.subTest(name), self.assertRaisesRegex(AssertionError, "Include gabor_lattice . glsl before"):
+        for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials"):
+            with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_lattice . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_both_at_once_are_an_error_that_says_so(self):
