@@ -23,7 +23,8 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
+                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom",
+                              "--material"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
                    "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():
