@@ -190,7 +190,7 @@ TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "
                    all.mean(), all.variance(), cvms.mean(), error, cvms.maximum(), worst);
         CHECK(std::abs(all.variance() - 1) < 5 * std::sqrt(2 / static_cast<double>(all.count())));
         CHECK(cvms.mean() - 4 * error < 0.05);
-        // Of 2304 normal laws one has T - 1/6 > 1.4 on average, and in one case of fifty > 2.
+        // Of 2304 normal laws the largest T - 1/6 is about 1.2, and in one case of 75 more than 2.
         CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
     }
 }
