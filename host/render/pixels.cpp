@@ -141,8 +141,7 @@ Pixels::Pixels(const vulkan::Device& device, const Request& request, const image
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
                const Paint& paint, const std::vector<passes::PixelsWave>& waves)
-    : pass_(device, modules.of(request.recipe), {6, sizeof(passes::PixelsPush)},
-            pixels_constants(request)),
+    : pass_(device, modules.of(request.recipe), {6, sizeof(passes::PixelsPush)}, pixels_constants(request)),
       columns_(
           upload(device, lines_along(request, request.width, region.x, region.width, request.width / 2.0))),
       rows_(upload(device,
