@@ -479,6 +479,22 @@ void give_way(Request& request, std::string_view name) {
     }
 }
 
+namespace {
+
+void check_colour(const Request& request) {
+    if (request.colour->weights.size() != request.lobes.size() ||
+        !std::ranges::all_of(request.lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; }))
+        throw RequestError(
+            "a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
+            "that came with it");
+    if (in_space(request) || request.quadrature || request.gradient || request.phasor || request.values > 1 ||
+        !request.paint.empty() || has_material(request))
+        throw RequestError(
+            "colours are drawn in the plane, without paint, materials and other channels than `removed`");
+}
+
+} // namespace
+
 void check(const Request& request) {
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(request))
@@ -495,6 +511,8 @@ void check(const Request& request) {
         throw RequestError(
             fmt::format("{} and material {} exclude each other: a material has noises of its own", p->name,
                         request.material));
+    if (request.colour)
+        check_colour(request);
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);

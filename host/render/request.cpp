@@ -35,6 +35,8 @@ std::vector<std::string> channels(const Request& request) {
         return {material_channels.begin(), material_channels.end()};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.colour)
+        names = {"R", "G", "B"};
     if (request.quadrature)
         names.push_back("quadrature");
     if (request.gradient)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "noise/colour.hpp"
 #include "noise/lobe.hpp"
 #include "noise/recipe.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -67,6 +69,9 @@ struct Request {
     bool gradient = false;   ///< derivatives per kernel radius; on a body along the picture's right and down
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< uncorrelated noises, 1 to 4
+
+    /// Channels R, G and B in place of the noise. Its weights are of the lobes, in their order.
+    std::optional<noise::Colour> colour = {};
 
     bool operator==(const Request&) const = default;
 };
