@@ -1,10 +1,13 @@
 // The estimate, from spectra and values whose answers are known.
 
+#include "error.hpp"
 #include "fit/atoms.hpp"
 #include "fit/colour.hpp"
 #include "fit/fit.hpp"
+#include "fit/preset.hpp"
 #include "fit/random_phase.hpp"
 #include "fit/structure.hpp"
+#include "render/parameters.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -318,4 +321,18 @@ TEST_CASE("random-phase noise keeps the power spectrum and loses the structure")
     };
     CHECK(structure(stripes) > 0.5);
     CHECK(std::abs(structure(noise)) < 0.5);
+}
+
+TEST_CASE("a preset comes back from its JSON, and weights without their lobes are refused") {
+    using namespace std::complex_literals;
+    const std::vector<Wave> waves{{{0.12, 0.05}, 10, weights({0.7, 0.5i, -0.3 + 0.4i})},
+                                  {{-0.09, 0.2}, 8, weights({0.5, -0.6, 0.5})},
+                                  {{0.0, 0.0}, 14, weights({0.4i, 0.5 + 0.2i, 0.5})}};
+    const Exemplar exemplar = exemplar_of(waves, 512);
+    gabor::render::Request request = request_of(exemplar, fit(exemplar, 16, [](double) {}));
+    REQUIRE(request.colour);
+    gabor::render::check(request);
+    CHECK(gabor::render::from_json(gabor::render::to_json(request)) == request);
+    request.lobes.pop_back();
+    CHECK_THROWS_AS(gabor::render::check(request), gabor::RequestError);
 }
