@@ -11,6 +11,10 @@
 
 namespace gabor::render {
 
+std::string software(const vulkan::Device& device) {
+    return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
+}
+
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
     rendering.waiting += other.rendering.waiting;
     rendering.gpu += other.rendering.gpu;
@@ -28,14 +32,13 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr, image::ExrWriter::Description{
-                                    .picture = {0, 0, request.width, request.height},
-                                    .window = region,
-                                    .channels = names,
-                                    .compression = files.compression,
-                                    .parameters = to_json(request),
-                                    .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
-                                                            device.info().name, device.info().driver)});
+        exr.emplace(*files.exr,
+                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
+                                                  .window = region,
+                                                  .channels = names,
+                                                  .compression = files.compression,
+                                                  .parameters = to_json(request),
+                                                  .software = software(device)});
     const int colours = request.values >= 3 ? 3 : 1; // colour, where there are as many noises
     std::optional<image::PngWriter> png;
     if (files.png)

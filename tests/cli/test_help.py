@@ -23,7 +23,7 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
+                              "--png", "--texture", "--half", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
                    "join": ("REGION", "-o,--output"),
                    "merge": ("PART", "-o,--output", "--device"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
