@@ -194,18 +194,21 @@ void add_study_command(CLI::App& app) {
     std::string names;
     for (const study::Study& study : study::studies())
         names += fmt::format("{} ({}); ", study.name, study.description);
-    command->add_option("NAME", options->name, fmt::format("Which: {}all", names))->required();
+    command->add_option("NAME", options->name, fmt::format("Which: {}all", names))->type_name("")->required();
     command
         ->add_option("-o,--output", options->folder,
                      "The folder for its tables and pictures; a study that was interrupted goes on there")
+        ->type_name("FOLDER")
         ->required();
     command->add_flag("--quick", options->quick, "Fewer samples: two minutes for all, without a GPU");
-    command->add_option("--device", options->device,
-                        "Vulkan device: its index, or a part of its name [the fastest kind]");
+    command
+        ->add_option("--device", options->device,
+                     "Vulkan device: its index, or a part of its name [the fastest kind]")
+        ->type_name("NAME");
     command
         ->add_option("--part", options->part,
                      "K/N: only the K-th of N parts, into study.K-of-N.rows, for `gabor merge`")
-        ->type_name("");
+        ->type_name("K/N");
     command->callback([options] { make_study(*options); });
 }
 

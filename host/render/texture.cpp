@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "render/parameters.hpp"
+#include "render/pixels.hpp"
 
 #include <fmt/format.h>
 
@@ -64,6 +65,8 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         writer.write_rows(values);
         times.writing += seconds_since(before);
     };
+    // A material has passes of its own.
+    const auto pass = has_material(request) ? nullptr : Pixels::make_pass(device, request);
     std::vector<float> line; // a level of a single row or column
     int level = 0;
     for (; (region.width >> level) > 0 && (region.height >> level) > 0; ++level) {
@@ -74,10 +77,12 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         here.scale = std::ldexp(request.scale, -level);
         line.clear();
         const bool is_line = std::min(region.width, region.height) >> level == 1;
-        const Times rendering = render_region(
-            device, here,
-            {region.x >> level, region.y >> level, region.width >> level, region.height >> level},
-            [&](std::span<const float> values) {
+        const image::Window window{region.x >> level, region.y >> level, region.width >> level,
+                                   region.height >> level};
+        const std::unique_ptr<RegionRenderer> renderer =
+            pass ? std::make_unique<Pixels>(device, here, window, pass) : make_renderer(device, here, window);
+        const Times rendering =
+            render_region(device, *renderer, here, window, [&](std::span<const float> values) {
                 write(values);
                 if (is_line)
                     line.insert(line.end(), values.begin(), values.end());

@@ -162,6 +162,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
         passes.push_back(of_ingredients(request, *ingredients));
     } else {
         request.recipe = std::get<noise::Recipe>(*document.comparison);
+        render::give_way(request, "recipe");
         passes.push_back(of_drop_in(request));
     }
     return passes;
@@ -250,11 +251,11 @@ GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
         const double cell = 1 / std::ranges::min(radii);
         const double apart = std::ceil(2 * widest / cell) + 2;
         for (int i = 0; i < count; ++i) {
-            const double within = (generator() >> 8) * 0x1p-24;
+            const double within = static_cast<double>(generator() >> 8) * 0x1p-24;
             for (const double radius : radii) {
                 const double at = (i * apart + within) * cell * radius;
-                points.push_back({static_cast<std::int32_t>(std::floor(at)),
-                                  static_cast<float>(at - std::floor(at))});
+                points.push_back(
+                    {static_cast<std::int32_t>(std::floor(at)), static_cast<float>(at - std::floor(at))});
             }
         }
     };

@@ -21,9 +21,10 @@ class Help(ProgramTest):
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
-                              "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
+                              "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--texture", "--half", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
+                              "--png", "--texture", "--half", "--compression", "--device", "--verbose", "--yaw", "--pitch",
+                              "--zoom", "--material"),
                    "join": ("REGION", "-o,--output"),
                    "merge": ("PART", "-o,--output", "--device"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
@@ -32,6 +33,9 @@ class Help(ProgramTest):
             text = self.succeed(command, "--help")
             listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
             self.assertEqual(listed, {"-h,--help", *names}, command)
+            self.assertNotIn("TEXT", text)
+        self.assertIn('[{"frequency": 4, "orientation": 45, "power": 1}]', self.succeed("render", "--help"))
+        self.assertNotIn("TEXT", self.succeed("study", "--help"))
 
     def test_recipes_are_those_of_the_readme(self):
         readme = (pathlib.Path(__file__).parents[2] / "README.md").read_text()

@@ -47,7 +47,7 @@ class StudyTest(ProgramTest):
     def test_the_law_at_places_and_of_pairs(self):
         self.succeed("study", "law", "--quick", "-o", ".")
         noises = {"seminal", "advice", "paper", "one", "pure", "lattice_2", "lattice_3", "lattice_4"}
-        counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9}
+        counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9, "law_spectra": 1}
         for name, count in counts.items():
             rows = self.table(name)
             self.assertEqual({row["noise"] for row in rows}, noises)
@@ -59,6 +59,16 @@ class StudyTest(ProgramTest):
         # What pooling hides: at places the sparse noise is far from normal, and the lattice is not.
         self.assertGreater(float(summaries["one"]["cvm_mean"]), 5)
         self.assertLess(float(summaries["lattice_3"]["cvm_mean"]), 5)
+        # Theory's largest differences at these lags, and what the sparse noises have.
+        theory = {noise: max(float(row["rms_theory"]) for row in self.table("law_covariance") if row["noise"] == noise)
+                  for noise in noises}
+        self.assertGreater(theory["lattice_2"], 0.15)
+        self.assertAlmostEqual(theory["lattice_3"], 0.040, delta=0.004)
+        self.assertAlmostEqual(theory["lattice_4"], 0.0103, delta=0.001)
+        self.assertEqual(theory["one"], 0)
+        spectra = {row["noise"]: row for row in self.table("law_spectra")}
+        self.assertGreater(float(spectra["one"]["fourth_power"]), 5)
+        self.assertLess(float(spectra["lattice_3"]["fourth_power"]), 2.5)
         self.assertEqual(set(self.files()), {f"{name}.csv" for name in counts})
         subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
         for name in counts:
