@@ -268,8 +268,11 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         total += times;
         if (frame + 1 == frames)
             progress.reset();
-        fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
-                   region.width, region.height, noise::spelled_out(render::drawing_recipe(request)),
+        fmt::print("{}: {} x {} pixels, {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
+                   region.width, region.height,
+                   render::has_material(request)
+                       ? fmt::format("material {}", request.material)
+                       : fmt::format("recipe {}", noise::spelled_out(render::drawing_recipe(request))),
                    device.info().name);
     }
     if (options.verbose)

@@ -10,12 +10,13 @@ namespace gabor::fit {
 
 namespace {
 
-// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall with the
-// number of windows along a side. Windows of larger pictures are sampled.
+// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall
+// with the number of windows along a side. Windows of larger pictures are sampled.
 bool is_chance(const Figures& figures, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side, 2048.0) / window_side;
-    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows;
+    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows &&
+           figures.autocorrelation < 0.32 / windows;
 }
 
 void drop_empty(std::vector<Wave>& waves) {

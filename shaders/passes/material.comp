@@ -19,7 +19,9 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
 {
-    return GABOR_MATERIAL(GaborPixel(p, dx, dy, filtered), seed);
+    if (filtered)
+        return GABOR_MATERIAL_FILTERED(p, dx, dy, seed);
+    return GABOR_MATERIAL(p, seed);
 }
 
 void main()
