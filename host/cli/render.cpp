@@ -350,9 +350,9 @@ void add_render_command(CLI::App& app) {
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
     command
         ->add_option("--size", options->size,
-                     fmt::format("WIDTHxHEIGHT in pixels, up to {0} x {0} [{1}x{2}]",
+                     fmt::format("Of the picture in pixels, up to {0} x {0} [{1}x{2}]",
                                  render::parameter("width").range.high, defaults.width, defaults.height))
-        ->type_name("");
+        ->type_name("WIDTHxHEIGHT");
     add_parameters(*command, *options);
     command
         ->add_option(
@@ -365,9 +365,8 @@ void add_render_command(CLI::App& app) {
         ->type_name("FILE");
     command
         ->add_option("--region", options->region,
-                     "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there on "
-                     "the same driver")
-        ->type_name("");
+                     "Only this part, with exactly the pixels that the whole has there on the same driver")
+        ->type_name("X,Y,WIDTH,HEIGHT");
     command
         ->add_option(
             "--frames", options->frames,

@@ -5,6 +5,8 @@
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,12 +36,14 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr,
-                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                  .window = region,
-                                                  .channels = names,
-                                                  .compression = files.compression,
-                                                  .parameters = to_json(request)});
+        exr.emplace(*files.exr, image::ExrWriter::Description{
+                                    .picture = {0, 0, request.width, request.height},
+                                    .window = region,
+                                    .channels = names,
+                                    .compression = files.compression,
+                                    .parameters = to_json(request),
+                                    .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
+                                                            device.info().name, device.info().driver)});
     // Colour, where there are as many noises; of a material its look.
     const std::size_t colours = has_material(request) || request.values >= 3 ? 3 : 1;
     const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;

@@ -155,20 +155,17 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.height; }),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "",
-         "How quality is bought; lobes, spreads and the filter in a plane are drawn by `one` in a lattice's "
-         "place",
+        {"recipe", Kind::recipe, "", none, none, "", "How quality is bought",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),
         of_only_lobe(of_lobe[1]),
         of_only_lobe(of_lobe[2]),
         of_only_lobe(of_lobe[3]),
-        {"lobes", Kind::lobes, "", none, none, "", "The spectrum as a list of lobes, one for each impulse",
+        {"lobes", Kind::lobes, "", none, none, "",
+         "The spectrum as a list of lobes, noises of their own that add up",
          [](const Request& r) { return Value(r.lobes); },
          [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        flag("sum", "several lobes", "Let lobes be independent noises instead, at the cost of each",
-             [](auto& r) { return r.lobes.size() > 1 ? &r.sum : nullptr; }),
         row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Which instance of the noise",
             [](auto& r) { return &r.seed; }),
         row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "",
@@ -226,7 +223,6 @@ struct Exclusion {
 };
 
 constexpr std::string_view unlike_filter = "a filtered noise is one value, and what the filter removed";
-constexpr std::string_view in_space_one = "noise in space has one frequency, and one orientation or all";
 
 const std::array exclusions{
     Exclusion{"filter", "gradient", [](const Request& r) { return r.filter && r.gradient; }, unlike_filter},
@@ -238,25 +234,16 @@ const std::array exclusions{
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
               "paint is stretched over a picture of the view flat"},
-    Exclusion{"view", "lobes", [](const Request& r) { return in_space(r) && r.lobes.size() > 1; },
-              in_space_one},
-    Exclusion{"view", "frequency_spread",
-              [](const Request& r) { return in_space(r) && r.lobes.front().frequency_spread != 0; },
-              in_space_one},
-    Exclusion{"view", "orientation_spread",
-              [](const Request& r) {
-                  const Lobe& lobe = r.lobes.front();
-                  return in_space(r) && lobe.orientation_spread != 0 && !is_isotropic(lobe);
-              },
-              "noise in space has an orientation_spread of 0 or 90"},
+    Exclusion{
+        "filter", "recipe",
+        [](const Request& r) { return r.filter && !in_space(r) && r.recipe != noise::recipes().front(); },
+        "the filter in a plane is for the recipe lattice"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
                          r.recipe != noise::sparse_recipes().front();
               },
               "noise in space has a recipe of its own"},
-    Exclusion{"view", "values", [](const Request& r) { return in_space(r) && r.values > 1; },
-              "noise in space has one value"},
 };
 
 // What a material leaves as it is. All else is the noise's, and has no use beside one.
@@ -443,10 +430,9 @@ void set(Request& request, const Values& values) {
             of_parameter(*p, [&] { check_value(*p, value); });
             if (!p->get(request))
                 throw RequestError(fmt::format(
-                    "{}: it is for {}{}", p->name, p->of,
-                    p->of == one_lobe
-                        ? fmt::format(", and here are {}, each with its own", request.lobes.size())
-                        : ""));
+                    "{} is for {}, and here {}", p->name, p->of,
+                    p->of == one_lobe ? fmt::format("are {}, each with its own", request.lobes.size())
+                                      : fmt::format("it is {}", name_of(request.view))));
             p->put(request, value);
         }
     }
@@ -509,11 +495,14 @@ void check(const Request& request) {
             fmt::format("{} and material {} exclude each other: a material has noises of its own", p->name,
                         request.material));
     const Plane* plane = std::get_if<Plane>(&request.view);
-    if (plane && plane->tileable && std::min(request.width, request.height) < 2 * request.scale)
+    const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
+    const double least = std::ceil(2 * radius * request.scale);
+    if (plane && plane->tileable && std::min(request.width, request.height) < least)
         throw RequestError(
             fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
-                        "kernel radii, {} pixels",
-                        request.width, request.height, request.scale, std::ceil(2 * request.scale)));
+                        "kernel radii{}, {} pixels",
+                        request.width, request.height, request.scale,
+                        request.lobes.size() > 1 ? " of its widest lobe" : "", least));
 }
 
 } // namespace gabor::render

@@ -49,13 +49,14 @@ class BandBuffer {
 
 } // namespace
 
-Axis axis_along(const Request& request, int side) {
-    const double radius = double{drawing_recipe(request).radius};
+Axis axis_along(const Request& request, int side, double radius) {
+    const double cells = double{request.recipe.radius};
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!plane || !plane->tileable)
-        return {radius, 0};
-    const double period = std::floor(side / request.scale * radius);
-    return {period / side * request.scale, static_cast<std::int32_t>(period)};
+        return {cells, 0};
+    const double scale = request.scale * radius;
+    const double period = std::floor(side / scale * cells);
+    return {period / side * scale, static_cast<std::int32_t>(period)};
 }
 
 float wrapped_time(const Request& request) {

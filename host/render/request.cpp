@@ -18,15 +18,8 @@ bool is_one_wave(const Request& request) {
     return request.lobes.size() == 1 && request.lobes.front().is_one_wave();
 }
 
-bool needs_sparse(const Request& request) {
-    return !in_space(request) && (!is_one_wave(request) || request.filter);
-}
-
 noise::Recipe drawing_recipe(const Request& request) {
-    if (in_space(request))
-        return noise::find_recipe("lattice");
-    return request.recipe.is_lattice() && needs_sparse(request) ? noise::sparse_recipes().front()
-                                                                : request.recipe;
+    return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }
 
 bool is_isotropic(const noise::Lobe& lobe) {

@@ -53,7 +53,6 @@ struct Request {
     double scale = 32; ///< pixels per kernel radius
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
-    bool sum = false; ///< lobes are independent noises; else one lobe is chosen for each impulse
     std::uint32_t seed = 0;
     double time = 0; ///< in periods of an animation that ends where it began
     View view = Plane();
@@ -78,11 +77,7 @@ bool in_space(const Request& request);
 /// Whether it is a picture of a material in place of the noise.
 bool has_material(const Request& request);
 
-/// Whether the request has what only the sparse noise has: several lobes or spreads, the filter of a plane.
-bool needs_sparse(const Request& request);
-
-/// The recipe that draws it: the one asked for, or `one` where that is a lattice and the request needs the
-/// sparse noise. In space it is always `lattice`.
+/// The recipe that draws it: the one asked for, but in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
 /// Whether the spectrum is a single frequency and orientation.

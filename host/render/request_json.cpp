@@ -122,6 +122,8 @@ Request from_json(std::string_view text) {
     Values others;
     bool has_lobes = false;
     for (const auto& [name, entry] : object.items()) {
+        if (name == "sum") // of versions before 1.1.0, where lobes were not always summed
+            continue;
         const Parameter& p = parameter(name);
         const Value value = value_of(p, entry);
         const auto* lobes = std::get_if<std::vector<Lobe>>(&value);

@@ -297,9 +297,10 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
     summary.bandwidth = width / cells;
 
     const Cell peak = find_peak(plane, std::max(2.5, width));
-    summary.peak_frequency = std::hypot(peak.x, peak.y) / cells;
-    const double degrees = std::atan2(peak.y, peak.x) * 180 / std::numbers::pi;
-    summary.peak_orientation = std::fmod(degrees + 360, 180);
+    if (const double distance = std::hypot(peak.x, peak.y); distance >= 1) {
+        const double degrees = std::atan2(peak.y, peak.x) * 180 / std::numbers::pi;
+        summary.peak = {distance / cells, std::fmod(degrees + 360, 180)};
+    }
 
     // Twice the root of the integral of the autocorrelation's square, by Parseval's theorem that of the
     // spectrum's: 1.4 kernel radii for Gabor noise, whose autocorrelation has sunk to exp(-pi) there.

@@ -13,6 +13,8 @@
 //
 // For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
+// A spectrum is a sum of such noises, added up in the picture one after the other.
+//
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
@@ -24,6 +26,7 @@ layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. El
 layout(constant_id = 10) const bool with_quadrature = false; // the real part beside the noise
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
+layout(constant_id = 13) const bool sum = false;             // of more than one noise
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -36,7 +39,8 @@ layout(local_size_x = bake_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Columns { Run columns[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
-layout(std430, set = 0, binding = 2) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Waves { BakeWave waves[]; };
+layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
 
 vec2 rotated(vec2 z, vec2 by)
 {
@@ -72,12 +76,21 @@ vec2 node_amplitude(uint word)
 
 #endif
 
-void main()
+// Writes a channel of the first noise, and adds those of the others.
+void put(int at, float value, uint index)
 {
-    if (gl_GlobalInvocationID.x >= column_runs)
-        return;
-    Run across = columns[gl_GlobalInvocationID.x];
-    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    if (sum && index > 0u)
+        value += picture[at];
+    picture[at] = value;
+}
+
+void fill(Run across, Run down, uint index)
+{
+    vec2 wave = waves[index].wave;
+    vec2 column_turn = waves[index].column_turn;
+    vec2 row_turn = waves[index].row_turn;
+    float amplitude = waves[index].amplitude;
+    uint seed = waves[index].seed;
     vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
@@ -173,18 +186,29 @@ void main()
                     continue;
                 vec2 value = rotated(envelope[k], carrier);
                 int at = (start + k) * channels;
-                picture[at] = value.y;
+                put(at, value.y, index);
                 if (with_quadrature)
-                    picture[at + 1] = value.x;
+                    put(at + 1, value.x, index);
                 if (with_gradient) {
                     vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
                                 + 6.2831853 * wave * value.x;
-                    picture[at + channels - 2] = slopes.x;
-                    picture[at + channels - 1] = slopes.y;
+                    put(at + channels - 2, stretch * slopes.x, index);
+                    put(at + channels - 1, stretch * slopes.y, index);
                 }
             }
         }
         carrier = rotated(carrier, row_turn);
         ++row;
     }
+}
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= column_runs)
+        return;
+    Run across = columns[first_column_run + gl_GlobalInvocationID.x];
+    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    uint count = sum ? wave_count : 1u;
+    for (uint i = 0u; i < count; ++i)
+        fill(across, down, first_wave + i);
 }

@@ -1,4 +1,4 @@
-"""The scene in one dialect: run.py glsl|hlsl|dxc|metal VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
+"""The scene in one dialect: run.py glsl|hlsl|dxc|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
 in GABOR_SCENES, and for dxc the compiler's library in GABOR_DXC."""
 
 import json
@@ -24,7 +24,7 @@ def pasted(scene, text):
     """A file of the scene, with macros and the drop-in in the place of its include."""
     include = re.search(r"#include .*\n", scene)[0]
     text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
-    path = pathlib.Path(values).with_suffix(".hlsl")
+    path = pathlib.Path(values).with_suffix(".cpp" if dialect == "cpp" else ".hlsl")
     path.write_text(scene.replace(include, text))
     return path
 
@@ -43,7 +43,12 @@ def drawn_by_vulkan():
     return run(SCENES / "scene_vulkan", spirv, values).strip()
 
 
-if dialect == "metal":
+if dialect == "cpp":
+    driver, program = "CPU", pathlib.Path(values).with_suffix("")
+    source = pasted((HERE / "scene_cpp.cpp").read_text(), (SHADERS / "translations" / f"{drop_in}.hpp").read_text())
+    run(os.environ.get("CXX", "c++"), "-std=c++11", "-O1", "-o", program, source)
+    run(program, values)
+elif dialect == "metal":
     driver = "CPU"
     run(SCENES / "_".join(["scene_metal", drop_in, *(macro.partition("=")[2] for macro in macros)]), values)
 else:
@@ -54,5 +59,6 @@ engine, version, language = {
     "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),
     "dxc": ("Vulkan", "1.1", "HLSL by DXC"),
     "metal": ("none: a C++ compiler", "-", "Metal, as C++"),
+    "cpp": ("none: a C++ compiler", "-", "C++ 11"),
 }[dialect]
 print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver}))

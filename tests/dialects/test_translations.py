@@ -3,6 +3,7 @@ with the reference."""
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -36,6 +37,7 @@ void main()
     uvec2 pixel = gl_GlobalInvocationID.xy;
     vec2 p = (vec2(pixel) + 0.5) / 32.0;
     vec3 q = vec3(p, 0.3);
+    float unknown = float(pixel.x >> 8u); // 0
     values[pixel.y * 256u + pixel.x] = CALL;
 }
 """
@@ -56,9 +58,51 @@ WGSL = """
     values[pixel.y * 256u + pixel.x] = CALL;
 }
 """
+CPP = """
+#include <fstream>
+int main(int, char** argv)
+{
+    typedef float (*Call)(gabor_vec2, gabor_vec3);
+    const Call calls[] = {CALLS};
+    std::ofstream file(argv[1], std::ios::binary);
+    for (Call call : calls)
+        for (int i = 0; i < 256 * 257; ++i) {
+            const gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
+            const float value = call(p, gabor_vec3(p, 0.3f));
+            file.write(reinterpret_cast<const char*>(&value), sizeof value);
+        }
+}
+"""
+CPP_LOOP = """
+#include <fstream>
+#include <vector>
+void draw(float* row, int y)
+{
+    for (int x = 0; x < 256; ++x)
+        row[x] = gabor_noise({(float(x) + 0.5f) / 32.0f, (float(y) + 0.5f) / 32.0f}, 4.0f, 0.7854f, 7u);
+}
+int main(int, char** argv)
+{
+    std::vector<float> noise(256 * 257);
+    std::vector<std::uint32_t> words;
+    for (int y = 0; y < 257; ++y) {
+        draw(&noise[256 * y], y);
+        for (int x = 0; x < 256; ++x)
+            words.push_back(gabor_impl_node_word(gabor_impl_line_word(x, gabor_impl_salt(7u)),
+                                                 gabor_impl_line_word(-y, gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS)));
+    }
+    std::ofstream file(argv[1], std::ios::binary);
+    file.write(reinterpret_cast<const char*>(noise.data()), 4 * noise.size());
+    file.write(reinterpret_cast<const char*>(words.data()), 4 * words.size());
+}
+"""
+GCC = "Free Software Foundation" in subprocess.run([os.environ.get("CXX", "c++"), "--version"], capture_output=True,
+                                                   text=True).stdout
 
 
 class Translations(unittest.TestCase):
+    DRAWN = {}  # by the shader, of each call
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
@@ -74,6 +118,11 @@ class Translations(unittest.TestCase):
         return np.fromfile(values, "<f4")
 
     def glsl(self, call):
+        if call not in self.DRAWN:
+            self.DRAWN[call] = self.drawn_glsl(call)
+        return self.DRAWN[call]
+
+    def drawn_glsl(self, call):
         text = "#version 450\n" + "".join((SHADERS / f"{file}.glsl").read_text() for file in FILES)
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
@@ -107,6 +156,37 @@ class Translations(unittest.TestCase):
             self.skipTest("naga is not installed")
         self.compare(lambda call: self.drawn(
             self.pasted("wgsl", WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f"))), "wgsl", "naga"))
+
+    def cpp(self, source, *options):
+        """What a program of C++ with the header writes, and what its compiler says."""
+        program, values = self.folder / "program", self.folder / "values.raw"
+        headers = "".join(f'#include "{file}.hpp"\n' for file in FILES)
+        compiler = [os.environ.get("CXX", "c++"), "-std=c++11", "-Wall", "-Wextra", "-Werror", "-I", SHADERS / "translations",
+                    *options, "-x", "c++", "-", "-o", program]
+        said = subprocess.run(compiler, input=headers + source, text=True, check=True, timeout=120, stderr=subprocess.PIPE)
+        subprocess.run([program, values], check=True, timeout=60)
+        return np.fromfile(values, "<u4"), said.stderr
+
+    def test_cpp(self):
+        calls = [re.sub(r"\bvec", "gabor_vec", re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
+        values, _ = self.cpp(CPP.replace("CALLS", ", ".join(f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)), "-O1")
+        drawn = dict(zip(CALLS, values.view("<f4").reshape(len(CALLS), -1)))
+        self.compare(lambda call: drawn[call])
+
+    def test_cpp_vectors(self):
+        """A loop over points becomes one over vectors; each value is the shader's within 1e-6, and each word its word.
+        Where a shader knows its frequency while it is compiled, it reorders products: + unknown spares it that knowledge."""
+        values, said = self.cpp(CPP_LOOP, "-O3", *["-fopt-info-vec"] * GCC)
+        if GCC:
+            self.assertRegex(said, "loop vectorized")
+        noise, words = np.split(values, 2)
+        difference = np.abs(noise.view("<f4") - self.glsl("gabor_noise(p, 4.0 + unknown, 0.7854 + unknown, 7u)"))
+        print(f"gabor_noise: largest difference {difference.max():.2g} at value {difference.argmax()}")
+        self.assertLess(difference.max(), 1e-6)
+        self.assertGreater(len(set(words)), 65000)
+        wanted = self.glsl("uintBitsToFloat(gabor_impl_node_word(gabor_impl_line_word(int(pixel.x), gabor_impl_salt(7u)), "
+                           "gabor_impl_line_word(-int(pixel.y), gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS)))")
+        np.testing.assert_array_equal(words, wanted.view("<u4"))
 
 
 if __name__ == "__main__":
