@@ -14,6 +14,14 @@
 
 namespace gabor::render {
 
+namespace {
+
+float as_is(float value) {
+    return value;
+}
+
+} // namespace
+
 float srgb(float light) {
     light = std::clamp(light, 0.0f, 1.0f);
     return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
@@ -45,9 +53,9 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                                     .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
                                                             device.info().name, device.info().driver)});
     // Colour, where there are as many noises; of a material its look.
-    const std::size_t colours = has_material(request) || request.values >= 3 ? 3 : 1;
+    const std::size_t colours = has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
     const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;
-    const auto show = has_material(request) ? srgb : unorm;
+    const auto show = has_material(request) ? srgb : request.colour ? as_is : unorm;
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, static_cast<int>(colours));

@@ -234,10 +234,11 @@ const std::array exclusions{
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
               "paint is stretched over a picture of the view flat"},
-    Exclusion{
-        "filter", "recipe",
-        [](const Request& r) { return r.filter && !in_space(r) && r.recipe != noise::recipes().front(); },
-        "the filter in a plane is for the recipe lattice"},
+    Exclusion{"values", "recipe",
+              [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
+              "several values are for the lattice's recipes"},
+    Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
+              "the filter in a plane is for the recipe lattice"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
@@ -478,6 +479,20 @@ void give_way(Request& request, std::string_view name) {
     }
 }
 
+namespace {
+
+void check_colour(const Request& request) {
+    if (request.colour->weights.size() != request.lobes.size() ||
+        !std::ranges::all_of(request.lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; }))
+        throw RequestError("a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
+                           "that came with it");
+    if (in_space(request) || request.quadrature || request.gradient || request.phasor || request.values > 1 ||
+        !request.paint.empty() || has_material(request))
+        throw RequestError("colours are drawn in the plane, without paint, materials and other channels than `removed`");
+}
+
+} // namespace
+
 void check(const Request& request) {
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(request))
@@ -494,6 +509,8 @@ void check(const Request& request) {
         throw RequestError(
             fmt::format("{} and material {} exclude each other: a material has noises of its own", p->name,
                         request.material));
+    if (request.colour)
+        check_colour(request);
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);

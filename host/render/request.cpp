@@ -22,6 +22,10 @@ noise::Recipe drawing_recipe(const Request& request) {
     return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }
 
+bool can_filter(const Request& request) {
+    return in_space(request) || request.recipe == noise::find_recipe("lattice");
+}
+
 bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }
@@ -31,6 +35,8 @@ std::vector<std::string> channels(const Request& request) {
         return {material_channels.begin(), material_channels.end()};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.colour)
+        names = {"R", "G", "B"};
     if (request.quadrature)
         names.push_back("quadrature");
     if (request.gradient)

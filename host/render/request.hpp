@@ -1,9 +1,11 @@
 #pragma once
 
+#include "noise/colour.hpp"
 #include "noise/lobe.hpp"
 #include "noise/recipe.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -68,6 +70,9 @@ struct Request {
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< uncorrelated noises, 1 to 4
 
+    /// Channels R, G and B in place of the noise. Its weights are of the lobes, in their order.
+    std::optional<noise::Colour> colour = {};
+
     bool operator==(const Request&) const = default;
 };
 
@@ -79,6 +84,9 @@ bool has_material(const Request& request);
 
 /// The recipe that draws it: the one asked for, but in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
+
+/// Whether its pixels can be filtered: in the plane by the recipe `lattice` alone.
+bool can_filter(const Request& request);
 
 /// Whether the spectrum is a single frequency and orientation.
 bool is_one_wave(const Request& request);

@@ -162,6 +162,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
         passes.push_back(of_ingredients(request, *ingredients));
     } else {
         request.recipe = std::get<noise::Recipe>(*document.comparison);
+        render::give_way(request, "recipe");
         passes.push_back(of_drop_in(request));
     }
     return passes;
@@ -253,8 +254,8 @@ GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
             const double within = static_cast<double>(generator() >> 8) * 0x1p-24;
             for (const double radius : radii) {
                 const double at = (i * apart + within) * cell * radius;
-                points.push_back({static_cast<std::int32_t>(std::floor(at)),
-                                  static_cast<float>(at - std::floor(at))});
+                points.push_back(
+                    {static_cast<std::int32_t>(std::floor(at)), static_cast<float>(at - std::floor(at))});
             }
         }
     };

@@ -21,7 +21,7 @@ class Help(ProgramTest):
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
-                              "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
+                              "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom",
                               "--material"),

@@ -17,7 +17,7 @@ DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "s
             "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1,
             "material": "none"}
 # What only some views have, and lists of lobes.
-OF_SOME = {"lobes": None, "sum": False, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1}
+OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1}
 
 
 class RenderTest(ProgramTest):
