@@ -122,7 +122,7 @@ Request from_json(std::string_view text) {
     Values others;
     bool has_lobes = false;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum") // of versions before 1.1.0, where lobes were not always summed
+        if (name == "sum" || name == "viewer") // of versions before 1.1.0; how gabor-viewer shows it
             continue;
         const Parameter& p = parameter(name);
         const Value value = value_of(p, entry);

@@ -58,9 +58,6 @@ std::string noise_at_place(const render::Request& request) {
         text += fmt::format("    lobes.lobe[{}] = {};\n", i, lobe(lobes[i]));
         total_power += lobes[i].power;
     }
-    if (!request.sum)
-        return text + fmt::format("    GaborKernel kernel = gabor_kernel_lobes(lobes);\n    return {};\n",
-                                  value(request, "kernel", seed));
     return text + fmt::format(R"(    float sum = 0.0; // of independent noises
     for (int i = 0; i < {}; ++i) {{
         uint own_seed = gabor_lobe_seed({}, i);
