@@ -90,6 +90,34 @@ class Window(ViewerTest):
         self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
+    def test_what_has_no_effect_says_so(self):
+        self.play("""
+            set view sphere
+            set orientation_spread 90
+            set width 64
+            set height 64
+            screenshot body.png
+            set orientation 60
+            screenshot turned.png
+            key r
+            expect message one recipe
+            key tab
+            expect message nothing to compare
+            set view flat
+            set output 1
+            screenshot normals.png
+            set colours 3
+            screenshot coloured.png
+            key f
+            expect message not filtered
+            save after.json
+            quit""", "--window", "900x600")
+        files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
+        self.assertEqual(files["body"], files["turned"])
+        self.assertEqual(files["normals"], files["coloured"])
+        after = json.loads((self.folder / "after.json").read_text())
+        self.assertEqual((after["recipe"], after["filter"], after["viewer"]["compared"]), ("lattice", False, None))
+
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
         # By drags alone: the same view from another side, which must be the same picture.
         self.play("""
