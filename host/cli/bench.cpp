@@ -144,9 +144,11 @@ void add_bench_command(CLI::App& app) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App* command =
         app.add_subcommand("bench", "Time the noises against each other on the device's own clock");
-    command->add_option("--json", options->json, "Also write all figures to this file");
-    command->add_option("--device", options->device,
-                        "Vulkan device: its index, or a part of its name [the fastest kind]");
+    command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
+    command
+        ->add_option("--device", options->device,
+                     "Vulkan device: its index, or a part of its name [the fastest kind]")
+        ->type_name("NAME");
     command->add_flag("--quick", options->quick,
                       "Few repetitions on a small picture, to see that all of it runs");
     command->add_flag(

@@ -69,6 +69,12 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
     return distance(*closest) <= 2 ? fmt::format(": did you mean {}?", *closest) : "";
 }
 
+std::string where_to_look(const CLI::App& app) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    return fmt::format("gabor {}--help lists what is accepted",
+                       chosen.empty() ? "" : chosen.front()->get_name() + " ");
+}
+
 int parse_and_work(int argc, const char* const* argv) {
     CLI::App app("Renders Gabor noise, and measures it.", "gabor");
     app.formatter(std::make_shared<Formatter>());
@@ -76,23 +82,28 @@ int parse_and_work(int argc, const char* const* argv) {
     app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
     app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
     add_render_command(app);
+    add_join_command(app);
     add_stats_command(app);
     add_bench_command(app);
+    add_fit_command(app);
     add_study_command(app);
+    add_merge_command(app);
     add_devices_command(app);
     add_recipes_command(app);
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
             fmt::print("{}", app.help());
-    } catch (const CLI::ExtrasError&) {
-        const std::vector<std::string> words = app.remaining(true);
-        return fail(2, fmt::format("unknown '{}'{} (gabor --help lists what is accepted)", words.front(),
-                                   suggestion(app, words.front())));
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
-            return fail(2, fmt::format("{} (gabor --help lists what is accepted)", error.what()));
-        app.exit(error); // prints what --help and --version ask for
+        const std::vector<std::string> words = app.remaining(true);
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+            app.exit(error); // prints what --help and --version ask for
+        else if (!words
+                      .empty()) // also where an option is missing, which may be what the word was meant to be
+            return fail(2, fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
+                                       where_to_look(app)));
+        else
+            return fail(2, fmt::format("{} ({})", error.what(), where_to_look(app)));
     } catch (const RequestError& error) {
         return fail(2, error.what());
     } catch (const std::exception& error) {

@@ -268,8 +268,11 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         total += times;
         if (frame + 1 == frames)
             progress.reset();
-        fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
-                   region.width, region.height, noise::spelled_out(render::drawing_recipe(request)),
+        fmt::print("{}: {} x {} pixels, {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
+                   region.width, region.height,
+                   render::has_material(request)
+                       ? fmt::format("material {}", request.material)
+                       : fmt::format("recipe {}", noise::spelled_out(render::drawing_recipe(request))),
                    device.info().name);
     }
     if (options.verbose)
@@ -347,14 +350,14 @@ void add_render_command(CLI::App& app) {
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
     command
         ->add_option("--size", options->size,
-                     fmt::format("WIDTHxHEIGHT in pixels, up to {0} x {0} [{1}x{2}]",
+                     fmt::format("Of the picture in pixels, up to {0} x {0} [{1}x{2}]",
                                  render::parameter("width").range.high, defaults.width, defaults.height))
-        ->type_name("");
+        ->type_name("WIDTHxHEIGHT");
     add_parameters(*command, *options);
     command
         ->add_option(
             "--preset", options->preset,
-            fmt::format("Take what is not given from a preset: {}", fmt::join(render::preset_names(), ", ")))
+            fmt::format("Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes", fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,
@@ -362,9 +365,8 @@ void add_render_command(CLI::App& app) {
         ->type_name("FILE");
     command
         ->add_option("--region", options->region,
-                     "X,Y,WIDTH,HEIGHT: only this part, with exactly the pixels that the whole has there on "
-                     "the same driver")
-        ->type_name("");
+                     "Only this part, with exactly the pixels that the whole has there on the same driver")
+        ->type_name("X,Y,WIDTH,HEIGHT");
     command
         ->add_option(
             "--frames", options->frames,

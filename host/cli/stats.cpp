@@ -3,12 +3,15 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
+#include "render/law.hpp"
+#include "render/parameters.hpp"
 #include "statistics/picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,6 +26,9 @@ using statistics::BlockEstimates;
 using statistics::Estimate;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
+
+// What can be seen of a deviation from the normal law begins here.
+constexpr double visible_cvm = 0.5;
 
 // Ours are flat. Deeper ones count as none: what writes them again would overflow the stack.
 constexpr int deepest_parameters = 16;
@@ -54,7 +60,30 @@ void read_bands(image::ExrReader& reader, Progress& progress, Use use) {
     }
 }
 
-// gabor writes noise of mean 0 and variance 1; what others write is first read for its own mean and variance.
+// What all pixels of a channel hold, if that is one value.
+std::optional<double> constant_of(const std::string& file, const char* channel) {
+    image::ExrReader reader(file, channel);
+    Progress progress("measuring", static_cast<std::uint64_t>(reader.window().width) *
+                                       static_cast<std::uint64_t>(reader.window().height));
+    statistics::Moments moments;
+    read_bands(reader, progress, [&](auto band) { moments.add(band); });
+    return moments.minimum() == moments.maximum() ? std::optional(moments.mean()) : std::nullopt;
+}
+
+// What theory says of the variance of a channel around 0, from the parameters in the file's header.
+std::optional<double> known_variance(const StatsOptions& options, const std::string& channel,
+                                     const std::string& parameters) {
+    try {
+        const render::Request request = render::from_json(parameters);
+        const bool filtered = request.filter && channel == "Y";
+        return render::known_variance(request, channel,
+                                      filtered ? constant_of(options.file, "removed") : std::nullopt);
+    } catch (const RequestError&) {
+        return {}; // not ours, or not as we write it
+    }
+}
+
+// A channel of which nothing is known is first read for its own mean and variance.
 Measured measure(const StatsOptions& options) {
     image::ExrReader reader(options.file, options.channel);
     Measured measured;
@@ -74,8 +103,12 @@ Measured measure(const StatsOptions& options) {
 
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(measured.width) * static_cast<std::uint64_t>(measured.height);
-    Progress progress("measuring", attribute.empty() ? 2 * pixels : pixels);
-    if (attribute.empty()) {
+    const std::optional<double> variance =
+        deep ? std::nullopt : known_variance(options, measured.channel, attribute);
+    Progress progress("measuring", variance ? pixels : 2 * pixels);
+    if (variance && *variance > 0) {
+        measured.expected = {0, std::sqrt(*variance), false};
+    } else {
         statistics::Moments moments;
         image::ExrReader first_pass(options.file, options.channel);
         read_bands(first_pass, progress, [&](auto band) { statistics::add_finite(moments, band); });
@@ -91,6 +124,10 @@ const char* reference_name(const Measured& measured) {
     return measured.expected.fitted ? "measured" : "analytic";
 }
 
+double reference_variance(const Measured& measured) {
+    return measured.expected.deviation * measured.expected.deviation;
+}
+
 json interval(const Estimate& estimate) {
     return {{"low", estimate.low}, {"high", estimate.high}};
 }
@@ -99,12 +136,13 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
     json radial = json::array();
     for (std::size_t k = 0; k < spectrum.radial.size(); ++k)
         radial.push_back({static_cast<double>(k) * spectrum.radial_step, spectrum.radial[k]});
+    const std::optional<statistics::SpectralPeak>& peak = spectrum.peak;
     return {{"power", spectrum.power},
-            {"peak_frequency", spectrum.peak_frequency},
-            {"peak_orientation", spectrum.peak_orientation},
+            {"peak_frequency", peak ? json(peak->frequency) : json()},
+            {"peak_orientation", peak ? json(peak->orientation) : json()},
             {"bandwidth", spectrum.bandwidth},
             {"resolution", spectrum.resolution},
-            {"peak_frequency_per_radius", scale ? json(spectrum.peak_frequency * *scale) : json()},
+            {"peak_frequency_per_radius", peak && scale ? json(peak->frequency * *scale) : json()},
             {"bandwidth_per_radius", scale ? json(spectrum.bandwidth * *scale) : json()},
             {"correlation_length", spectrum.correlation},
             {"radial", std::move(radial)}};
@@ -134,6 +172,9 @@ std::string to_json(const Measured& measured) {
                     ? json{{"value", blocks->cvm.value}, {"low", blocks->cvm.low}, {"high", blocks->cvm.high}}
                     : json()},
         {"cvm_reference", reference_name(measured)},
+        {"reference_mean", measured.expected.mean},
+        {"reference_variance", reference_variance(measured)},
+        {"smallest_cvm", blocks ? json(blocks->smallest_cvm) : json()},
         {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
         {"spectrum", report.spectrum ? to_json(*report.spectrum, measured.scale) : json()},
     };
@@ -141,6 +182,8 @@ std::string to_json(const Measured& measured) {
 }
 
 void print_line(const char* name, double value, const std::string& note = {}) {
+    if (std::isnan(value))
+        return fmt::print("  {:<18}{:>13}  all pixels are equal\n", name, "none");
     fmt::print("  {:<18}{:>13.6g}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
@@ -148,12 +191,39 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
     const auto per_radius = [&](double frequency) {
         return scale ? fmt::format(", {:.4g} per kernel radius", frequency * *scale) : "";
     };
-    print_line("peak frequency", spectrum.peak_frequency,
-               "cycles per pixel" + per_radius(spectrum.peak_frequency));
-    print_line("peak orientation", spectrum.peak_orientation, "degrees from right towards down");
+    if (const std::optional<statistics::SpectralPeak>& peak = spectrum.peak) {
+        print_line("peak frequency", peak->frequency, "cycles per pixel" + per_radius(peak->frequency));
+        print_line("peak orientation", peak->orientation, "degrees from right towards down");
+    } else {
+        fmt::print("  {:<18}{:>13}  nowhere that can be told from frequency 0\n", "peak frequency", "none");
+    }
     print_line("bandwidth", spectrum.bandwidth, "cycles per pixel" + per_radius(spectrum.bandwidth));
     print_line("resolution", spectrum.resolution, "cycles per pixel, the least bandwidth that can be seen");
     print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
+}
+
+// What the picture is too small for.
+void print_limits(const Measured& measured) {
+    const PictureReport& report = measured.report;
+    const auto& blocks = report.blocks;
+    if (report.moments.variance() == 0) {
+        fmt::print("  No intervals and no cvm: all pixels are equal.\n");
+    } else if (!report.spectrum) {
+        fmt::print("  No spectrum, intervals and cvm: the picture is smaller than 16 x 16 pixels.\n");
+    } else if (!blocks) {
+        fmt::print("  No intervals and no cvm: pixels correlate over about {:.0f} pixels, and the picture is "
+                   "less than 8 times as long.\n",
+                   report.spectrum->correlation);
+    } else {
+        fmt::print("  Pixels correlate over about {0:.0f} pixels: intervals and cvm come from {1} x {1} "
+                   "blocks, the cvm from pairs that do not touch.\n",
+                   report.spectrum->correlation, blocks->blocks_per_side);
+        if (blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm)
+            fmt::print(
+                "  The picture is too small for its cvm to tell it from normal noise, which shows up to "
+                "{:.2g} at this size; to see a cvm of {} it takes about {:.0f} times as many pixels.\n",
+                blocks->smallest_cvm, visible_cvm, std::ceil(blocks->smallest_cvm / visible_cvm));
+    }
 }
 
 void print_report(const StatsOptions& options, const Measured& measured) {
@@ -177,18 +247,12 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     print_line("maximum", moments.maximum());
     if (report.blocks)
         print_line("cvm", report.blocks->cvm.value,
-                   fmt::format("{}, against the {} mean and variance", between(&BlockEstimates::cvm),
-                               reference_name(measured)));
-    if (report.spectrum)
+                   fmt::format("{}, against a normal law of {} mean {:.6g} and variance {:.6g}",
+                               between(&BlockEstimates::cvm), reference_name(measured),
+                               measured.expected.mean, reference_variance(measured)));
+    if (report.spectrum && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
-    if (report.blocks)
-        fmt::print("  Pixels correlate over about {0:.0f} pixels: intervals and cvm come from {1} x {1} "
-                   "blocks, the cvm "
-                   "from pairs that do not touch.\n",
-                   report.spectrum->correlation, report.blocks->blocks_per_side);
-    else
-        fmt::print("  No intervals and no cvm: the picture is flat, or less than 8 times as long as its "
-                   "pixels correlate.\n");
+    print_limits(measured);
 }
 
 void report_statistics(const StatsOptions& options) {
@@ -220,10 +284,13 @@ void add_stats_command(CLI::App& app) {
     auto options = std::make_shared<StatsOptions>();
     CLI::App* command =
         app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
-    command->add_option("FILE", options->file, "The EXR to measure")->required();
-    command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]");
-    command->add_option("--json", options->json,
-                        "Also write the numbers here as JSON; '-': to stdout, instead of text");
+    command->add_option("FILE", options->file, "The EXR to measure")->type_name("")->required();
+    command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]")
+        ->type_name("NAME");
+    command
+        ->add_option("--json", options->json,
+                     "Also write the numbers here as JSON; '-': to stdout, instead of text")
+        ->type_name("FILE");
     command->callback([options] { report_statistics(*options); });
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,7 +32,8 @@ class ExrWriter {
         Window window;                     ///< EXR's data window: the part of it in this file
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
-        std::string parameters; ///< stored as the string attribute `gabor`
+        std::string parameters;    ///< stored as the string attribute `gabor`
+        std::string software = {}; ///< likewise as `software`, if there is any: what made the pixels
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -51,6 +54,15 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
+/// Puts the regions that ExrWriter wrote of one picture together, into the file that it would have written of
+/// the whole at once. Regions as wide as the picture, whose compressed blocks are also those of the whole,
+/// are copied as they are; others are decoded, a few rows at a time. `advance` is called with the number of
+/// pixels that were written; what it throws ends everything, and leaves no file. Throws RequestError where a
+/// file is no such region, differs from the others in anything but its place, or where they overlap or leave
+/// a gap.
+void join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
+              const std::function<void(std::uint64_t)>& advance);
+
 /// Reads one channel of a flat EXR, scanline or tiled, band by band, half or float, as float.
 class ExrReader {
   public:
@@ -64,6 +76,8 @@ class ExrReader {
     const Window& picture() const;
     const Window& window() const;
     const std::string& channel() const;
+    /// Whether the file has one of that name too.
+    bool has_channel(const std::string& name) const;
     /// The `gabor` attribute, empty where the file has none.
     const std::string& parameters() const;
 

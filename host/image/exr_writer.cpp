@@ -1,13 +1,12 @@
 #include "image/exr.hpp"
 
 #include "error.hpp"
+#include "image/exr_stream.hpp"
 #include "image/exr_threads.hpp"
-#include "image/output_file.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -15,9 +14,7 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <stdexcept>
-#include <utility>
 
 namespace gabor::image {
 
@@ -40,58 +37,17 @@ Imath::Box2i box(const Window& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
-/// An EXR's table of offsets, at its start, is written last.
-const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_fifo(path, ignored))
-        throw RequestError(
-            fmt::format("cannot write {}: it is a pipe; accepted is the path of a file", path.string()));
-    return path;
-}
-
 Imf::Header make_header(const ExrWriter::Description& description) {
     Imf::Header header(box(description.picture), box(description.window));
     header.compression() = find_method(description.compression);
-    header.zipCompressionLevel() = 1; // on noise twice as fast as the default, and no larger
+    header.zipCompressionLevel() = exr_zip_level;
     for (const std::string& channel : description.channels)
         header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     header.insert("gabor", Imf::StringAttribute(description.parameters));
+    if (!description.software.empty())
+        header.insert("software", Imf::StringAttribute(description.software));
     return header;
 }
-
-/// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
-/// completes the table of offsets, swallows it.
-class Stream final : public Imf::OStream {
-  public:
-    explicit Stream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
-
-    void write(const char* bytes, int count) override {
-        attempt([&] { file_.write(std::as_bytes(std::span(bytes, static_cast<std::size_t>(count)))); });
-    }
-    std::uint64_t tellp() override { return file_.position(); }
-    void seekp(std::uint64_t position) override {
-        attempt([&] { file_.seek(position); });
-    }
-
-    void rethrow_failure() const {
-        if (failure_)
-            std::rethrow_exception(failure_);
-    }
-
-  private:
-    template <class Action>
-    void attempt(Action action) {
-        try {
-            action();
-        } catch (...) {
-            failure_ = std::current_exception();
-            throw;
-        }
-    }
-
-    OutputFile& file_;
-    std::exception_ptr failure_;
-};
 
 } // namespace
 
@@ -108,7 +64,7 @@ struct ExrWriter::State {
     const std::vector<std::string> channels;
     int rows_written = 0;
     OutputFile file;
-    Stream stream;
+    ExrStream stream;
     std::optional<Imf::OutputFile> image;
 };
 

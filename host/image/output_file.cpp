@@ -178,4 +178,12 @@ void OutputFile::fail() const {
     throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), reason(errno)));
 }
 
+const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored))
+        throw RequestError(
+            fmt::format("cannot write {}: it is a pipe; accepted is the path of a file", path.string()));
+    return path;
+}
+
 } // namespace gabor::image

@@ -47,4 +47,7 @@ class OutputFile {
     std::uint64_t position_ = 0;
 };
 
+/// The path, unless it is that of a pipe: throws RequestError. For formats that are not written in order.
+const std::filesystem::path& not_a_pipe(const std::filesystem::path& path);
+
 } // namespace gabor::image

@@ -1,5 +1,6 @@
 #include "noise/variance.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/hypergeometric_0F1.hpp>
 
@@ -44,6 +45,21 @@ double variance(const Recipe& recipe, double frequency, double orientation, doub
         oscillating *= turned;
     }
     return density * power * (whole * whole - oscillating) / 2;
+}
+
+double window_slope_energy(const Recipe& lattice) {
+    // Hann's window, (1 + cos pi x) / 2.
+    if (lattice.taps > 2)
+        return std::numbers::pi * std::numbers::pi / 3;
+    // cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3, whose square and that of its shift by 1, sin^2 t,
+    // add up to 1: those of the derivatives add up to t'^2.
+    return boost::math::quadrature::gauss<double, 30>::integrate(
+        [](double x) {
+            const double s = x * x * (3 - 2 * x);
+            const double turn = 6 * x * (1 - x) / (s * s + (1 - s) * (1 - s));
+            return turn * turn;
+        },
+        0.0, 1.0);
 }
 
 } // namespace gabor::noise

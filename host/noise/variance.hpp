@@ -13,4 +13,9 @@ double window_energy(const Recipe& recipe, double a);
 /// to 4 either way.
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
+/// How much a lattice's window bends: integral of h'^2 over integral of h^2, per kernel radius squared. The
+/// variance of the noise's derivative along x is that plus (2 pi F.x)^2; for `lattice-2`, its mean over
+/// places.
+double window_slope_energy(const Recipe& lattice);
+
 } // namespace gabor::noise

@@ -18,13 +18,6 @@ namespace {
 constexpr RecipeModules modules{bake_spirv,
                                 {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
 
-std::vector<passes::Run> runs_along(const Request& request, int side, int first, int count, int longest) {
-    const double radius = axis_along(request, side).radius;
-    // The lattice's windows stretch with its nodes to fit a period.
-    return make_runs(first, count, radius / request.scale,
-                     request.recipe.is_lattice() ? double{request.recipe.radius} : radius, longest);
-}
-
 // A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
 Block block_for(const vulkan::Device& device, const Request& request) {
     if (device.info().kind != "CPU")
@@ -40,30 +33,23 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-passes::BakePush make_push(const Request& request) {
+passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, const Axis& x, const Axis& y) {
     const noise::Recipe& recipe = request.recipe;
-    const noise::Lobe& lobe = request.lobes.front();
-    const double wave_x = lobe.frequency * std::cos(lobe.angle());
-    const double wave_y = lobe.frequency * std::sin(lobe.angle());
-    passes::BakePush push{};
-    push.wave = {static_cast<float>(wave_x), static_cast<float>(wave_y)};
-    push.column_turn = turn(wave_x / request.scale);
-    push.row_turn = turn(wave_y / request.scale);
-    const Axis x = axis_along(request, request.width);
-    const Axis y = axis_along(request, request.height);
-    push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
-    push.period = {x.period, y.period};
-    push.time = wrapped_time(request);
+    const double frequency = wave.frequency * wave.radius;
+    const double wave_x = frequency * std::cos(wave.angle);
+    const double wave_y = frequency * std::sin(wave.angle);
+    const double scale = request.scale * wave.radius;
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
-    push.amplitude =
+    const double normalized =
         recipe.is_lattice()
-            ? 1.0f
-            : static_cast<float>(recipe.radius / std::sqrt(x.radius * y.radius *
-                                                           noise::variance(recipe, lobe.frequency,
-                                                                           lobe.angle(), request.time)));
-    push.pixel = static_cast<float>(1 / request.scale);
-    push.seed = request.seed;
-    return push;
+            ? 1
+            : recipe.radius / std::sqrt(x.radius * y.radius *
+                                        noise::variance(recipe, frequency, wave.angle, request.time));
+    return {{static_cast<float>(wave_x), static_cast<float>(wave_y)},
+            turn(wave_x / scale),
+            turn(wave_y / scale),
+            static_cast<float>(std::sqrt(wave.share) * normalized),
+            wave.seed};
 }
 
 } // namespace
@@ -120,50 +106,98 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(request.quadrature);
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
-    return {device, modules.of(request.recipe), {3, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    constants.push_back(!is_one_wave(request));
+    return {device, modules.of(request.recipe), {4, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 
 bool Bake::can_fill(const Request& request) {
-    return is_one_wave(request) && request.paint.empty() && std::holds_alternative<Plane>(request.view) &&
-           !request.filter && !request.phasor && request.values == 1;
+    return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
+           !request.phasor && request.values == 1 && !request.colour;
+}
+
+Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {
+    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed);
+    Tables tables;
+    for (const double radius : noise::radii(waves)) {
+        const Axis x = axis_along(request, request.width, radius);
+        const Axis y = axis_along(request, request.height, radius);
+        const double scale = request.scale * radius;
+        // The lattice's windows stretch with its nodes to fit a period.
+        const auto runs = [&](const Axis& axis, int first, int count, int longest) {
+            const double reach = request.recipe.is_lattice() ? double{request.recipe.radius} : axis.radius;
+            return make_runs(first, count, axis.radius / scale, reach, longest);
+        };
+        const std::vector<passes::Run> columns = runs(x, region.x, region.width, block.columns);
+        const std::vector<passes::Run> rows = runs(y, region.y, region.height, block.rows);
+        passes::BakePush push{};
+        push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
+        push.period = {x.period, y.period};
+        push.time = wrapped_time(request);
+        push.pixel = static_cast<float>(1 / scale);
+        push.stretch = static_cast<float>(1 / radius);
+        push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
+        for (const noise::Wave& wave : waves)
+            if (wave.radius == radius)
+                tables.waves.push_back(make_wave(request, wave, x, y));
+        push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
+        push.width = region.width;
+        push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
+        push.column_runs = static_cast<std::uint32_t>(columns.size());
+        push.first_row_run = static_cast<std::uint32_t>(tables.rows.size());
+        tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
+        tables.rows.insert(tables.rows.end(), rows.begin(), rows.end());
+        tables.grids.push_back({push, rows});
+    }
+    return tables;
 }
 
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : block_(block_for(device, request)), height_(region.height),
-      column_runs_(runs_along(request, request.width, region.x, region.width, block_.columns)),
-      row_runs_(runs_along(request, request.height, region.y, region.height, block_.rows)),
-      pass_(make_bake_pass(device, request, block_.columns)), columns_(upload(device, column_runs_)),
-      rows_(upload(device, row_runs_)), push_(make_push(request)) {
-    push_.width = region.width;
-    push_.column_runs = static_cast<std::uint32_t>(column_runs_.size());
-}
+    : Bake(device, request, region, block_for(device, request)) {}
 
+Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
+           const Block& block)
+    : Bake(device, make_tables(request, region, block), make_bake_pass(device, request, block.columns),
+           region.height) {}
+
+Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height)
+    : height_(height), grids_(tables.grids), pass_(std::move(pass)), columns_(upload(device, tables.columns)),
+      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)) {}
+
+// Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
     std::vector<Band> bands;
-    for (std::size_t run = 0; run < row_runs_.size(); ++run) {
-        const int begin = std::max(row_runs_[run].first, 0);
-        const int end = std::min(row_runs_[run].first + row_runs_[run].count, height_);
+    for (const passes::Run& run : grids_.front().row_runs) {
+        const int begin = std::max(run.first, 0);
+        const int end = std::min(run.first + run.count, height_);
         if (bands.empty() || end - bands.back().first_row > most_rows)
-            bands.push_back({begin, 0, run, 0});
+            bands.push_back({begin, 0});
         bands.back().rows = end - bands.back().first_row;
-        ++bands.back().runs;
     }
     return bands;
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, result}};
+    return {device, pass_, {columns_, rows_, waves_, result}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    passes::BakePush push = push_;
-    push.first_row = band.first_row;
-    push.height = band.rows;
-    push.first_row_run = static_cast<std::uint32_t>(band.first_run);
-    job.submit(push,
-               {groups(static_cast<int>(push.column_runs), passes::bake_group),
-                static_cast<std::uint32_t>(band.runs)},
-               copy);
+    std::vector<passes::BakePush> pushes;
+    std::vector<vulkan::Job::Dispatch> dispatches;
+    pushes.reserve(grids_.size());
+    for (const Grid& grid : grids_) {
+        const auto ends = [](const passes::Run& run) { return run.first + run.count; };
+        const auto first = std::ranges::upper_bound(grid.row_runs, band.first_row, {}, ends);
+        const auto last =
+            std::ranges::lower_bound(grid.row_runs, band.first_row + band.rows, {}, &passes::Run::first);
+        passes::BakePush& push = pushes.emplace_back(grid.push);
+        push.first_row = band.first_row;
+        push.height = band.rows;
+        push.first_row_run += static_cast<std::uint32_t>(first - grid.row_runs.begin());
+        dispatches.push_back({std::as_bytes(std::span(&push, 1)),
+                              {groups(static_cast<int>(push.column_runs), passes::bake_group),
+                               static_cast<std::uint32_t>(last - first)}});
+    }
+    job.submit(dispatches, copy);
 }
 
 } // namespace gabor::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "noise/spectrum.hpp"
 #include "render/renderer.hpp"
 
 #include "passes/bake_interface.h"
@@ -39,15 +40,15 @@ struct Block {
 constexpr Block cpu_block{8, 32};
 Block gpu_block(const noise::Recipe& recipe);
 
-/// The pipeline of passes/bake.comp for a request's recipe and channels. `fixed_rows`: see there, with
-/// statistics asked for; 0 to fill pictures.
+/// The pipeline of passes/bake.comp for a request's recipe, spectrum and channels. `fixed_rows`: see there,
+/// with statistics asked for; 0 to fill pictures.
 vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
                             int fixed_rows = 0);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
   public:
-    /// Whether it can: flat pictures of one lobe without spread, seen sharply.
+    /// Whether it can: flat pictures seen sharply, without paint, of channels that add up as noises do.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.
@@ -60,14 +61,32 @@ class Bake : public RegionRenderer {
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
-    Block block_;
+    /// The noises of one kernel radius, whose pixels fall into the same runs: what is pushed for the whole
+    /// region.
+    struct Grid {
+        passes::BakePush push;
+        std::vector<passes::Run> row_runs;
+    };
+
+    /// Of all grids.
+    struct Tables {
+        std::vector<passes::Run> columns;
+        std::vector<passes::Run> rows;
+        std::vector<passes::BakeWave> waves;
+        std::vector<Grid> grids;
+    };
+    static Tables make_tables(const Request& request, const image::Window& region, const Block& block);
+
+    Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
+         const Block& block);
+    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height);
+
     int height_;
-    std::vector<passes::Run> column_runs_;
-    std::vector<passes::Run> row_runs_;
+    std::vector<Grid> grids_;
     vulkan::Pass pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
-    passes::BakePush push_;
+    vulkan::Buffer waves_;
 };
 
 } // namespace gabor::render

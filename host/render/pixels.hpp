@@ -7,11 +7,20 @@
 
 namespace gabor::render {
 
-/// The specialization constants of passes/pixels.comp, and the lobes that it reads.
+/// The specialization constants of passes/pixels.comp.
 std::vector<std::uint32_t> pixels_constants(const Request& request);
-std::vector<passes::Lobe> pixels_lobes(const Request& request);
 
-/// What the request alone decides of the push constants: of region, band, paint and camera they know nothing.
+/// The noises that it adds up, but for their cameras. Waves that follow the paint are as many as its highest
+/// frequency needs.
+std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint& paint);
+
+/// What its colours are made of, zeros where there are none.
+passes::PixelsColour pixels_colour(const Request& request);
+
+/// The kernel radius of each of its tables of lines, PixelsWave.table.
+std::vector<double> pixels_tables(const Request& request);
+
+/// What the request alone decides of the push constants: of region, band and paint they know nothing.
 /// `height`: of the picture, which perspective fills.
 passes::PixelsPush pixels_push(const Request& request, int width, int height);
 
@@ -34,12 +43,15 @@ class Pixels : public RegionRenderer {
   private:
     Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
            const Paint& paint);
+    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
+           const Paint& paint, const std::vector<passes::PixelsWave>& waves);
 
     vulkan::Pass pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
-    vulkan::Buffer lobes_;
+    vulkan::Buffer waves_;
     vulkan::Buffer paint_;
+    vulkan::Buffer colour_;
     passes::PixelsPush push_;
     int height_;
 };

@@ -1,6 +1,7 @@
 #include "render/renderer.hpp"
 
 #include "render/bake.hpp"
+#include "render/material.hpp"
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 
@@ -48,13 +49,14 @@ class BandBuffer {
 
 } // namespace
 
-Axis axis_along(const Request& request, int side) {
-    const double radius = double{drawing_recipe(request).radius};
+Axis axis_along(const Request& request, int side, double radius) {
+    const double cells = double{request.recipe.radius};
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!plane || !plane->tileable)
-        return {radius, 0};
-    const double period = std::floor(side / request.scale * radius);
-    return {period / side * request.scale, static_cast<std::int32_t>(period)};
+        return {cells, 0};
+    const double scale = request.scale * radius;
+    const double period = std::floor(side / scale * cells);
+    return {period / side * scale, static_cast<std::int32_t>(period)};
 }
 
 float wrapped_time(const Request& request) {
@@ -70,6 +72,8 @@ std::vector<RegionRenderer::Band> RegionRenderer::bands_of_rows(int height, int 
 
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
                                               const image::Window& region) {
+    if (has_material(request))
+        return std::make_unique<Material>(device, request, region);
     if (Bake::can_fill(request))
         return std::make_unique<Bake>(device, request, region);
     if (in_space(request))

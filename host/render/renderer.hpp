@@ -19,8 +19,8 @@ struct Axis {
     std::int32_t period; ///< in cells, 0 for none
 };
 
-/// `side`: width or height of the request.
-Axis axis_along(const Request& request, int side);
+/// `side`: width or height of the request. `radius`: of the kernels, as noise::Wave has it.
+Axis axis_along(const Request& request, int side, double radius = 1);
 
 /// The time within its period, in [0, 1), as the passes take it.
 float wrapped_time(const Request& request);
@@ -34,8 +34,6 @@ class RegionRenderer {
     struct Band {
         int first_row;
         int rows;
-        std::size_t first_run = 0; ///< of Bake's table
-        std::size_t runs = 0;
     };
 
     /// The region cut into bands of at most `most_rows`, or the fewest rows that can be filled where that is

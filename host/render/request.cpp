@@ -1,5 +1,7 @@
 #include "render/request.hpp"
 
+#include "render/material.hpp"
+
 #include <array>
 
 namespace gabor::render {
@@ -8,19 +10,20 @@ bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
 }
 
+bool has_material(const Request& request) {
+    return request.material != no_material;
+}
+
 bool is_one_wave(const Request& request) {
     return request.lobes.size() == 1 && request.lobes.front().is_one_wave();
 }
 
-bool needs_sparse(const Request& request) {
-    return !in_space(request) && (!is_one_wave(request) || request.filter);
+noise::Recipe drawing_recipe(const Request& request) {
+    return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }
 
-noise::Recipe drawing_recipe(const Request& request) {
-    if (in_space(request))
-        return noise::find_recipe("lattice");
-    return request.recipe.is_lattice() && needs_sparse(request) ? noise::sparse_recipes().front()
-                                                                : request.recipe;
+bool can_filter(const Request& request) {
+    return in_space(request) || request.recipe == noise::find_recipe("lattice");
 }
 
 bool is_isotropic(const noise::Lobe& lobe) {
@@ -28,8 +31,12 @@ bool is_isotropic(const noise::Lobe& lobe) {
 }
 
 std::vector<std::string> channels(const Request& request) {
+    if (has_material(request))
+        return {material_channels.begin(), material_channels.end()};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.colour)
+        names = {"R", "G", "B"};
     if (request.quadrature)
         names.push_back("quadrature");
     if (request.gradient)

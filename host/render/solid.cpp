@@ -1,5 +1,7 @@
 #include "render/solid.hpp"
 
+#include "noise/spectrum.hpp"
+
 #include "passes/solid.h"
 
 #include <algorithm>
@@ -15,8 +17,7 @@ double pixel_side(int shorter_side) {
     return 2 * 1.05 * std::tan(std::asin(0.25)) / shorter_side;
 }
 
-passes::vec2 direction(double degrees) {
-    const double angle = noise::radians(std::remainder(degrees, 360.0));
+passes::vec2 direction(double angle) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
@@ -31,9 +32,11 @@ std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
     const Body* body = std::get_if<Body>(&request.view);
     const bool along_surface = body && !body->solid;
     return {body ? static_cast<std::uint32_t>(body->shape) + 1 : 0,
-            is_isotropic(request.lobes.front()),
+            std::ranges::any_of(request.lobes, is_isotropic),
+            !std::ranges::all_of(request.lobes, is_isotropic),
             along_surface,
             request.filter,
+            static_cast<std::uint32_t>(request.values),
             request.quadrature,
             request.gradient,
             request.phasor,
@@ -41,14 +44,22 @@ std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
             wrapped_time(request) != 0};
 }
 
+std::vector<passes::SolidWave> solid_waves(const Request& request) {
+    std::vector<passes::SolidWave> waves;
+    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed))
+        waves.push_back({.direction = direction(wave.angle),
+                         .frequency = static_cast<float>(wave.frequency * wave.radius),
+                         .radius = static_cast<float>(wave.radius),
+                         .amplitude = static_cast<float>(std::sqrt(wave.share)),
+                         .seed = wave.seed,
+                         .isotropic = wave.isotropic});
+    return waves;
+}
+
 passes::SolidPush solid_push(const Request& request, int width, int height, int stride) {
-    const noise::Lobe& lobe = request.lobes.front();
     passes::SolidPush push{};
     push.center = {static_cast<float>(width / 2.0 / stride), static_cast<float>(height / 2.0 / stride)};
-    push.direction = direction(lobe.orientation);
-    push.frequency = static_cast<float>(lobe.frequency);
     push.time = wrapped_time(request);
-    push.seed = request.seed;
     push.unit = static_cast<float>(sphere_radius(request));
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
         push.pixel = static_cast<float>(stride / request.scale);
@@ -56,8 +67,8 @@ passes::SolidPush solid_push(const Request& request, int width, int height, int 
     } else {
         const Body& body = std::get<Body>(request.view);
         push.pixel = static_cast<float>(pixel_side(std::min(width, height)) * stride / body.zoom);
-        push.yaw = direction(body.yaw);
-        push.pitch = direction(body.pitch);
+        push.yaw = direction(noise::radians(std::remainder(body.yaw, 360.0)));
+        push.pitch = direction(noise::radians(body.pitch));
     }
     push.width = (width + stride - 1) / stride;
     push.height = (height + stride - 1) / stride;
@@ -65,9 +76,14 @@ passes::SolidPush solid_push(const Request& request, int width, int height, int 
 }
 
 Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region)
+    : Solid(device, request, region, solid_waves(request)) {}
+
+Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region,
+             const std::vector<passes::SolidWave>& waves)
     : height_(region.height),
-      pass_(device, solid_spirv, {1, sizeof(passes::SolidPush)}, solid_constants(request)),
-      push_(solid_push(request, request.width, request.height)) {
+      pass_(device, solid_spirv, {2, sizeof(passes::SolidPush)}, solid_constants(request)),
+      waves_(upload(device, waves)), push_(solid_push(request, request.width, request.height)) {
+    push_.waves = static_cast<int>(waves.size());
     push_.width = region.width;
     push_.first_column = region.x;
     push_.first_row = region.y;
@@ -78,7 +94,7 @@ std::vector<RegionRenderer::Band> Solid::bands(int most_rows) const {
 }
 
 vulkan::Job Solid::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {result}};
+    return {device, pass_, {waves_, result}};
 }
 
 void Solid::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

@@ -10,9 +10,12 @@ namespace gabor::render {
 /// where there are none, what the ray through its centre meets decides.
 std::vector<std::uint32_t> solid_constants(const Request& request, int rays = 4);
 
+/// The noises that it adds up.
+std::vector<passes::SolidWave> solid_waves(const Request& request);
+
 /// The push constants of all pixels of a view of `width` x `height` pixels, of which one value stands for
 /// `stride` x `stride`: the view that the request's picture has when these are its sides, and the stride 1.
-/// How coarse the noise on a body is follows from the request.
+/// How coarse the noise on a body is follows from the request; of its waves they know nothing.
 passes::SolidPush solid_push(const Request& request, int width, int height, int stride = 1);
 
 /// Kernel radii in the radius of the sphere, which is the unit of bodies in passes/solid.comp.
@@ -30,8 +33,12 @@ class Solid : public RegionRenderer {
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
+    Solid(const vulkan::Device& device, const Request& request, const image::Window& region,
+          const std::vector<passes::SolidWave>& waves);
+
     int height_;
     vulkan::Pass pass_;
+    vulkan::Buffer waves_;
     passes::SolidPush push_;
 };
 

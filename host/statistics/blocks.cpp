@@ -73,6 +73,11 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
     return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, t_quantile());
 }
 
+struct PairIndex {
+    Estimate index;
+    double smallest; ///< that can be told from that of a normal distribution
+};
+
 /// The index from pairs of blocks that do not touch. G_i = n_i (F_i - Phi) are independent for such a pair,
 /// with n_i times the true deviation for expectation, so that
 ///     sum_ij G_i . G_j / sum_ij n_i n_j
@@ -83,8 +88,8 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
 /// n)^2. For a normal distribution U is degenerate, and its variance 2 sum_IJ h_IJ^2 / (sum n n)^2, half of
 /// that (Hoeffding, 1948). As in Gaussianity::index, the first is taken to be proportional to the index, with
 /// noise in both.
-Estimate pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
-                    const Grid& grid) {
+PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
+                     const Grid& grid) {
     std::vector<double> sum(bin_count);
     double pixels = 0;
     std::vector<double> products(groups * groups);
@@ -123,7 +128,9 @@ Estimate pair_index(const std::vector<std::vector<double>>& deviation, std::span
     }
     const double variance_scale = cvm_scale * cvm_scale / (weight * weight);
     const double slope = variance_scale * jackknife / (cvm_scale * biased);
-    return score_interval(cvm_scale * index, variance_scale * degenerate, slope, t_quantile());
+    const double null_variance = variance_scale * degenerate;
+    return {score_interval(cvm_scale * index, null_variance, slope, t_quantile()),
+            t_quantile() * std::sqrt(null_variance)};
 }
 
 } // namespace
@@ -200,9 +207,10 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         }
     }
 
+    const PairIndex cvm = pair_index(deviation, moments, grid);
     return BlockEstimates{grid.side, mean_interval(all.mean(), pixels, mean_excess, grid),
-                          mean_interval(all.variance(), pixels, variance_excess, grid),
-                          pair_index(deviation, moments, grid)};
+                          mean_interval(all.variance(), pixels, variance_excess, grid), cvm.index,
+                          cvm.smallest};
 }
 
 } // namespace gabor::statistics

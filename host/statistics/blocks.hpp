@@ -25,7 +25,8 @@ struct BlockEstimates {
     int blocks_per_side = 0;
     Estimate mean;
     Estimate variance;
-    Estimate cvm; ///< index as in Gaussianity
+    Estimate cvm;            ///< index as in Gaussianity
+    double smallest_cvm = 0; ///< what 95 % of normal pictures of this size do not exceed
 
     bool operator==(const BlockEstimates&) const = default;
 };

@@ -35,16 +35,23 @@ class Spectrum {
 /// pictures of less than 16 x 16 pixels.
 std::optional<int> segment_side(int width, int height);
 
+/// Where a spectrum is strongest.
+struct SpectralPeak {
+    double frequency = 0;   ///< cycles per pixel
+    double orientation = 0; ///< of the wave vector: degrees in [0, 180), from right towards down
+
+    bool operator==(const SpectralPeak&) const = default;
+};
+
 /// The figures of a power spectrum. Frequencies are in cycles per pixel.
 struct SpectrumSummary {
-    double power = 0;            ///< of all frequencies together: the variance, by Parseval's theorem
-    double peak_frequency = 0;   ///< where the lobe is strongest
-    double peak_orientation = 0; ///< of the wave vector there: degrees in [0, 180), from right towards down
-    double bandwidth = 0;        ///< full width at half maximum of `radial`, broadened by `resolution`
-    double resolution = 0;       ///< full width at half maximum that a plane wave shows
-    double correlation = 0;      ///< pixels further apart than this are taken to be independent
-    double radial_step = 0;      ///< radial[k] is around the frequency k * radial_step
-    std::vector<double> radial;  ///< power per annulus; they add up to `power`
+    double power = 0;                 ///< of all frequencies together: the variance, by Parseval's theorem
+    std::optional<SpectralPeak> peak; ///< absent where it cannot be told from frequency 0
+    double bandwidth = 0;             ///< full width at half maximum of `radial`, broadened by `resolution`
+    double resolution = 0;            ///< full width at half maximum that a plane wave shows
+    double correlation = 0;           ///< pixels further apart than this are taken to be independent
+    double radial_step = 0;           ///< radial[k] is around the frequency k * radial_step
+    std::vector<double> radial;       ///< power per annulus; they add up to `power`
 
     bool operator==(const SpectrumSummary&) const = default;
 };

@@ -28,10 +28,10 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
 // The buffers and the push constants of the three passes.
 vulkan::Pass::Interface interface_of(const NoisePass& noise) {
     if (render::in_space(noise.request))
-        return {1, sizeof(passes::SolidPush)};
+        return {2, sizeof(passes::SolidPush)};
     if (noise.ingredients)
         return {3, sizeof(passes::IngredientsPush)};
-    return {5, sizeof(passes::PixelsPush)};
+    return {6, sizeof(passes::PixelsPush)};
 }
 
 vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
@@ -51,7 +51,8 @@ void Cost::add(double seconds, double values) {
 ValueGrid::ValueGrid(const vulkan::Device& device, int channels)
     : device_(device), channels_(channels), values_(device, 4, result_memory(device)),
       columns_(device, 8, vulkan::Memory::upload), rows_(device, 8, vulkan::Memory::upload),
-      lobes_(device, 8, vulkan::Memory::upload) {}
+      waves_(device, 8, vulkan::Memory::upload),
+      colour_(device, sizeof(passes::PixelsColour), vulkan::Memory::upload) {}
 
 std::size_t ValueGrid::count() const {
     return static_cast<std::size_t>(input_.grid.width) * static_cast<std::size_t>(input_.grid.height) *
@@ -75,12 +76,12 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
     }
     upload(device_, columns_, input_.columns);
     upload(device_, rows_, input_.rows);
-    upload(device_, lobes_, input_.lobes);
-    vulkan::Job::Buffers buffers{values_};
+    std::visit([&](const auto& waves) { upload(device_, waves_, waves); }, input_.waves);
+    vulkan::Job::Buffers buffers{waves_, values_};
     if (std::holds_alternative<passes::IngredientsPush>(input_.push))
         buffers = {columns_, rows_, values_};
     else if (std::holds_alternative<passes::PixelsPush>(input_.push))
-        buffers = {columns_, rows_, lobes_, paint, values_};
+        buffers = {columns_, rows_, waves_, paint, colour_, values_};
     job_.emplace(device_, pass, buffers);
 }
 

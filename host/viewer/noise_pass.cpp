@@ -1,5 +1,7 @@
 #include "viewer/noise_pass.hpp"
 
+#include "noise/spectrum.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::size_t along_surface = 2; ///< of the constants of passes/solid.comp
+constexpr std::size_t along_surface = 3; ///< of the constants of passes/solid.comp
 constexpr std::size_t perspective = 12;  ///< of those of viewer/ingredients.comp
 
 bool in_perspective(const render::Request& request) {
@@ -28,14 +30,13 @@ NoisePass of_drop_in(const render::Request& request) {
         pass.name = "in space";
         pass.visited = 27; // nodes of the lattice in space
     } else {
-        const noise::Recipe recipe = render::drawing_recipe(request);
+        const noise::Recipe& recipe = request.recipe;
         pass.shader =
             recipe.is_lattice() ? fmt::format("passes/pixels.comp@{}", recipe.taps) : "passes/pixels.comp";
         pass.constants = render::pixels_constants(request);
         pass.name = noise::spelled_out(recipe);
-        pass.visited = noise::visited_impulses(recipe);
-        if (request.sum)
-            pass.visited *= static_cast<double>(request.lobes.size());
+        pass.visited = noise::visited_impulses(recipe) *
+                       static_cast<double>(noise::waves(request.lobes, request.seed).size());
     }
     return pass;
 }
@@ -57,31 +58,37 @@ NoisePass of_ingredients(const render::Request& request, const study::Ingredient
     return pass;
 }
 
-// Cells per kernel radius along each axis.
-struct Radius {
-    double x = 1;
-    double y = 1;
+// Cells per kernel radius of the picture along each axis, for each table of lines.
+struct Cells {
+    std::vector<double> x;
+    std::vector<double> y;
 };
 
-Radius radius_of(const NoisePass& noise) {
+Cells cells_of(const NoisePass& noise) {
     if (noise.ingredients)
-        return {};
-    return {render::axis_along(noise.request, noise.request.width).radius,
-            render::axis_along(noise.request, noise.request.height).radius};
+        return {{1}, {1}};
+    const render::Request& request = noise.request;
+    Cells cells;
+    for (const double radius : render::pixels_tables(request)) {
+        cells.x.push_back(render::axis_along(request, request.width, radius).radius / radius);
+        cells.y.push_back(render::axis_along(request, request.height, radius).radius / radius);
+    }
+    return cells;
 }
 
-passes::IngredientsPush ingredients_push(const NoisePass& noise, const passes::PixelsPush& pixels) {
+passes::IngredientsPush ingredients_push(const NoisePass& noise, const passes::PixelsPush& pixels,
+                                         passes::vec2 camera, std::uint32_t seed) {
     const noise::Lobe& lobe = noise.request.lobes.front();
     const study::Wave wave{lobe.frequency, lobe.angle()};
     return {.wave = {static_cast<float>(lobe.frequency * std::cos(lobe.angle())),
                      static_cast<float>(lobe.frequency * std::sin(lobe.angle()))},
-            .camera = pixels.camera,
+            .camera = camera,
             .amplitude = static_cast<float>(1 / std::sqrt(study::variance(*noise.ingredients, wave))),
             .pixel = pixels.pixel,
             .focal_length = pixels.focal_length,
-            .seed = pixels.seed,
-            .width = pixels.width,
-            .height = pixels.height,
+            .seed = seed,
+            .width = 0,
+            .height = 0,
             .first_row = 0,
             .before = 0};
 }
@@ -100,9 +107,28 @@ passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Exten
     return push;
 }
 
-void add_pixels(std::vector<passes::Line>& points, int cell, int pixels, int stride, double middle) {
+// In perspective: the camera's cell in each table, and the place in the picture.
+void add_pixels(std::vector<passes::Line>& points, const std::vector<passes::Line>& camera, int pixels,
+                int stride, double middle) {
     for (int i = 0; i * stride < pixels; ++i)
-        points.push_back({cell, static_cast<float>((i + 0.5) * stride - middle)});
+        for (const passes::Line& at : camera)
+            points.push_back({at.cell, static_cast<float>((i + 0.5) * stride - middle)});
+}
+
+std::vector<passes::Line> axis_points(const Coordinate& coordinate, double by,
+                                      const std::vector<double>& cells) {
+    std::vector<passes::Line> points;
+    for (const double radius : cells)
+        points.push_back(axis_point(coordinate, by, radius));
+    return points;
+}
+
+// The noises that the push constants speak of.
+template <typename Push, typename Wave>
+void put(GridInput& input, Push push, std::vector<Wave> waves) {
+    push.waves = static_cast<int>(waves.size());
+    input.push = push;
+    input.waves = std::move(waves);
 }
 
 } // namespace
@@ -117,10 +143,11 @@ passes::Line axis_point(const Coordinate& coordinate, double by, double radius) 
 }
 
 void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
-                int stride, double radius) {
+                int stride, const std::vector<double>& radii) {
     const int count = (pixels + stride - 1) / stride;
     for (int i = 0; i < count; ++i)
-        points.push_back(axis_point(middle, ((i + 0.5) * stride - pixels / 2.0) / scale, radius));
+        std::ranges::copy(axis_points(middle, ((i + 0.5) * stride - pixels / 2.0) / scale, radii),
+                          std::back_inserter(points));
 }
 
 std::vector<NoisePass> noise_passes(const Document& document) {
@@ -135,6 +162,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
         passes.push_back(of_ingredients(request, *ingredients));
     } else {
         request.recipe = std::get<noise::Recipe>(*document.comparison);
+        render::give_way(request, "recipe");
         passes.push_back(of_drop_in(request));
     }
     return passes;
@@ -165,23 +193,24 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     GridInput input;
     input.grid = {(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
     if (render::in_space(request)) {
-        input.push = solid_push(noise, camera, extent, stride);
+        put(input, solid_push(noise, camera, extent, stride), render::solid_waves(request));
         return input;
     }
-    input.lobes = render::pixels_lobes(request);
+    std::vector<passes::PixelsWave> waves = render::pixels_waves(request, paint);
     passes::PixelsPush push = render::pixels_push(request, extent.width, extent.height);
-    push.width = input.grid.width;
-    push.height = input.grid.height;
-    const Radius radius = radius_of(noise);
-    const passes::Line x = axis_point(camera.x, 0, radius.x);
-    const passes::Line y = axis_point(camera.y, 0, radius.y);
+    const Cells cells = cells_of(noise);
+    const std::vector<passes::Line> x = axis_points(camera.x, 0, cells.x);
+    const std::vector<passes::Line> y = axis_points(camera.y, 0, cells.y);
     if (in_perspective(request)) {
-        push.camera = {x.local, y.local};
-        add_pixels(input.columns, x.cell, extent.width, stride, extent.width / 2.0);
-        add_pixels(input.rows, y.cell, extent.height, stride, render::sky_rows(extent.height));
+        for (passes::PixelsWave& wave : waves) {
+            const auto table = static_cast<std::size_t>(wave.table);
+            wave.camera = {x.at(table).local, y.at(table).local};
+        }
+        add_pixels(input.columns, x, extent.width, stride, extent.width / 2.0);
+        add_pixels(input.rows, y, extent.height, stride, render::sky_rows(extent.height));
     } else {
-        add_points(input.columns, camera.x, extent.width, request.scale, stride, radius.x);
-        add_points(input.rows, camera.y, extent.height, request.scale, stride, radius.y);
+        add_points(input.columns, camera.x, extent.width, request.scale, stride, cells.x);
+        add_points(input.rows, camera.y, extent.height, request.scale, stride, cells.y);
     }
     // The paint lies over the picture, whose corner is the origin of the plane.
     const auto paint_corner = [&](const Coordinate& middle, int side, int pixels, int samples) {
@@ -194,45 +223,48 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     push.paint_corner = {paint_corner(camera.x, request.width, extent.width, paint.width),
                          paint_corner(camera.y, request.height, extent.height, paint.height)};
     if (noise.ingredients)
-        input.push = ingredients_push(noise, push);
+        input.push = ingredients_push(noise, push, {x.front().local, y.front().local}, request.seed);
     else
-        input.push = push;
+        put(input, push, std::move(waves));
     return input;
 }
 
 GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
-    const std::uint32_t seed = draw * 0x9e3779b1u;
+    render::Request request = noise.request;
+    request.seed = draw * 0x9e3779b1u;
     GridInput input;
     input.grid = grid;
-    if (render::in_space(noise.request)) {
+    const double widest = std::ranges::max(request.lobes, {}, &noise::Lobe::radius).radius;
+    if (render::in_space(request)) {
         // Points further apart than two impulses of one kernel can be, at all places of a cell.
-        render::Request apart = noise.request;
-        apart.scale = 1 / (4 + std::numbers::phi);
-        passes::SolidPush push = render::solid_push(apart, grid.width, grid.height);
-        push.seed = seed;
+        request.scale = 1 / ((4 + std::numbers::phi) * widest);
+        passes::SolidPush push = render::solid_push(request, grid.width, grid.height);
         push.depth = static_cast<float>(std::fmod(draw * std::numbers::phi, 1.0));
-        input.push = push;
+        put(input, push, render::solid_waves(request));
         return input;
     }
-    input.lobes = render::pixels_lobes(noise.request);
-    passes::PixelsPush push = render::pixels_push(noise.request, grid.width, grid.height);
-    push.seed = seed;
-    push.width = grid.width;
-    push.height = grid.height;
+    const passes::PixelsPush push = render::pixels_push(request, grid.width, grid.height);
     // Further apart than two impulses of one kernel can be: a diameter and a cell.
-    const Radius radius = radius_of(noise);
-    const int apart = static_cast<int>(std::ceil(2 * std::max(radius.x, radius.y))) + 2;
+    const Cells cells = cells_of(noise);
     std::mt19937 generator(draw);
-    const auto fill = [&](std::vector<passes::Line>& points, int count) {
-        for (int i = 0; i < count; ++i)
-            points.push_back({i * apart, static_cast<float>(generator() >> 8) * 0x1p-24f});
+    const auto fill = [&](std::vector<passes::Line>& points, int count, const std::vector<double>& radii) {
+        const double cell = 1 / std::ranges::min(radii);
+        const double apart = std::ceil(2 * widest / cell) + 2;
+        for (int i = 0; i < count; ++i) {
+            const double within = static_cast<double>(generator() >> 8) * 0x1p-24;
+            for (const double radius : radii) {
+                const double at = (i * apart + within) * cell * radius;
+                points.push_back(
+                    {static_cast<std::int32_t>(std::floor(at)), static_cast<float>(at - std::floor(at))});
+            }
+        }
     };
-    fill(input.columns, grid.width);
-    fill(input.rows, grid.height);
+    fill(input.columns, grid.width, cells.x);
+    fill(input.rows, grid.height, cells.y);
     if (noise.ingredients)
-        input.push = ingredients_push(noise, push);
+        input.push = ingredients_push(noise, push, {0, 0}, request.seed);
     else
-        input.push = push;
+        put(input, push, render::pixels_waves(request, render::Paint()));
     return input;
 }
 

@@ -18,9 +18,9 @@ namespace gabor::viewer {
 passes::Line axis_point(const Coordinate& coordinate, double by, double radius);
 
 /// The points along an axis of a view of `pixels` pixels, `scale` pixels per kernel radius, `stride` pixels
-/// apart: the first in the middle of the first `stride` pixels.
+/// apart: the first in the middle of the first `stride` pixels. Each is there for all `radii`, side by side.
 void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
-                int stride, double radius);
+                int stride, const std::vector<double>& radii);
 
 /// The compute pass that evaluates the noise of one pane.
 struct NoisePass {
@@ -52,7 +52,7 @@ struct GridInput {
     Extent grid;
     std::vector<passes::Line> columns; ///< with the rows: where the values are, but for noise in space
     std::vector<passes::Line> rows;
-    std::vector<passes::Lobe> lobes;
+    std::variant<std::vector<passes::PixelsWave>, std::vector<passes::SolidWave>> waves; ///< their sum
 };
 
 /// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.

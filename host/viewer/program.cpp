@@ -54,16 +54,20 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
     std::string shaders;
     std::string screenshot;
     Options options;
-    app.add_option("--preset", preset,
+    app.add_option("FILE,--preset", preset,
                    "Parameters to begin with: a JSON file, an EXR that gabor rendered, or a name that gabor "
-                   "render knows");
+                   "render knows")
+        ->type_name("FILE");
     app.add_option("--screenshot", screenshot,
-                   "Save the picture as a PNG, of the preset's size, without a window around it, and end");
-    app.add_option("--window", size, "Size of the window, WIDTHxHEIGHT");
+                   "Save the picture as a PNG, of the preset's size, without a window around it, and end")
+        ->type_name("FILE");
+    app.add_option("--window", size, "Size of the window")->type_name("WIDTHxHEIGHT");
     app.add_option("--shaders", shaders,
-                   "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']");
+                   "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']")
+        ->type_name("FOLDER");
     app.add_option("--device", options.device,
-                   "Vulkan device: its index, or a part of its name [the fastest kind]");
+                   "Vulkan device: its index, or a part of its name [the fastest kind]")
+        ->type_name("NAME");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

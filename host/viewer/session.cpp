@@ -83,7 +83,9 @@ render::Request load_preset(const std::string& path) {
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
                                        "gabor rendered, or a preset's name",
                                        path));
-    return render::load_request(path).request;
+    render::Request request = render::load_request(path).request;
+    request.colour.reset(); // the window shows the noise
+    return request;
 }
 
 void open_preset(Session& session, const std::string& path) {

@@ -109,7 +109,7 @@ Job::~Job() {
 
 Job::Job(Job&&) noexcept = default;
 
-void Job::submit(std::span<const std::byte> push, Groups groups, const std::optional<Copy>& copy) {
+void Job::submit(std::span<const Dispatch> dispatches, const std::optional<Copy>& copy) {
     using Access = vk::AccessFlagBits;
     using Stage = vk::PipelineStageFlagBits;
     const vk::raii::CommandBuffer& commands = state_->commands;
@@ -122,11 +122,18 @@ void Job::submit(std::span<const std::byte> push, Groups groups, const std::opti
     }
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *state_->pass.pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *state_->pass.layout, 0, *state_->set, {});
-    if (!push.empty())
-        commands.pushConstants<std::byte>(
-            *state_->pass.layout, vk::ShaderStageFlagBits::eCompute, 0,
-            vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(push.size()), push.data()));
-    commands.dispatch(groups.x, groups.y, groups.z);
+    for (const Dispatch& dispatch : dispatches) {
+        if (&dispatch != dispatches.data())
+            commands.pipelineBarrier(
+                Stage::eComputeShader, Stage::eComputeShader, {},
+                vk::MemoryBarrier(Access::eShaderWrite, Access::eShaderRead | Access::eShaderWrite), {}, {});
+        if (!dispatch.push.empty())
+            commands.pushConstants<std::byte>(
+                *state_->pass.layout, vk::ShaderStageFlagBits::eCompute, 0,
+                vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(dispatch.push.size()),
+                                                dispatch.push.data()));
+        commands.dispatch(dispatch.groups.x, dispatch.groups.y, dispatch.groups.z);
+    }
     if (timed)
         commands.writeTimestamp(Stage::eComputeShader, *state_->queries, 1);
     if (copy) {

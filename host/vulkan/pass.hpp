@@ -67,11 +67,19 @@ class Job {
         std::size_t bytes;
     };
 
-    void submit(std::span<const std::byte> push, Groups groups, const std::optional<Copy>& copy = {});
+    /// The pass with these push constants.
+    struct Dispatch {
+        std::span<const std::byte> push;
+        Groups groups;
+    };
+
+    /// Each dispatch sees what those before it wrote.
+    void submit(std::span<const Dispatch> dispatches, const std::optional<Copy>& copy = {});
 
     template <typename Push>
     void submit(const Push& push, Groups groups, const std::optional<Copy>& copy = {}) {
-        submit(std::as_bytes(std::span(&push, 1)), groups, copy);
+        const Dispatch dispatch{std::as_bytes(std::span(&push, 1)), groups};
+        submit(std::span(&dispatch, 1), copy);
     }
 
     /// Waits for the submission and returns the seconds that the pass took on the device, NaN where that

@@ -13,6 +13,8 @@
 //
 // For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
+// A spectrum is a sum of such noises, added up in the picture one after the other.
+//
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
@@ -24,6 +26,7 @@ layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. El
 layout(constant_id = 10) const bool with_quadrature = false; // the real part beside the noise
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
+layout(constant_id = 13) const bool sum = false;             // of more than one noise
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -36,18 +39,13 @@ layout(local_size_x = bake_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Columns { Run columns[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
-layout(std430, set = 0, binding = 2) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Waves { BakeWave waves[]; };
+layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
 
 vec2 rotated(vec2 z, vec2 by)
 {
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
-
-// A window and its derivative per kernel radius.
-struct Window {
-    float value;
-    float slope;
-};
 
 #ifdef GABOR_TAPS
 
@@ -72,12 +70,21 @@ vec2 node_amplitude(uint word)
 
 #endif
 
-void main()
+// Writes a channel of the first noise, and adds those of the others.
+void put(int at, float value, uint index)
 {
-    if (gl_GlobalInvocationID.x >= column_runs)
-        return;
-    Run across = columns[gl_GlobalInvocationID.x];
-    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    if (sum && index > 0u)
+        value += picture[at];
+    picture[at] = value;
+}
+
+void fill(Run across, Run down, uint index)
+{
+    vec2 wave = waves[index].wave;
+    vec2 column_turn = waves[index].column_turn;
+    vec2 row_turn = waves[index].row_turn;
+    float amplitude = waves[index].amplitude;
+    uint seed = waves[index].seed;
     vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
@@ -121,15 +128,16 @@ void main()
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
         uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
-        vec2 impulse = gabor_impl_position_plus_one(word);
-        vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_impl_phase(impulse, float(GABOR_PHASES)) + gabor_impl_phase_rate(word) * time;
-        vec2 z = amplitude * gabor_impl_magnitude(word) * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
+        GaborImpulse impulse = gabor_impl_impulse(word);
+        vec2 d = (local - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
+        float turns = dot(wave, d) + impulse.phase + impulse.phase_rate * time;
+        vec2 z = amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            bracket[c * block_columns + k] = z * gabor_impl_window(d.x + float(k) * pixel);
+            vec2 window = gabor_impl_window(d.x + float(k) * pixel);
+            bracket[c * block_columns + k] = z * window.x;
             if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * gabor_impl_window_slope(d.x + float(k) * pixel);
+                bracket_slope[c * block_columns + k] = z * window.y;
             z = rotated(z, column_turn);
         }
     }
@@ -153,16 +161,15 @@ void main()
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            Window q = Window(down_windows.value[c], down_windows.slope[c]);
+            vec2 q = vec2(down_windows.value[c], down_windows.slope[c]); // and its derivative per kernel radius
 #else
-            float y = distance_y[c] + float(r) * pixel;
-            Window q = Window(gabor_impl_window(y), gabor_impl_window_slope(y));
+            vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
-                envelope[k] += q.value * bracket[c * block_columns + k];
+                envelope[k] += q.x * bracket[c * block_columns + k];
                 if (with_gradient) {
-                    slope_x[k] += q.value * bracket_slope[c * block_columns + k];
-                    slope_y[k] += q.slope * bracket[c * block_columns + k];
+                    slope_x[k] += q.x * bracket_slope[c * block_columns + k];
+                    slope_y[k] += q.y * bracket[c * block_columns + k];
                 }
             }
         }
@@ -173,18 +180,29 @@ void main()
                     continue;
                 vec2 value = rotated(envelope[k], carrier);
                 int at = (start + k) * channels;
-                picture[at] = value.y;
+                put(at, value.y, index);
                 if (with_quadrature)
-                    picture[at + 1] = value.x;
+                    put(at + 1, value.x, index);
                 if (with_gradient) {
                     vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
                                 + 6.2831853 * wave * value.x;
-                    picture[at + channels - 2] = slopes.x;
-                    picture[at + channels - 1] = slopes.y;
+                    put(at + channels - 2, stretch * slopes.x, index);
+                    put(at + channels - 1, stretch * slopes.y, index);
                 }
             }
         }
         carrier = rotated(carrier, row_turn);
         ++row;
     }
+}
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= column_runs)
+        return;
+    Run across = columns[first_column_run + gl_GlobalInvocationID.x];
+    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    uint count = sum ? wave_count : 1u;
+    for (uint i = 0u; i < count; ++i)
+        fill(across, down, first_wave + i);
 }

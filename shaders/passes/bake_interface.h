@@ -17,19 +17,28 @@ struct Run {
     int count;   // along x at most block_columns
 };
 
-GABOR_PUSH_CONSTANTS(BakePush) {
+// One noise of the sum. Lengths are in its own kernel radii.
+struct BakeWave {
     vec2 wave;        // as in GaborKernel
     vec2 column_turn; // cos and sin of the phase from one column to the next
     vec2 row_turn;    // and from one row to the next
-    vec2 radius;      // as in GaborPlace
-    ivec2 period;     // as in GaborPlace
-    float time;       // as in GaborPlace, within [0, 1)
-    float amplitude;  // as in GaborKernel, times what fewer cells per radius take; 1 for the lattice
-    float pixel;      // kernel radii per pixel
+    float amplitude;  // what it is multiplied with; for the sparse noise, what normalizes it too
     uint seed;
+};
+
+// The noises of one kernel radius: their pixels fall into the same runs.
+GABOR_PUSH_CONSTANTS(BakePush) {
+    vec2 radius;  // as in GaborPlace
+    ivec2 period; // as in GaborPlace
+    float time;   // as in GaborPlace, within [0, 1)
+    float pixel;  // kernel radii per pixel
+    float stretch; // kernel radii per unit of length, in which derivatives are
+    uint first_wave;
+    uint wave_count;
     int width;
     int height;
     int first_row; // of the band, in the units of Run.first
+    uint first_column_run;
     uint column_runs;
     uint first_row_run;
 };

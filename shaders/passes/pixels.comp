@@ -1,36 +1,34 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A picture pixel by pixel, with all that the drop-ins can do: views, painted parameters, and with the sparse one spectra
-// and the filter.
-
-#ifndef GABOR_LOBES
-#define GABOR_LOBES 16
-#endif
+// A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
 #include "recipe.glsl"
+#if GABOR_TAPS == 3
+#include "gabor_spectrum.glsl"
+#endif
 
-layout(constant_id = 7) const int lobe_count = 0; // 0: one frequency and orientation
-layout(constant_id = 8) const bool summed = false; // independent noises, one for each lobe
-layout(constant_id = 9) const bool filtered = false;
-layout(constant_id = 10) const bool horizon = false; // a plane in perspective
-layout(constant_id = 11) const bool painted = false;
-layout(constant_id = 12) const bool with_quadrature = false;
-layout(constant_id = 13) const bool with_gradient = false;
-layout(constant_id = 14) const bool with_phasor = false;
-layout(constant_id = 15) const int values = 1; // uncorrelated ones
-layout(constant_id = 16) const bool animated = false; // for the lattice: whether time is not 0
-const int channels = values + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+layout(constant_id = 7) const bool filtered = false; // with GABOR_TAPS 3
+layout(constant_id = 8) const bool horizon = false;  // a plane in perspective
+layout(constant_id = 9) const bool painted = false;
+layout(constant_id = 10) const bool with_quadrature = false;
+layout(constant_id = 11) const bool with_gradient = false;
+layout(constant_id = 12) const bool with_phasor = false;
+layout(constant_id = 13) const int values = 1; // uncorrelated ones
+layout(constant_id = 14) const bool animated = false; // for the lattice: whether time is not 0
+layout(constant_id = 15) const bool coloured = false; // red, green and blue in place of the noise
+const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
 layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Lobes { Lobe lobes[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Waves { PixelsWave wave_table[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
-layout(std430, set = 0, binding = 4) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Colour { PixelsColour colour; };
+layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
 
 // Frequency and orientation at a pixel, between the samples of the paint around it.
 vec2 painted_at(vec2 pixel)
@@ -44,107 +42,114 @@ vec2 painted_at(vec2 pixel)
 }
 
 struct Values {
-    GaborField field;
+    vec4 values;
+    vec2 complex;
+    vec2 slope;
     float removed;
+    vec3 components; // of colours
+    vec3 components_removed;
 };
 
+// Where a pixel is, and how far from it are its neighbours along the picture's axes.
+struct Footprint {
+    ivec2 pixel;
+    vec2 from_camera; // in perspective
+    vec2 dx;
+    vec2 dy;
+};
+
+Values wave_at(PixelsWave wave, Footprint here)
+{
+    Line column = columns[here.pixel.x * tables + wave.table];
+    Line row = rows[here.pixel.y * tables + wave.table];
+    vec2 local = horizon ? here.from_camera * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
+    ivec2 cell = ivec2(column.cell, row.cell);
+    vec2 paint_here = painted ? painted_at(vec2(here.pixel)) : vec2(1.0, 0.0);
+    GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
 #ifdef GABOR_TAPS
-
-Values values_at(ivec2 pixel, ivec2 cell, vec2 local, vec2 dx, vec2 dy)
-{
-    vec2 here = painted ? painted_at(vec2(pixel)) : vec2(frequency, orientation);
-    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(here.x, here.y), radius);
-    GaborPlace place = GaborPlace(cell, local, radius, period, animated, time);
-    return Values(gabor_field(place, kernel, seed), 0.0);
-}
-
+    GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, animated, time);
+    kernel = gabor_kernel_stretched(kernel, wave.nodes);
 #else
-
-GaborLobe lobe_at(int i)
-{
-    Lobe lobe = lobes[i];
-    return gabor_lobe(lobe.frequency, lobe.orientation, lobe.frequency_spread, lobe.orientation_spread, lobe.power);
-}
-
-Values evaluate(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint instance)
-{
-    Values result;
-    result.removed = 0.0;
+    GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, time);
+#endif
+#if GABOR_TAPS == 3
     if (filtered) {
-        vec2 value = gabor_field_filtered(place, kernel, footprint, instance);
-        result.field = GaborField(value, vec2(0.0), vec2(0.0), vec4(value.y));
-        result.removed = gabor_removed(kernel, footprint);
-    } else {
-        result.field = gabor_field(place, kernel, instance);
+        vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
+        vec3 value = gabor_field_filtered(place, kernel, gabor_footprint(nodes * here.dx, nodes * here.dy), wave.seed);
+        return Values(vec4(value.y), value.xy, vec2(0.0), value.z, vec3(0.0), vec3(0.0));
     }
-    return result;
+#endif
+    GaborField field = gabor_field(place, kernel, wave.seed);
+#ifdef GABOR_TAPS
+    vec4 four = values > 1 ? field.four : vec4(field.value.y);
+#else
+    vec4 four = vec4(field.value.y); // of which only the first is wanted
+#endif
+    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), 0.0, vec3(0.0), vec3(0.0));
 }
 
-// The sum of independent noises in proportion to the roots of their powers.
-Values evaluate_sum(GaborPlace place, GaborFootprint footprint)
+const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));
+
+Values values_at(Footprint here)
 {
-    Values sum = Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 0.0);
-    float total_power = 0.0;
-    for (int i = 0; i < lobe_count; ++i)
-        total_power += lobes[i].power;
-    for (int i = 0; i < lobe_count; ++i) {
-        uint instance = gabor_lobe_seed(seed, i);
-        Values one = evaluate(place, gabor_kernel_lobe(lobe_at(i)), footprint, instance);
-        float share = lobes[i].power / total_power;
-        sum.field.value += sqrt(share) * one.field.value;
-        sum.field.slope_x += sqrt(share) * one.field.slope_x;
-        sum.field.slope_y += sqrt(share) * one.field.slope_y;
-        sum.field.four += sqrt(share) * one.field.four;
-        sum.removed += share * one.removed;
+    Values sum = nothing;
+    for (int i = 0; i < waves; ++i) {
+        PixelsWave wave = wave_table[i];
+        Values one = wave_at(wave, here);
+        sum.values += wave.amplitude * one.values;
+        sum.complex += wave.amplitude * one.complex;
+        sum.slope += wave.amplitude / wave.radius * one.slope;
+        sum.removed += wave.amplitude * wave.amplitude * one.removed;
+        if (coloured) {
+            vec2 a = wave.weights[0];
+            vec2 b = wave.weights[1];
+            vec2 c = wave.weights[2];
+            vec2 value = one.complex;
+            sum.components += vec3(dot(a, value), dot(b, value), dot(c, value));
+            sum.components_removed += one.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
+        }
     }
     return sum;
 }
 
-GaborKernel kernel_at(vec2 pixel)
+// Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
+// mean of that over what was removed: of z^n over a normal rest of variance v.
+vec3 colour_of(vec3 z, vec3 v)
 {
-    vec2 wave = painted ? painted_at(pixel) : vec2(frequency, orientation);
-    if (lobe_count == 0)
-        return gabor_kernel(wave.x, wave.y);
-    GaborLobes all;
-    all.count = lobe_count;
-    for (int i = 0; i < GABOR_LOBES; ++i) {
-        if (i < lobe_count)
-            all.lobe[i] = lobe_at(i);
+    z = clamp(z, -4.0, 4.0);
+    vec3 s = z * z;
+    vec3 even = colour.histogram[0].xyz + colour.histogram[2].xyz * (s + v)
+              + colour.histogram[4].xyz * (s * (s + 6.0 * v) + 3.0 * v * v);
+    vec3 odd = colour.histogram[1].xyz + colour.histogram[3].xyz * (s + 3.0 * v)
+             + colour.histogram[5].xyz * (s * (s + 10.0 * v) + 15.0 * v * v);
+    vec3 component = even + z * odd;
+    return colour.mean.xyz + vec3(dot(colour.mixing[0].xyz, component), dot(colour.mixing[1].xyz, component),
+                                  dot(colour.mixing[2].xyz, component));
+}
+
+void write_pixel(int at, Values here)
+{
+    if (coloured) {
+        vec3 shown = colour_of(here.components, here.components_removed);
+        for (int i = 0; i < 3; ++i)
+            picture[at++] = shown[i];
+    } else {
+        for (int i = 0; i < values; ++i)
+            picture[at++] = here.values[i];
     }
-    if (painted)
-        all.lobe[0] = gabor_lobe(wave.x, wave.y, lobes[0].frequency_spread, lobes[0].orientation_spread, 1.0);
-    return gabor_kernel_lobes(all);
-}
-
-//   dx, dy  how far apart neighbouring pixels are along the picture's axes, in kernel radii
-Values values_at(ivec2 pixel, ivec2 cell, vec2 local, vec2 dx, vec2 dy)
-{
-    GaborPlace place = GaborPlace(cell, local, radius, period, time);
-    GaborFootprint footprint = gabor_footprint(dx, dy);
-    return summed ? evaluate_sum(place, footprint) : evaluate(place, kernel_at(vec2(pixel)), footprint, seed);
-}
-
-#endif
-
-void write_pixel(int at, Values values_here)
-{
-    GaborField field = values_here.field;
-    picture[at++] = values > 1 ? field.four.x : field.value.y;
-    for (int i = 1; i < values; ++i)
-        picture[at++] = field.four[i];
     if (with_quadrature)
-        picture[at++] = field.value.x;
+        picture[at++] = here.complex.x;
     if (with_gradient) {
-        picture[at++] = field.slope_x.y;
-        picture[at++] = field.slope_y.y;
+        picture[at++] = here.slope.x;
+        picture[at++] = here.slope.y;
     }
     if (with_phasor) {
-        vec2 phasor = gabor_phasor(field.value);
+        vec2 phasor = gabor_phasor(here.complex);
         picture[at++] = phasor.x;
         picture[at++] = phasor.y;
     }
     if (filtered)
-        picture[at++] = values_here.removed;
+        picture[at++] = here.removed;
 }
 
 void main()
@@ -154,22 +159,18 @@ void main()
         return;
     int at = (before + pixel_at.y * width + pixel_at.x) * channels;
     pixel_at.y += first_row;
-    Line column = columns[pixel_at.x];
-    Line row = rows[pixel_at.y];
-
-    vec2 local = vec2(column.local, row.local);
-    vec2 dx = vec2(pixel, 0.0);
-    vec2 dy = vec2(0.0, pixel);
+    Footprint here = Footprint(pixel_at, vec2(0.0), vec2(pixel, 0.0), vec2(0.0, pixel));
     if (horizon) {
-        if (row.local <= 0.0) { // the sky
-            write_pixel(at, Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 1.0));
+        vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
+        if (seen.y <= 0.0) { // the sky
+            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, vec3(0.0), vec3(1.0)));
             return;
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
-        float near = pixel / row.local;
-        local = near * vec2(column.local, -focal_length) * radius + camera;
-        dx = vec2(near, 0.0);
-        dy = near / row.local * vec2(-column.local, focal_length);
+        float near = pixel / seen.y;
+        here.from_camera = near * vec2(seen.x, -focal_length);
+        here.dx = vec2(near, 0.0);
+        here.dy = near / seen.y * vec2(-seen.x, focal_length);
     }
-    write_pixel(at, values_at(pixel_at, ivec2(column.cell, row.cell), local, dx, dy));
+    write_pixel(at, values_at(here));
 }

@@ -9,27 +9,37 @@ GABOR_INTERFACE_BEGIN
 
 const uint pixels_group = 8; // pixels along x and y
 
-struct Lobe {
-    float frequency;
-    float orientation; // radians
-    float frequency_spread;
-    float orientation_spread; // radians
-    float power;
+// One noise of the sum, in its own kernel radii.
+struct PixelsWave {
+    vec2 nodes;        // as GaborPlace.radius
+    ivec2 period;      // as in GaborPlace
+    vec2 camera;       // in perspective: where it stands in its cell
+    float frequency;   // of the wave; where it is painted, times that of the paint
+    float orientation; // radians, and that of the paint more
+    float radius;      // of its kernels, in those of the picture
+    float amplitude;   // the root of its share of the variance
+    uint seed;
+    int table; // of lines
+    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
 };
 
+// What colours are made of: see noise::Colour. Three numbers each.
+struct PixelsColour {
+    vec4 histogram[6]; // coefficients of 1, z, ... z^5, of each component
+    vec4 mean;
+    vec4 mixing[3]; // a row for each channel
+};
+
+// Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
-    vec2 radius;       // as in GaborPlace
-    ivec2 period;      // as in GaborPlace
     ivec2 paint_size;  // samples
     vec2 paint_scale;  // samples of the paint per pixel
     vec2 paint_corner; // of the region, in samples
-    vec2 camera;       // in perspective: where it stands in its cell
     float time;        // as in GaborPlace
-    float frequency;
-    float orientation;  // radians
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
     float focal_length; // pixels, in perspective
-    uint seed;
+    int waves;
+    int tables; // of lines: each column and each row has one in each, side by side
     int width;
     int height;
     int first_row; // of the band

@@ -9,22 +9,25 @@
 #include "passes/solid_interface.h"
 
 layout(constant_id = 0) const int view = 0;             // 0 slice, 1 sphere, 2 torus
-layout(constant_id = 1) const bool isotropic = false;   // else all waves go along `direction`
-layout(constant_id = 2) const bool on_surface = false;  // waves are tangent to the surface
-layout(constant_id = 3) const bool filtered = true;     // by the pixel's footprint
-layout(constant_id = 4) const bool with_quadrature = false;
-layout(constant_id = 5) const bool with_gradient = false; // along the picture's right and down
-layout(constant_id = 6) const bool with_phasor = false;
-layout(constant_id = 7) const int rays = 4; // through a pixel for its coverage, along each axis; 0: that of its centre
-layout(constant_id = 8) const bool animated = false; // whether time is not 0
-const int channels = 2 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0);
+layout(constant_id = 1) const bool some_isotropic = false; // of the noises
+layout(constant_id = 2) const bool some_directed = false;
+layout(constant_id = 3) const bool on_surface = false;  // waves are tangent to the surface
+layout(constant_id = 4) const bool filtered = true;     // by the pixel's footprint
+layout(constant_id = 5) const int values = 1; // independent ones
+layout(constant_id = 6) const bool with_quadrature = false;
+layout(constant_id = 7) const bool with_gradient = false; // along the picture's right and down
+layout(constant_id = 8) const bool with_phasor = false;
+layout(constant_id = 9) const int rays = 4; // through a pixel for its coverage, along each axis; 0: that of its centre
+layout(constant_id = 10) const bool animated = false; // whether time is not 0
+const int channels = values + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0);
 
 #include "gabor_lattice.glsl"
 #include "gabor_lattice_3d.glsl"
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
-layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 0) readonly buffer Waves { SolidWave wave_table[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
 
 const float eye_distance = 4.0;
 const float torus_large = 0.68; // radius of the circle around the axis z, and of the tube
@@ -110,36 +113,61 @@ Hit hit_of(vec2 at, Axes axes)
     return torus_hit(eye, ray_of(at, axes));
 }
 
-GaborField3d field_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
+GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal)
 {
-    vec3 along = vec3(direction, 0.0);
-    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
-    place.animated = animated;
-    place.time = time;
-    place.filtered = filtered;
-    place.dx = dx;
-    place.dy = dy;
-    if (on_surface && isotropic)
-        return gabor_surface_isotropic_3d(place, normal, frequency, seed);
+    if (some_isotropic && (!some_directed || wave.isotropic == 1u)) {
+        if (on_surface)
+            return gabor_surface_isotropic_3d(place, normal, wave.frequency, wave.seed);
+        return gabor_isotropic_3d(place, wave.frequency, wave.seed);
+    }
+    vec3 along = vec3(wave.direction, 0.0);
     if (on_surface)
-        return gabor_surface_3d(place, normal, frequency, along, seed);
-    if (isotropic)
-        return gabor_isotropic_3d(place, frequency, seed);
-    return gabor_field_3d(place, gabor_wave_3d(frequency, along), seed);
+        return gabor_surface_3d(place, normal, wave.frequency, along, wave.seed);
+    return gabor_field_3d(place, gabor_wave_3d(wave.frequency, along), wave.seed);
 }
 
-void write_pixel(int at, GaborField3d field, float coverage, Axes axes)
+struct Values {
+    vec4 values;
+    vec2 complex;
+    vec3 slope;
+};
+
+Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
 {
-    picture[at++] = field.value.y;
+    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0));
+    for (int i = 0; i < waves; ++i) {
+        SolidWave wave = wave_table[i];
+        GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
+        place.animated = animated;
+        place.time = time;
+        place.filtered = filtered;
+        place.dx = dx / wave.radius;
+        place.dy = dy / wave.radius;
+        for (int channel = 0; channel < values; ++channel) {
+            place.channel = channel;
+            GaborField3d field = wave_at(wave, place, normal);
+            sum.values[channel] += wave.amplitude * field.value.y;
+            if (channel == 0) {
+                sum.complex += wave.amplitude * field.value;
+                sum.slope += wave.amplitude / wave.radius * vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y);
+            }
+        }
+    }
+    return sum;
+}
+
+void write_pixel(int at, Values here, float coverage, Axes axes)
+{
+    for (int i = 0; i < values; ++i)
+        picture[at++] = here.values[i];
     if (with_quadrature)
-        picture[at++] = field.value.x;
+        picture[at++] = here.complex.x;
     if (with_gradient) {
-        vec3 slope = vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y);
-        picture[at++] = dot(slope, axes.right);
-        picture[at++] = dot(slope, -axes.up);
+        picture[at++] = dot(here.slope, axes.right);
+        picture[at++] = dot(here.slope, -axes.up);
     }
     if (with_phasor) {
-        vec2 phasor = gabor_phasor(field.value);
+        vec2 phasor = gabor_phasor(here.complex);
         picture[at++] = phasor.x;
         picture[at++] = phasor.y;
     }
@@ -156,8 +184,8 @@ void main()
     if (view == 0) { // its axes are those of the plane, y growing downwards
         Axes flat_axes = Axes(vec3(1.0, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, 1.0));
         vec3 p = vec3(pixel * (corner + 0.5), depth);
-        GaborField3d field = field_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));
-        write_pixel(at, field, 1.0, flat_axes);
+        Values here_values = values_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));
+        write_pixel(at, here_values, 1.0, flat_axes);
         return;
     }
     // Where the central ray misses, the noise is that of the first that hits.
@@ -185,5 +213,5 @@ void main()
     vec3 dy = -hit.distance * pixel * axes.up;
     dx -= dot(dx, hit.normal) / facing * ray;
     dy -= dot(dy, hit.normal) / facing * ray;
-    write_pixel(at, field_at(unit * hit.p, hit.normal, unit * dx, unit * dy), coverage, axes);
+    write_pixel(at, values_at(unit * hit.p, hit.normal, unit * dx, unit * dy), coverage, axes);
 }

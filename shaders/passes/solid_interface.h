@@ -9,17 +9,26 @@ GABOR_INTERFACE_BEGIN
 
 const uint solid_group = 8; // pixels along x and y
 
+// One noise of the sum, in its own kernel radii.
+struct SolidWave {
+    vec2 direction; // of the waves, in the plane z = 0, of length 1
+    float frequency;
+    float radius;    // of its kernels, in those of the picture
+    float amplitude; // the root of its share of the variance
+    uint seed;
+    uint isotropic; // 1 where waves have all directions
+};
+
+// Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
     vec2 center;    // of the picture, in pixels from its corner
     vec2 yaw;       // cosine and sine of the eye's angle around the axis z
     vec2 pitch;     // and of its height above the plane z = 0
-    vec2 direction; // of the waves, in the plane z = 0, of length 1
     float pixel; // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
     float unit;  // kernel radii in the unit of bodies, the radius of the sphere
     float depth; // z of the slice, kernel radii
-    float frequency;
     float time;
-    uint seed;
+    int waves;
     int first_column; // of these pixels in the picture
     int first_row;
     int width;

@@ -1,9 +1,16 @@
 """`gabor bench`: what it reports, not how fast it was."""
 
+import datetime
 import json
+import pathlib
+import re
+import shutil
+import subprocess
 import unittest
 
-from program import LAVAPIPE, ProgramTest
+from program import LAVAPIPE, PROGRAM, ProgramTest, environment
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Bench(ProgramTest):
@@ -15,20 +22,40 @@ class Bench(ProgramTest):
         published = ("seminal, N = 30", "seminal, N = 30, hoisted", "the paper's advice, N = 2, plain",
                      "the paper's advice, N = 2, hoisted")
         for name in (*published, "gabor_noise, one", "gabor_noise, pure", "gabor_noise, paper",
-                     "bake, one", "bake, pure", "bake, paper", "gradient noise", "writing alone"):
+                     "bake, one", "bake, pure", "bake, paper", "gradient noise", "simplex noise", "writing alone"):
             row = rows[name]
             self.assertIn(name, text)
             self.assertGreater(row["seconds_low"], 0)
             self.assertLessEqual(row["seconds_low"], row["seconds"])
             self.assertLessEqual(row["seconds"], row["seconds_high"])
             self.assertGreater(row["pipeline_seconds"], 0)
-            self.assertEqual(row["cvm"] is None, name in ("gradient noise", "writing alone"))
+            self.assertEqual(row["cvm"] is None, name in ("gradient noise", "simplex noise", "writing alone"))
         # 2^20 samples tell good from bad, and the published noises are as their authors made them.
         for name in published:
             cvm = rows[name]["cvm"]
             self.assertTrue(cvm["low"] < 0.5 < cvm["high"], f"{name}: {cvm}")
         self.assertLess(rows["gabor_noise, one"]["cvm"]["high"], 0.3)
         self.assertEqual(len(report["trends"]), 16)
+        self.check_page(report)
+
+    def check_page(self, report):
+        """tools/performance puts these figures, and those of the code, into a page and leaves its prose as it was."""
+        page = self.folder / "page.md"
+        page.write_text("before\n<!-- tools/performance -->\nold\n<!-- end -->\nafter\n")
+        shutil.copy(ROOT / "tests/bench/recorded_isa.json", self.folder / "isa.json")
+        subprocess.run([ROOT / "tools/performance", "--program", PROGRAM, "--quick", "--figures", self.folder, "--page",
+                        page], check=True, env=environment())
+        text = page.read_text()
+        self.assertRegex(text, r"\Abefore\n<!-- tools/performance -->\n## (?s:.*)<!-- end -->\nafter\n\Z")
+        self.assertNotIn("old\n", text)
+        for words in (report["device"], report["driver"], datetime.date.today().isoformat(), "128 x 128, none"):
+            self.assertIn(words, text)
+        for row in report["base"]:
+            self.assertRegex(text, rf"(?m)^\| {re.escape(row['name'])} \|.*\| {row['ns_per_pixel']:.2f} \|")
+        for row in report["trends"]:
+            self.assertRegex(text, rf"(?m)^\| {row['side']} \| {row['scale']:g} \|.*\| {row['ns_per_pixel']:.2f} \|")
+        for row in json.loads((self.folder / "isa.json").read_text())["code"]:
+            self.assertIn(f"| {row['name']} | {row['instructions']:.0f} | {row['inverse_throughput']:.0f} |", text)
 
     def test_unwritable_report(self):
         self.assert_fails(2, ["nowhere"], "bench", "--quick", "--json", "nowhere/bench.json")

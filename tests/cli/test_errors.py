@@ -79,7 +79,21 @@ class Words(ErrorTest):
         self.assert_refused(["everything"], "devices", "everything")
         self.assert_refused(["'first'"], "devices", "first", "second")
         self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--freqency=3")
+        self.assert_refused(["did you mean --frequency?", "gabor render --help"], "render", "--freqency=3")
         self.assert_refused(["did you mean render?"], "rendr")
+
+    def test_what_belongs_to_others(self):
+        self.refuse_render(["solid is for the views sphere and torus, and here it is flat"], "--solid")
+        self.refuse_render(["depth is for the view slice, and here it is horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["frequency is for a single lobe, and here are 3, each with its own"], "--preset=wood",
+                           "--frequency=8")
+        (self.folder / "lobes.json").write_text('[{"freq": 3}]')
+        self.refuse_render(["lobes.json", "unknown 'freq' in a lobe", "frequency, orientation"], "--lobes=lobes.json")
+
+    def test_channels_that_are_not_there(self):
+        self.succeed("render", "-o", "plain.exr", "--size=16x16")
+        self.refuse_render(["plain.exr", "there is no channel 'frequency': it has Y"], "--paint=plain.exr")
+        self.assert_refused(["there is no channel 'Z': it has Y"], "stats", "plain.exr", "--channel=Z")
 
     def test_missing_words(self):
         self.assertEqual(self.succeed(), self.succeed("--help"))

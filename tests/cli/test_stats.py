@@ -1,7 +1,6 @@
 """`gabor stats`: against numpy on the same pixels, and against what was rendered."""
 
 import json
-import struct
 import unittest
 
 import numpy as np
@@ -107,6 +106,77 @@ class Rendered(StatsTest):
     def test_json_on_stdout(self):
         self.render("--size=64x64")
         self.assertEqual(json.loads(self.succeed("stats", "in.exr", "--json", "-")), self.stats())
+
+
+class Laws(StatsTest):
+    """The law that a channel is compared with: known from the header where theory knows it, else measured."""
+
+    def render(self, *options, size="512x512", scale=16):
+        self.succeed("render", "-o", "in.exr", f"--size={size}", f"--scale={scale}", *options)
+
+    def assert_known(self, variance, channel):
+        stats = self.stats("in.exr", "--channel", channel)
+        self.assertEqual((stats["cvm_reference"], stats["reference_mean"]), ("analytic", 0), channel)
+        self.assertAlmostEqual(stats["reference_variance"] / variance, 1, delta=1e-5)
+        interval = stats["variance_interval"]
+        print(f"  {channel}: {stats['variance']:.5g} for {variance:.5g}, cvm {stats['cvm']['value']:.2g}")
+        self.assertTrue(interval["low"] < variance < interval["high"], (channel, variance, interval))
+        self.assertLess(stats["cvm"]["low"], 0.5)
+        self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}",
+                      self.succeed("stats", "in.exr", "--channel", channel))
+
+    def test_gradients(self):
+        """A wave's slope, and that of its windows: the energy of a window's derivative over its own, by sums over
+        a grid of the windows' definitions."""
+        x = (np.arange(4000) + 0.5) / 4000
+        blend = np.hypot(1 - (s := x**2 * (3 - 2 * x)), s)
+        for recipe, window in (("lattice", (1 + np.cos(np.pi * x)) / 2), ("lattice-2", (1 - s) / blend)):
+            energy = np.sum(np.gradient(window, x) ** 2) / np.sum(window**2)
+            self.render("--gradient", "--quadrature", "--frequency=1.5", "--orientation=30", f"--recipe={recipe}")
+            self.assert_known((3 * np.pi * np.cos(np.pi / 6)) ** 2 + energy, "gradient.x")
+            self.assert_known((3 * np.pi * np.sin(np.pi / 6)) ** 2 + energy, "gradient.y")
+        self.assert_known(1, "quadrature")
+        self.assert_known(1, "Y")
+
+    def test_filtered(self):
+        self.render("--filter", "--frequency=4", "--compression=none")
+        removed = Exr(self.folder / "in.exr").channels["removed"]
+        self.assertGreater(removed.min(), 0.1)
+        self.assert_known(1 - float(removed[0, 0]), "Y")
+
+    def test_what_is_not_known_is_measured(self):
+        for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
+                                 ("Y", ["--filter", "--view=horizon"]), ("Y", ["--view=sphere"]),
+                                 ("quadrature", ["--quadrature", "--recipe=paper"]),
+                                 ("gradient.x", ["--gradient", "--recipe=paper"])):
+            self.render(*options)
+            stats = self.stats("in.exr", "--channel", channel)
+            self.assertEqual(stats["cvm_reference"], "measured", (channel, options))
+            self.assertAlmostEqual(stats["reference_mean"], stats["mean"], delta=1e-12)
+            self.assertAlmostEqual(stats["reference_variance"] / stats["variance"], 1, delta=1e-12)
+
+    def test_what_the_picture_is_too_small_for(self):
+        self.render()
+        self.assertGreater(self.stats()["smallest_cvm"], 0.5)
+        self.assertRegex(self.succeed("stats", "in.exr"), r"too small for its cvm .* about \d+ times as many pixels")
+        self.render("--frequency=1", scale=3, size="1024x1024")
+        self.assertLess(self.stats()["smallest_cvm"], 0.5)
+        self.assertNotIn("too small", self.succeed("stats", "in.exr"))
+        self.render(scale=100)
+        self.assertIn("No intervals and no cvm: pixels correlate over", self.succeed("stats", "in.exr"))
+        self.render(size="300x7")
+        self.assertIn("smaller than 16 x 16 pixels", self.succeed("stats", "in.exr"))
+
+    def test_numbers_that_do_not_exist(self):
+        self.render(size="1x1")
+        self.assertEqual((self.stats()["skewness"], self.stats()["excess_kurtosis"]), (None, None))
+        text = self.succeed("stats", "in.exr")
+        self.assertNotIn("nan", text)
+        self.assertRegex(text, r"(?m)^  skewness +none  all pixels are equal$")
+        self.render("--phasor")
+        spectrum = self.stats("in.exr", "--channel=intensity")["spectrum"]
+        self.assertEqual((spectrum["peak_frequency"], spectrum["peak_orientation"]), (None, None))
+        self.assertRegex(self.succeed("stats", "in.exr", "--channel=intensity"), r"(?m)^  peak frequency +none  ")
 
 
 class Foreign(StatsTest):

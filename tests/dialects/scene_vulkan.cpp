@@ -19,7 +19,8 @@ int main(int, char** argv) {
     const Pass pass(device, spirv, {});
     const Buffer values(device, 256 * 257 * sizeof(float), Memory::readback);
     Job job(device, pass, {values});
-    job.submit({}, {.x = 256 / 8, .y = 257});
+    const Job::Dispatch dispatch{{}, {.x = 256 / 8, .y = 257}};
+    job.submit(std::span(&dispatch, 1));
     job.wait();
 
     std::cout << device.info().name << '\n';

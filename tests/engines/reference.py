@@ -112,8 +112,12 @@ def values(scene):
 
 
 def largest_difference(scene, drawn):
-    """From the scene, with its row and column; a value that is no number is the largest of all."""
-    difference = np.abs(np.asarray(drawn, np.float64).reshape(HEIGHT, WIDTH) - values(scene))
+    """From the scene, with its row and column; a value that is no number is the largest of all. Where there is no
+    gabor_noise_at its row may be left out."""
+    drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
+    if len(drawn) not in (HEIGHT - 1, HEIGHT):
+        raise ValueError(f"{len(drawn)} rows")
+    difference = np.abs(drawn - values(scene)[:len(drawn)])
     difference[np.isnan(difference)] = np.inf
     place = np.unravel_index(difference.argmax(), difference.shape)
     return difference[place], place

@@ -18,6 +18,7 @@ FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_lattice": ["gabor_lattice", "gabor_spectrum"],
     "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
+    "gabor_materials": ["gabor_lattice", "gabor_spectrum", "gabor_materials"],
 }
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
@@ -25,14 +26,13 @@ LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--j
 RECIPES = {
     "gabor_noise": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_noise.glsl"},
-        "native sine": {"GABOR_NATIVE_SINE": "1"},
-        "lobes": {"GABOR_LOBES": "6"},
     },
     "gabor_lattice": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_lattice.glsl"},
         "lobes": {"GABOR_LOBES": "6"},
     },
     "gabor_lattice_3d": {"default": {}},
+    "gabor_materials": {"default": {}},
 }
 
 # What a macro must not be, and what the compiler's log then says.
@@ -42,11 +42,9 @@ BAD_MACROS = {
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES is a power of two *, from 2 to 256"),
         ("GABOR_PHASES", "512", "GABOR_PHASES is a power of two *, from 2 to 256"),
-        ("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1"),
-        ("GABOR_RADIUS", "1", "gabor_impl_macro_must_be_a_float"),
-        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macro_must_be_a_float"),
-        ("GABOR_WINDOW", "1.0", "gabor_impl_macro_must_be_a_vec3"),
-        ("GABOR_NATIVE_SINE", "1.0", "gabor_impl_macro_must_be_an_int"),
+        ("GABOR_RADIUS", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
     ],
     "gabor_lattice": [
         ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
@@ -54,6 +52,7 @@ BAD_MACROS = {
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
     ],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
+    "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
 }
 
 # The functions to call, with values that no compiler can fold.
@@ -62,11 +61,11 @@ USE = """
     float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
     vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
     vec2 phasor = gabor_phasor(gabor_noise_complex(p, 4.0, 0.7854, 7u));
-    vec4 four = gabor_noise_four(p, 4.0, 0.7854, 7u);
-    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y + four.x + four.y + four.z + four.w
+    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y
            + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
 """
 SPECTRA = """
+    noise += dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4(1.0));
     GaborLobes lobes;
     for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
@@ -77,15 +76,7 @@ SPECTRA = """
 #endif
 """
 USE_MORE = {
-    "gabor_noise": """
-    GaborLobes lobes;
-    for (int i = 0; i < GABOR_LOBES; ++i)
-        lobes.lobe[i] = gabor_lobe(p.x, p.y, 0.0, 0.0, 1.0);
-    lobes.count = GABOR_LOBES;
-    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u)
-           + gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u)
-           + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
-""",
+    "gabor_noise": "",
     "gabor_lattice": SPECTRA,
     "gabor_lattice_3d": SPECTRA + """
     vec3 q = vec3(p, 0.3);
@@ -94,6 +85,9 @@ USE_MORE = {
            + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
            + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
 """,
+    "gabor_materials": "".join(
+        f"    noise += {material}(p, 7u).colour.x + {material}_filtered(p, p, p.yx, 7u).height;\n"
+        for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(", SOURCES["gabor_materials"], re.MULTILINE)),
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
            "    color = vec4(gabor_unorm(noise));\n}}\n"
@@ -170,8 +164,8 @@ class Dialects(unittest.TestCase):
 
     def test_they_say_what_must_come_before(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
-        for name in ("gabor_spectrum", "gabor_lattice_3d"):
-            with self.subTest(name), self.assertRaisesRegex(AssertionError, "Include gabor_lattice . glsl before"):
+        for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials"):
+            with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_lattice . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_both_at_once_are_an_error_that_says_so(self):

@@ -52,7 +52,7 @@ TEST_CASE("a report holds what its parts measure") {
     CHECK(report.moments.mean() == Approx(moments.mean()).epsilon(1e-12));
     CHECK(report.moments.excess_kurtosis() == Approx(moments.excess_kurtosis()).epsilon(1e-9));
     CHECK(report.spectrum->power == Approx(moments.variance()).epsilon(0.05));
-    CHECK(report.spectrum->peak_frequency == Approx(std::hypot(0.2, 0.1)).epsilon(0.02));
+    CHECK(report.spectrum->peak->frequency == Approx(std::hypot(0.2, 0.1)).epsilon(0.02));
     Blocks blocks(side, side, reference);
     for (int y = 0; y < side; ++y)
         blocks.add(0, y, std::span(picture).subspan(static_cast<std::size_t>(y * side), side));

@@ -47,10 +47,10 @@ TEST_CASE("a plane wave in white noise is found at its frequency and orientation
         {{0.1, 0.0}, {0.0, 0.123}, {0.0817, 0.0433}, {0.0817, -0.0433}, {-0.21, 0.3}, {0.4, 0.4}}));
     const SpectrumSummary summary = spectrum_of(wave(300, 200, fx, fy, 0.5, 1), 300, 200);
     INFO("wave " << fx << ", " << fy);
-    CHECK(summary.peak_frequency == Approx(std::hypot(fx, fy)).margin(0.0005));
-    CHECK(std::remainder(summary.peak_orientation - degrees(fx, fy), 180) == Approx(0).margin(0.3));
-    CHECK(summary.peak_orientation >= 0);
-    CHECK(summary.peak_orientation < 180);
+    CHECK(summary.peak->frequency == Approx(std::hypot(fx, fy)).margin(0.0005));
+    CHECK(std::remainder(summary.peak->orientation - degrees(fx, fy), 180) == Approx(0).margin(0.3));
+    CHECK(summary.peak->orientation >= 0);
+    CHECK(summary.peak->orientation < 180);
     CHECK(summary.power == Approx(1.125).epsilon(0.02));
 }
 
@@ -106,8 +106,8 @@ TEST_CASE("a noise of known lobe has that lobe's frequency, orientation, width a
     moments.add(picture);
     const SpectrumSummary summary = spectrum_of(picture, side, side);
     INFO("lobe " << fx << ", " << fy);
-    CHECK(summary.peak_frequency == Approx(std::hypot(fx, fy)).epsilon(0.005));
-    CHECK(summary.peak_orientation == Approx(degrees(fx, fy)).margin(0.3));
+    CHECK(summary.peak->frequency == Approx(std::hypot(fx, fy)).epsilon(0.005));
+    CHECK(summary.peak->orientation == Approx(degrees(fx, fy)).margin(0.3));
     CHECK(summary.bandwidth == Approx(samples::lobe_width(spread)).epsilon(0.03));
     CHECK(summary.power == Approx(moments.variance()).epsilon(0.025));
     // 2 sqrt(integral of exp(-d^2 / (2 spread^2)) cos^2) = 2 sqrt(pi) spread

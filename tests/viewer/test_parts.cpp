@@ -29,7 +29,7 @@ TEST_CASE("points continue across the end of the world") {
     for (const double radius : {1.0, 1.5}) {
         const Coordinate end{static_cast<std::int64_t>(2147483648.0 / radius) - 1, 0.25};
         std::vector<passes::Line> points;
-        add_points(points, end, 400, 32, 1, radius);
+        add_points(points, end, 400, 32, 1, {radius});
         for (std::size_t i = 1; i < points.size(); ++i) {
             const auto cells =
                 static_cast<std::uint32_t>(points[i].cell) - static_cast<std::uint32_t>(points[i - 1].cell);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "image/output_file.hpp"
+
+#include <ImfIO.h>
+
+#include <exception>
+
+namespace gabor::image {
+
+/// Level of the compressions zip and zips: on noise twice as fast as the default, and no larger.
+inline constexpr int exr_zip_level = 1;
+
+/// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
+/// completes the table of offsets, swallows it.
+class ExrStream final : public Imf::OStream {
+  public:
+    explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
+
+    void write(const char* bytes, int count) override {
+        attempt([&] { file_.write(std::as_bytes(std::span(bytes, static_cast<std::size_t>(count)))); });
+    }
+    std::uint64_t tellp() override { return file_.position(); }
+    void seekp(std::uint64_t position) override {
+        attempt([&] { file_.seek(position); });
+    }
+
+    void rethrow_failure() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+  private:
+    template <class Action>
+    void attempt(Action action) {
+        try {
+            action();
+        } catch (...) {
+            failure_ = std::current_exception();
+            throw;
+        }
+    }
+
+    OutputFile& file_;
+    std::exception_ptr failure_;
+};
+
+} // namespace gabor::image

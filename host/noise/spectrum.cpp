@@ -1,0 +1,100 @@
+#include "noise/spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gabor::noise {
+
+namespace {
+
+// gabor_lobe_seed of shaders/gabor_lattice.glsl.
+std::uint32_t lobe_seed(std::uint32_t seed, int index) {
+    std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
+    word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
+}
+
+// A part of a range of waves.
+struct Piece {
+    double place; // of its middle in the range, from -1 to 1
+    double share; // of the range's power
+    int index;    // for its seed
+};
+
+// As many as the whole part of `count` says; as its rest goes from 0.8 to 1 they give way to one more, so
+// that the noise is continuous in `count`.
+std::vector<Piece> pieces(double count) {
+    const int fewer = static_cast<int>(count);
+    const double share = std::min(5 - 5 * (count - fewer), 1.0);
+    std::vector<Piece> all;
+    for (const int n : {fewer, fewer + 1}) {
+        const double part = n == fewer ? share : 1 - share;
+        for (int i = 0; i < n && part > 0; ++i)
+            all.push_back({(2.0 * i + 1) / n - 1, part / n, i + n % 2 * 64});
+    }
+    return all;
+}
+
+// Kernels have a bandwidth, in proportion to the inverse of their radius, which fills the gaps: so many
+// pieces are even.
+std::vector<Piece> frequencies(const Lobe& lobe) {
+    return pieces(std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.radius + 0.8, 1.0, 16.0));
+}
+
+std::vector<Piece> orientations(const Lobe& lobe, double frequency) {
+    const double quarters = lobe.orientation_spread / 90;
+    return pieces(std::clamp(quarters * (4.44 * frequency * lobe.radius + 0.6) + 0.8, 1.0, 64.0));
+}
+
+void add_lobe(std::vector<Wave>& waves, const Lobe& lobe, double share, std::uint32_t seed, bool in_space) {
+    if (lobe.is_one_wave()) {
+        waves.push_back({lobe.frequency, lobe.angle(), lobe.radius, share, seed});
+        return;
+    }
+    const bool isotropic = in_space && lobe.orientation_spread == 90;
+    for (const Piece& along : frequencies(lobe)) {
+        const double frequency = lobe.frequency * (1 + lobe.frequency_spread * along.place);
+        if (isotropic) {
+            const std::uint32_t own = lobe.frequency_spread == 0 ? seed : lobe_seed(seed, 128 * along.index);
+            waves.push_back({frequency, 0, lobe.radius, share * along.share, own, true});
+            continue;
+        }
+        for (const Piece& around : orientations(lobe, frequency))
+            waves.push_back({frequency, lobe.angle() + radians(lobe.orientation_spread) * around.place,
+                             lobe.radius, share * along.share * around.share,
+                             lobe_seed(seed, 128 * along.index + around.index)});
+    }
+}
+
+std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in_space) {
+    double power = 0;
+    for (const Lobe& lobe : lobes)
+        power += lobe.power;
+    std::vector<Wave> all;
+    for (std::size_t i = 0; i < lobes.size(); ++i)
+        if (lobes[i].power > 0)
+            add_lobe(all, lobes[i], lobes[i].power / power,
+                     lobes.size() == 1 ? seed : lobe_seed(seed, static_cast<int>(i)), in_space);
+    return all;
+}
+
+} // namespace
+
+std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed) {
+    return waves(lobes, seed, false);
+}
+
+std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
+    return waves(lobes, seed, true);
+}
+
+std::vector<double> radii(std::span<const Wave> waves) {
+    std::vector<double> all;
+    for (const Wave& wave : waves)
+        if (std::ranges::find(all, wave.radius) == all.end())
+            all.push_back(wave.radius);
+    return all;
+}
+
+} // namespace gabor::noise

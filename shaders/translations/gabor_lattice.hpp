@@ -1,0 +1,740 @@
+// gabor_lattice.hpp: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice: for C++ on the CPU.
+//
+// Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+//
+// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
+// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
+// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
+// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+// and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
+// derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
+// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
+// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifdef GABOR_NOISE_HPP
+#error Include gabor_noise.hpp or gabor_lattice.hpp, not both: they define the same functions
+#endif
+#ifndef GABOR_LATTICE_HPP
+#define GABOR_LATTICE_HPP
+
+// ---- GLSL's vectors, as much of them as the noise uses
+// -------------------------------------------------------------
+
+#ifndef GABOR_VECTORS_HPP
+#define GABOR_VECTORS_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// All is inlined: only then do compilers make vectors of a loop over points.
+#if defined(__GNUC__)
+#define GABOR_INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define GABOR_INLINE __forceinline
+#else
+#define GABOR_INLINE inline
+#endif
+
+template <typename T, int N>
+struct gabor_vector;
+
+template <typename T>
+struct gabor_vector<T, 2> {
+    T x, y;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_) : x(x_), y(y_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 2> v) : x(T(v.x)), y(T(v.y)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : y; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : y; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+};
+
+template <typename T>
+struct gabor_vector<T, 3> {
+    T x, y, z;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_) : x(v.x), y(v.y), z(z_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 3> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+    GABOR_INLINE gabor_vector<T, 2> yz() const { return {y, z}; }
+    GABOR_INLINE void set_xy(gabor_vector<T, 2> v) { x = v.x, y = v.y; }
+};
+
+template <typename T>
+struct gabor_vector<T, 4> {
+    T x, y, z, w;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_, T w_) : x(v.x), y(v.y), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, gabor_vector<T, 2> u) : x(v.x), y(v.y), z(u.x), w(u.y) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 3> v, T w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all), w(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 4> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)), w(T(v.w)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> zw() const { return {z, w}; }
+    GABOR_INLINE gabor_vector<T, 3> xyz() const { return {x, y, z}; }
+};
+
+using gabor_vec2 = gabor_vector<float, 2>;
+using gabor_vec3 = gabor_vector<float, 3>;
+using gabor_vec4 = gabor_vector<float, 4>;
+using gabor_ivec2 = gabor_vector<int, 2>;
+using gabor_ivec3 = gabor_vector<int, 3>;
+using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
+using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
+
+// A function of vectors of one length, part by part; R is the type of its results' parts.
+#define GABOR_EACH(name, R, function)                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \
+        return {function(a.x), function(a.y)};                                                               \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z)};                                                \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z), function(a.w)};                                 \
+    }
+#define GABOR_EACH_2(name, R, function)                                                                      \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a, gabor_vector<T, 2> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y)};                                                     \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a, gabor_vector<T, 3> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z)};                                 \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a, gabor_vector<T, 4> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z), function(a.w, b.w)};             \
+    }
+#define GABOR_OPERATOR(op, function)                                                                         \
+    GABOR_EACH_2(operator op, T, function)                                                                   \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> a, T b) {                                 \
+        return a op gabor_vector<T, N>(b);                                                                   \
+    }                                                                                                        \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(T a, gabor_vector<T, N> b) {                                 \
+        return gabor_vector<T, N>(a) op b;                                                                   \
+    }                                                                                                        \
+    template <typename T, int N, typename U>                                                                 \
+    GABOR_INLINE gabor_vector<T, N>& operator op##=(gabor_vector<T, N>& a, U b) {                            \
+        return a = a op b;                                                                                   \
+    }
+#define GABOR_PLUS(a, b) (a) + (b)
+#define GABOR_MINUS(a, b) (a) - (b)
+#define GABOR_TIMES(a, b) (a) * (b)
+#define GABOR_OVER(a, b) (a) / (b)
+#define GABOR_NEGATIVE(a) -(a)
+#define GABOR_BELOW(a, b) (a) < (b)
+#define GABOR_UNEQUAL(a, b) (a) != (b)
+GABOR_OPERATOR(+, GABOR_PLUS)
+GABOR_OPERATOR(-, GABOR_MINUS)
+GABOR_OPERATOR(*, GABOR_TIMES)
+GABOR_OPERATOR(/, GABOR_OVER)
+GABOR_EACH(operator-, T, GABOR_NEGATIVE)
+GABOR_EACH_2(operator<, bool, GABOR_BELOW)
+GABOR_EACH_2(operator!=, bool, GABOR_UNEQUAL)
+
+GABOR_INLINE bool gabor_cpp_all(gabor_vector<bool, 2> v) {
+    return v.x && v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 2> v) {
+    return v.x || v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
+    return v.x || v.y || v.z;
+}
+
+// condition ? a : b, without a branch, at which compilers would give up making vectors.
+GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
+    std::uint32_t x, y;
+    std::memcpy(&x, &a, sizeof x);
+    std::memcpy(&y, &b, sizeof y);
+    const std::uint32_t mask = std::uint32_t(-int(condition));
+    x = (x & mask) | (y & ~mask);
+    std::memcpy(&a, &x, sizeof a);
+    return a;
+}
+
+// std::floor is a call where the processor has no instruction for it; and beyond 2^23 all floats are
+// integers.
+GABOR_INLINE float gabor_cpp_floor(float x) {
+    const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    const float whole = float(int(near));
+    return gabor_cpp_choose(near == x, whole - gabor_cpp_choose(whole > near, 1.0f, 0.0f), x);
+}
+GABOR_INLINE float gabor_cpp_ceil(float x) {
+    return -gabor_cpp_floor(-x);
+}
+GABOR_INLINE float gabor_cpp_fract(float x) {
+    return x - gabor_cpp_floor(x);
+}
+GABOR_INLINE float gabor_cpp_abs(float x) {
+    return std::fabs(x);
+}
+GABOR_INLINE float gabor_cpp_sqrt(float x) {
+    return std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_min(float a, float b) {
+    return gabor_cpp_choose(b < a, b, a);
+}
+GABOR_INLINE float gabor_cpp_max(float a, float b) {
+    return gabor_cpp_choose(a < b, b, a);
+}
+GABOR_INLINE int gabor_cpp_min(int a, int b) {
+    return b < a ? b : a;
+}
+GABOR_INLINE int gabor_cpp_max(int a, int b) {
+    return a < b ? b : a;
+}
+GABOR_INLINE float gabor_cpp_step(float edge, float x) {
+    return gabor_cpp_choose(x < edge, 0.0f, 1.0f);
+}
+GABOR_INLINE float gabor_cpp_sin(float x) {
+    return std::sin(x);
+}
+GABOR_INLINE float gabor_cpp_cos(float x) {
+    return std::cos(x);
+}
+GABOR_INLINE float gabor_cpp_exp(float x) {
+    return std::exp(x);
+}
+GABOR_INLINE float gabor_cpp_exp2(float x) {
+    return std::exp2(x);
+}
+GABOR_INLINE float gabor_cpp_log(float x) {
+    return std::log(x);
+}
+GABOR_INLINE float gabor_cpp_log2(float x) {
+    return std::log2(x);
+}
+GABOR_INLINE float gabor_cpp_pow(float x, float y) {
+    return std::pow(x, y);
+}
+GABOR_EACH(gabor_cpp_floor, T, gabor_cpp_floor)
+GABOR_EACH(gabor_cpp_fract, T, gabor_cpp_fract)
+GABOR_EACH(gabor_cpp_sin, T, gabor_cpp_sin)
+GABOR_EACH(gabor_cpp_cos, T, gabor_cpp_cos)
+GABOR_EACH(gabor_cpp_exp, T, gabor_cpp_exp)
+GABOR_EACH_2(gabor_cpp_step, T, gabor_cpp_step)
+GABOR_EACH_2(gabor_cpp_pow, T, gabor_cpp_pow)
+GABOR_EACH(gabor_cpp_ceil, T, gabor_cpp_ceil)
+GABOR_EACH(gabor_cpp_abs, T, gabor_cpp_abs)
+GABOR_EACH(gabor_cpp_sqrt, T, gabor_cpp_sqrt)
+GABOR_EACH_2(gabor_cpp_min, T, gabor_cpp_min)
+GABOR_EACH_2(gabor_cpp_max, T, gabor_cpp_max)
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_max(gabor_vector<T, N> a, T b) {
+    return gabor_cpp_max(a, gabor_vector<T, N>(b));
+}
+GABOR_INLINE float gabor_cpp_clamp(float x, float low, float high) {
+    return gabor_cpp_min(gabor_cpp_max(x, low), high);
+}
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_clamp(gabor_vector<T, N> v, T low, T high) {
+    return gabor_cpp_min(gabor_cpp_max(v, gabor_vector<T, N>(low)), gabor_vector<T, N>(high));
+}
+GABOR_INLINE float gabor_cpp_mix(float a, float b, float share) {
+    return a * (1.0f - share) + b * share;
+}
+template <typename T, int N, typename S>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_mix(gabor_vector<T, N> a, gabor_vector<T, N> b, S share) {
+    return a * (T(1) - share) + b * share;
+}
+GABOR_INLINE float gabor_cpp_smoothstep(float low, float high, float x) {
+    const float t = gabor_cpp_clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
+    return 1.0f / std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_atan(float y, float x) {
+    return std::atan2(y, x);
+}
+GABOR_INLINE float gabor_cpp_uintBitsToFloat(std::uint32_t bits) {
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec2 a, gabor_vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec3 a, gabor_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec4 a, gabor_vec4 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec2 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec3 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE gabor_vec2 gabor_cpp_normalize(gabor_vec2 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
+    return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
+
+// By columns.
+struct gabor_mat3 {
+    gabor_vec3 x, y, z;
+    GABOR_INLINE gabor_vec3& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vec3 operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+};
+GABOR_INLINE gabor_vec3 operator*(gabor_mat3 m, gabor_vec3 v) {
+    return v.x * m.x + v.y * m.y + v.z * m.z;
+}
+GABOR_INLINE gabor_mat3 operator*(gabor_mat3 m, gabor_mat3 n) {
+    return {m * n.x, m * n.y, m * n.z};
+}
+GABOR_INLINE gabor_mat3 operator+(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x + n.x, m.y + n.y, m.z + n.z};
+}
+GABOR_INLINE gabor_mat3 operator-(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x - n.x, m.y - n.y, m.z - n.z};
+}
+GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
+    return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+
+#undef GABOR_EACH
+#undef GABOR_EACH_2
+#undef GABOR_OPERATOR
+#undef GABOR_PLUS
+#undef GABOR_MINUS
+#undef GABOR_TIMES
+#undef GABOR_OVER
+#undef GABOR_NEGATIVE
+#undef GABOR_BELOW
+#undef GABOR_UNEQUAL
+#endif // GABOR_VECTORS_HPP
+
+// Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
+// function costs as many amplitudes as their square, and four and animated noise four and three times as many.
+#ifndef GABOR_TAPS
+#define GABOR_TAPS 3
+#endif
+#if GABOR_TAPS < 2 || GABOR_TAPS > 4
+#error GABOR_TAPS is 2, 3 or 4
+#endif
+#define GABOR_RADIUS (0.5f * float(GABOR_TAPS)) // R, nodes per kernel radius
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
+// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
+// the hash-prospector project).
+GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt)
+{
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// The seed of noise `index` of a sum: those of different indices are independent.
+GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index)
+{
+    return gabor_impl_mix(seed + std::uint32_t(index) * 0x85ebca6bu, 0x9e3779b1u);
+}
+
+// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
+// would have squares for words.
+#define GABOR_IMPL_ROWS 0x5bd1e995u
+GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed)
+{
+    return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
+}
+
+// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
+// 32 bits; GPUs multiply 24 bits at a quarter of the cost.
+GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt)
+{
+    std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return (word >> 8u) | 0x800001u;
+}
+
+GABOR_INLINE std::uint32_t gabor_impl_node_word(std::uint32_t column, std::uint32_t row)
+{
+    return column * row;
+}
+
+// Another word of the same node.
+GABOR_INLINE std::uint32_t gabor_impl_next_word(std::uint32_t word)
+{
+    return (word ^ (word >> 15u)) * 0xd35a2d97u;
+}
+
+// The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
+// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
+// the normal law. The cvm [TNVT19] of the noise is 0.03 at the worst place, a node, where its amplitude has 63 % of the
+// power, and 0.001 on average. The deviation of a part in units of 2^-93 / 0.623:
+#define GABOR_IMPL_DEVIATION 1.4599553e27f
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word)
+{
+    gabor_vec2 u = gabor_vec2(float(int(word)), float(int(word << 16u)));
+    return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
+}
+
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
+// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(gabor_vec2 time, gabor_vec2 a, gabor_vec2 b, gabor_vec2 c)
+{
+    return 0.5f * (a + b + time.x * (a - b)) + 0.70710678f * time.y * c;
+}
+
+// ---- Waves ---------------------------------------------------------------------------------------------------------
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
+{
+    t -= gabor_cpp_floor(t + 0.5f);
+    float y = gabor_cpp_abs(t) - 0.25f;
+    float s = y * y;
+    float r = s * s;
+    float cosine = (41.341655f * s - 6.2831852f) + r * ((76.549782f * s - 81.601004f) - 39.536707f * r);
+    float sine = (1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r);
+    return gabor_vec2(y * cosine, t < 0.0f ? -sine : sine);
+}
+
+// Product of complex numbers.
+GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b)
+{
+    return gabor_vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// ---- Windows -------------------------------------------------------------------------------------------------------
+
+// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
+// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
+struct GaborWindows {
+    gabor_vec4 value;
+    gabor_vec4 slope;
+};
+
+#if GABOR_TAPS == 2
+// The squares of two shifts of Hann's window do not sum to a constant. Those of 1 - s and s over the root of the sum of
+// their squares, with s = x^2 (3 - 2 x), do; but the variances of their derivatives vary.
+//   x   offset from the first node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.0f
+GABOR_INLINE GaborWindows gabor_impl_windows(float x)
+{
+    float s = x * x * (3.0f - 2.0f * x);
+    gabor_vec2 pair = gabor_vec2(1.0f - s, s);
+    float scale = gabor_cpp_inversesqrt(gabor_cpp_dot(pair, pair));
+    gabor_vec2 slope = (6.0f * x * (1.0f - x) * scale * scale * scale) * pair.yx();
+    return GaborWindows{gabor_vec4(scale * pair, 0.0f, 0.0f), gabor_vec4(-slope.x, slope.y, 0.0f, 0.0f)};
+}
+#elif GABOR_TAPS == 3
+//   x   offset from the second node, in [-1/2, 1/2) node spacings
+#define GABOR_IMPL_ENERGY 1.125f
+GABOR_INLINE GaborWindows gabor_impl_windows(float x)
+{
+    float s = x * x;
+    float c = 0.5f + s * (-1.0966099f + s * (0.40054826f - s * 0.05644487f));              // cos(2 pi x / 3) / 2
+    float b = x * (0.90689956f + s * (-0.66301124f + s * (0.14532053f - s * 0.01467483f))); // sqrt(3)/4 sin(2 pi x / 3)
+    float a = 0.5f - 0.5f * c;
+    float slope = 1.8137994f * b; // pi/4 sin(2 pi x / 3)
+    return GaborWindows{gabor_vec4(a - b, 0.5f + c, a + b, 0.0f),
+                        gabor_vec4(slope - 2.7206991f * c, -2.0f * slope, slope + 2.7206991f * c, 0.0f)};
+}
+#else
+//   x   offset from the second node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.5f
+GABOR_INLINE GaborWindows gabor_impl_windows(float x)
+{
+    x -= 0.5f;
+    float s = x * x;
+    float cosine = 0.35355338f + s * (-0.43617776f + s * (0.089660662f - s * 0.0072154454f));
+    float sine = x * (0.55536036f + s * (-0.22838239f + s * (0.028169686f - s * 0.0016236194f)));
+    gabor_vec2 c = gabor_vec2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
+    return GaborWindows{0.5f + gabor_vec4(-c.y, c.x, c.y, -c.x), 3.1415927f * gabor_vec4(-c.x, -c.y, c.x, c.y)};
+}
+#endif
+
+// ---- The sum -------------------------------------------------------------------------------------------------------
+
+// A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
+struct GaborKernel {
+    gabor_vec2 wave;   // F, cycles per kernel radius
+    gabor_vec2 step_x; // e^(2 pi i F.x / R): what a wave turns from one node to the next along x
+    gabor_vec2 step_y; // along y
+};
+
+// Where to evaluate, and how space and time close upon themselves.
+struct GaborPlace {
+    gabor_ivec2 cell;    // any integers, but for the last few before the world wraps around at 2^31
+    gabor_vec2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
+    gabor_vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
+    gabor_ivec2 period;  // in nodes, 0 for none
+    bool animated; // whether time counts
+    float time;    // in periods of time
+};
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
+// derivatives per kernel radius. Compilers leave out what is not used.
+struct GaborField {
+    gabor_vec2 value;
+    gabor_vec2 slope_x;
+    gabor_vec2 slope_y;
+    gabor_vec4 four; // four independent noises, the first the noise itself
+};
+
+// An index within a period.
+GABOR_INLINE int gabor_impl_wrap(int index, int period)
+{
+    if (period == 0)
+        return index;
+    int within = index - index / period * period;
+    return within < 0 ? within + period : within;
+}
+
+// The nodes of an axis that reach a point: their words, and what their amplitudes are multiplied with along it, h e and
+// h' e with e = exp(2 pi i F (x - x_i)), relative to the second node (for two taps, to the first).
+struct GaborAxis {
+    gabor_uvec4 word;
+    gabor_vec4 real;
+    gabor_vec4 imaginary;
+    gabor_vec4 slope_real;
+    gabor_vec4 slope_imaginary;
+};
+
+//   offset  from the node that waves are relative to, in node spacings
+//   step    e^(2 pi i F / R): what the wave turns from one node to the next
+GABOR_INLINE GaborAxis gabor_impl_axis(int first, float offset, int period, std::uint32_t salt, gabor_vec2 step)
+{
+#if GABOR_TAPS == 2
+    gabor_vec4 cosine = gabor_vec4(1.0f, step.x, 0.0f, 0.0f);
+    gabor_vec4 sine = gabor_vec4(0.0f, -step.y, 0.0f, 0.0f);
+#else
+    gabor_vec2 two = gabor_impl_product(step, step);
+    gabor_vec4 cosine = gabor_vec4(step.x, 1.0f, step.x, two.x);
+    gabor_vec4 sine = gabor_vec4(step.y, 0.0f, -step.y, -two.y);
+#endif
+    GaborWindows window = gabor_impl_windows(offset);
+    gabor_uvec4 word = gabor_uvec4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
+    return GaborAxis{word, window.value * cosine, window.value * sine, window.slope * cosine, window.slope * sine};
+}
+
+// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+struct GaborSum {
+    gabor_vec4 real;
+    gabor_vec4 imaginary;
+    gabor_vec2 slope_x;
+    gabor_vec2 slope_y;
+};
+
+// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
+//   time  cosine and sine of time
+GABOR_INLINE void gabor_impl_add_node(GaborSum& row, GaborAxis columns, int k, std::uint32_t row_word, bool animated, gabor_vec2 time)
+{
+    std::uint32_t word = gabor_impl_node_word(columns.word[k], row_word);
+    std::uint32_t second = gabor_impl_next_word(word);
+    std::uint32_t third = gabor_impl_next_word(second);
+    gabor_vec2 a = gabor_impl_amplitude(word);
+    gabor_vec2 b = gabor_impl_amplitude(second);
+    gabor_vec2 c = gabor_impl_amplitude(third);
+    gabor_vec2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
+    if (animated)
+        a = gabor_impl_amplitude_at(time, a, b, c);
+    gabor_vec4 real = gabor_vec4(a.x, b.x, c.x, d.x);
+    gabor_vec4 imaginary = gabor_vec4(a.y, b.y, c.y, d.y);
+    row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
+    row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
+    row.slope_x += gabor_impl_product(a, gabor_vec2(columns.slope_real[k], columns.slope_imaginary[k]));
+}
+
+// Adds row k.
+GABOR_INLINE void gabor_impl_add_row(GaborSum& sum, GaborAxis columns, GaborAxis rows, int k, bool animated, gabor_vec2 time)
+{
+    GaborSum row = GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
+    gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_node(row, columns, 2, rows.word[k], animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
+    gabor_vec2 factor = gabor_vec2(rows.real[k], rows.imaginary[k]);
+    {
+        sum.real += factor.x * row.real - factor.y * row.imaginary;
+        sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
+        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_y += gabor_impl_product(gabor_vec2(row.real.x, row.imaginary.x),
+                                          gabor_vec2(rows.slope_real[k], rows.slope_imaginary[k]));
+    }
+}
+
+// The noise at a place: what the functions below call.
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed)
+{
+    gabor_vec2 first = gabor_cpp_floor(place.local - GABOR_RADIUS) + 1.0f;
+    gabor_vec2 offset = place.local - first - (GABOR_TAPS == 2 ? 0.0f : 1.0f);
+    gabor_ivec2 node = place.cell + gabor_ivec2(first);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    GaborAxis columns = gabor_impl_axis(node.x, offset.x, place.period.x, salt, kernel.step_x);
+    GaborAxis rows = gabor_impl_axis(node.y, offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel.step_y);
+    gabor_vec2 base = gabor_impl_wave(gabor_cpp_dot(kernel.wave, offset * (1.0f / place.radius)));
+    gabor_vec2 time = gabor_impl_wave(place.time);
+    GaborSum sum = GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_impl_add_row(sum, columns, rows, 0, place.animated, time);
+    gabor_impl_add_row(sum, columns, rows, 1, place.animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_row(sum, columns, rows, 2, place.animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_row(sum, columns, rows, 3, place.animated, time);
+
+    // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
+    base *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x), base);
+    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    return GaborField{value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel.wave.x * turned,
+                      stretch.y * gabor_impl_product(sum.slope_y, base) + kernel.wave.y * turned,
+                      base.x * sum.imaginary + base.y * sum.real};
+}
+
+// ---- The functions to call -----------------------------------------------------------------------------------------
+
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
+GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
+{
+    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), false, 0.0f};
+}
+
+// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period)
+{
+    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
+    GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
+    if (period.x > 0.0f) {
+        place.period.x = int(nodes.x);
+        place.radius.x = nodes.x / period.x;
+    }
+    if (period.y > 0.0f) {
+        place.period.y = int(nodes.y);
+        place.radius.y = nodes.y / period.y;
+    }
+    place.local = p * place.radius;
+    return place;
+}
+
+// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+GABOR_INLINE GaborKernel gabor_kernel_stretched(GaborKernel kernel, gabor_vec2 radius)
+{
+    gabor_vec2 step = kernel.wave / radius;
+    return GaborKernel{kernel.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
+{
+    gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * orientation);
+    return gabor_kernel_stretched(GaborKernel{wave, gabor_vec2(0.0f), gabor_vec2(0.0f)}, gabor_vec2(GABOR_RADIUS));
+}
+
+// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed)
+{
+    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+}
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
+//                steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude is used, up to 10^6
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
+// turns about its own node. A slope of theirs adds to that of the noise.
+GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
+// have mean 0 and variance 1, and at one place are independent.
+GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
+GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
+}
+
+// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
+// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
+// step(phase, width). The phase of 0 is 0.
+GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
+{
+    float intensity = gabor_cpp_length(value);
+    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
+    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
+}
+
+// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
+// with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
+// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
+{
+    GaborPlace place = gabor_place_tiled(p, gabor_cpp_max(period, gabor_vec2(0.0009765625f)));
+    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
+    return gabor_field(place, kernel, seed).value.y;
+}
+
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
+// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed)
+{
+    GaborPlace place = GaborPlace{gabor_ivec2(0), p * GABOR_RADIUS, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), true, time};
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
+// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
+GABOR_INLINE float gabor_unorm(float noise)
+{
+    return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
+}
+
+#endif // GABOR_LATTICE_HPP

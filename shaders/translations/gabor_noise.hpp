@@ -1,0 +1,707 @@
+// gabor_noise.hpp: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. Paste or include it after
+// `#version`: GLSL 450, 330 core or 300 es. gabor_lattice.hpp has the same calls, is faster, and is normal at every
+// place: use this file for the paper's noise itself. The functions to call stand at its end. Every name begins with
+// gabor_, Gabor or GABOR_; those with gabor_impl_ are private: for C++ on the CPU.
+//
+// Made from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+//
+// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i))
+//
+// after Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019 [TNVT19]: with
+// a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
+// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifdef GABOR_LATTICE_HPP
+#error Include gabor_noise.hpp or gabor_lattice.hpp, not both: they define the same functions
+#endif
+#ifndef GABOR_NOISE_HPP
+#define GABOR_NOISE_HPP
+
+// ---- GLSL's vectors, as much of them as the noise uses
+// -------------------------------------------------------------
+
+#ifndef GABOR_VECTORS_HPP
+#define GABOR_VECTORS_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// All is inlined: only then do compilers make vectors of a loop over points.
+#if defined(__GNUC__)
+#define GABOR_INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define GABOR_INLINE __forceinline
+#else
+#define GABOR_INLINE inline
+#endif
+
+template <typename T, int N>
+struct gabor_vector;
+
+template <typename T>
+struct gabor_vector<T, 2> {
+    T x, y;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_) : x(x_), y(y_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 2> v) : x(T(v.x)), y(T(v.y)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : y; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : y; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+};
+
+template <typename T>
+struct gabor_vector<T, 3> {
+    T x, y, z;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_) : x(v.x), y(v.y), z(z_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 3> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+    GABOR_INLINE gabor_vector<T, 2> yz() const { return {y, z}; }
+    GABOR_INLINE void set_xy(gabor_vector<T, 2> v) { x = v.x, y = v.y; }
+};
+
+template <typename T>
+struct gabor_vector<T, 4> {
+    T x, y, z, w;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_, T w_) : x(v.x), y(v.y), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, gabor_vector<T, 2> u) : x(v.x), y(v.y), z(u.x), w(u.y) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 3> v, T w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all), w(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 4> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)), w(T(v.w)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> zw() const { return {z, w}; }
+    GABOR_INLINE gabor_vector<T, 3> xyz() const { return {x, y, z}; }
+};
+
+using gabor_vec2 = gabor_vector<float, 2>;
+using gabor_vec3 = gabor_vector<float, 3>;
+using gabor_vec4 = gabor_vector<float, 4>;
+using gabor_ivec2 = gabor_vector<int, 2>;
+using gabor_ivec3 = gabor_vector<int, 3>;
+using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
+using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
+
+// A function of vectors of one length, part by part; R is the type of its results' parts.
+#define GABOR_EACH(name, R, function)                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \
+        return {function(a.x), function(a.y)};                                                               \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z)};                                                \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z), function(a.w)};                                 \
+    }
+#define GABOR_EACH_2(name, R, function)                                                                      \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a, gabor_vector<T, 2> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y)};                                                     \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a, gabor_vector<T, 3> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z)};                                 \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a, gabor_vector<T, 4> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z), function(a.w, b.w)};             \
+    }
+#define GABOR_OPERATOR(op, function)                                                                         \
+    GABOR_EACH_2(operator op, T, function)                                                                   \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> a, T b) {                                 \
+        return a op gabor_vector<T, N>(b);                                                                   \
+    }                                                                                                        \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(T a, gabor_vector<T, N> b) {                                 \
+        return gabor_vector<T, N>(a) op b;                                                                   \
+    }                                                                                                        \
+    template <typename T, int N, typename U>                                                                 \
+    GABOR_INLINE gabor_vector<T, N>& operator op##=(gabor_vector<T, N>& a, U b) {                            \
+        return a = a op b;                                                                                   \
+    }
+#define GABOR_PLUS(a, b) (a) + (b)
+#define GABOR_MINUS(a, b) (a) - (b)
+#define GABOR_TIMES(a, b) (a) * (b)
+#define GABOR_OVER(a, b) (a) / (b)
+#define GABOR_NEGATIVE(a) -(a)
+#define GABOR_BELOW(a, b) (a) < (b)
+#define GABOR_UNEQUAL(a, b) (a) != (b)
+GABOR_OPERATOR(+, GABOR_PLUS)
+GABOR_OPERATOR(-, GABOR_MINUS)
+GABOR_OPERATOR(*, GABOR_TIMES)
+GABOR_OPERATOR(/, GABOR_OVER)
+GABOR_EACH(operator-, T, GABOR_NEGATIVE)
+GABOR_EACH_2(operator<, bool, GABOR_BELOW)
+GABOR_EACH_2(operator!=, bool, GABOR_UNEQUAL)
+
+GABOR_INLINE bool gabor_cpp_all(gabor_vector<bool, 2> v) {
+    return v.x && v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 2> v) {
+    return v.x || v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
+    return v.x || v.y || v.z;
+}
+
+// condition ? a : b, without a branch, at which compilers would give up making vectors.
+GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
+    std::uint32_t x, y;
+    std::memcpy(&x, &a, sizeof x);
+    std::memcpy(&y, &b, sizeof y);
+    const std::uint32_t mask = std::uint32_t(-int(condition));
+    x = (x & mask) | (y & ~mask);
+    std::memcpy(&a, &x, sizeof a);
+    return a;
+}
+
+// std::floor is a call where the processor has no instruction for it; and beyond 2^23 all floats are
+// integers.
+GABOR_INLINE float gabor_cpp_floor(float x) {
+    const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    const float whole = float(int(near));
+    return gabor_cpp_choose(near == x, whole - gabor_cpp_choose(whole > near, 1.0f, 0.0f), x);
+}
+GABOR_INLINE float gabor_cpp_ceil(float x) {
+    return -gabor_cpp_floor(-x);
+}
+GABOR_INLINE float gabor_cpp_fract(float x) {
+    return x - gabor_cpp_floor(x);
+}
+GABOR_INLINE float gabor_cpp_abs(float x) {
+    return std::fabs(x);
+}
+GABOR_INLINE float gabor_cpp_sqrt(float x) {
+    return std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_min(float a, float b) {
+    return gabor_cpp_choose(b < a, b, a);
+}
+GABOR_INLINE float gabor_cpp_max(float a, float b) {
+    return gabor_cpp_choose(a < b, b, a);
+}
+GABOR_INLINE int gabor_cpp_min(int a, int b) {
+    return b < a ? b : a;
+}
+GABOR_INLINE int gabor_cpp_max(int a, int b) {
+    return a < b ? b : a;
+}
+GABOR_INLINE float gabor_cpp_step(float edge, float x) {
+    return gabor_cpp_choose(x < edge, 0.0f, 1.0f);
+}
+GABOR_INLINE float gabor_cpp_sin(float x) {
+    return std::sin(x);
+}
+GABOR_INLINE float gabor_cpp_cos(float x) {
+    return std::cos(x);
+}
+GABOR_INLINE float gabor_cpp_exp(float x) {
+    return std::exp(x);
+}
+GABOR_INLINE float gabor_cpp_exp2(float x) {
+    return std::exp2(x);
+}
+GABOR_INLINE float gabor_cpp_log(float x) {
+    return std::log(x);
+}
+GABOR_INLINE float gabor_cpp_log2(float x) {
+    return std::log2(x);
+}
+GABOR_INLINE float gabor_cpp_pow(float x, float y) {
+    return std::pow(x, y);
+}
+GABOR_EACH(gabor_cpp_floor, T, gabor_cpp_floor)
+GABOR_EACH(gabor_cpp_fract, T, gabor_cpp_fract)
+GABOR_EACH(gabor_cpp_sin, T, gabor_cpp_sin)
+GABOR_EACH(gabor_cpp_cos, T, gabor_cpp_cos)
+GABOR_EACH(gabor_cpp_exp, T, gabor_cpp_exp)
+GABOR_EACH_2(gabor_cpp_step, T, gabor_cpp_step)
+GABOR_EACH_2(gabor_cpp_pow, T, gabor_cpp_pow)
+GABOR_EACH(gabor_cpp_ceil, T, gabor_cpp_ceil)
+GABOR_EACH(gabor_cpp_abs, T, gabor_cpp_abs)
+GABOR_EACH(gabor_cpp_sqrt, T, gabor_cpp_sqrt)
+GABOR_EACH_2(gabor_cpp_min, T, gabor_cpp_min)
+GABOR_EACH_2(gabor_cpp_max, T, gabor_cpp_max)
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_max(gabor_vector<T, N> a, T b) {
+    return gabor_cpp_max(a, gabor_vector<T, N>(b));
+}
+GABOR_INLINE float gabor_cpp_clamp(float x, float low, float high) {
+    return gabor_cpp_min(gabor_cpp_max(x, low), high);
+}
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_clamp(gabor_vector<T, N> v, T low, T high) {
+    return gabor_cpp_min(gabor_cpp_max(v, gabor_vector<T, N>(low)), gabor_vector<T, N>(high));
+}
+GABOR_INLINE float gabor_cpp_mix(float a, float b, float share) {
+    return a * (1.0f - share) + b * share;
+}
+template <typename T, int N, typename S>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_mix(gabor_vector<T, N> a, gabor_vector<T, N> b, S share) {
+    return a * (T(1) - share) + b * share;
+}
+GABOR_INLINE float gabor_cpp_smoothstep(float low, float high, float x) {
+    const float t = gabor_cpp_clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
+    return 1.0f / std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_atan(float y, float x) {
+    return std::atan2(y, x);
+}
+GABOR_INLINE float gabor_cpp_uintBitsToFloat(std::uint32_t bits) {
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec2 a, gabor_vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec3 a, gabor_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec4 a, gabor_vec4 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec2 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec3 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE gabor_vec2 gabor_cpp_normalize(gabor_vec2 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
+    return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
+
+// By columns.
+struct gabor_mat3 {
+    gabor_vec3 x, y, z;
+    GABOR_INLINE gabor_vec3& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vec3 operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+};
+GABOR_INLINE gabor_vec3 operator*(gabor_mat3 m, gabor_vec3 v) {
+    return v.x * m.x + v.y * m.y + v.z * m.z;
+}
+GABOR_INLINE gabor_mat3 operator*(gabor_mat3 m, gabor_mat3 n) {
+    return {m * n.x, m * n.y, m * n.z};
+}
+GABOR_INLINE gabor_mat3 operator+(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x + n.x, m.y + n.y, m.z + n.z};
+}
+GABOR_INLINE gabor_mat3 operator-(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x - n.x, m.y - n.y, m.z - n.z};
+}
+GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
+    return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+
+#undef GABOR_EACH
+#undef GABOR_EACH_2
+#undef GABOR_OPERATOR
+#undef GABOR_PLUS
+#undef GABOR_MINUS
+#undef GABOR_TIMES
+#undef GABOR_OVER
+#undef GABOR_NEGATIVE
+#undef GABOR_BELOW
+#undef GABOR_UNEQUAL
+#endif // GABOR_VECTORS_HPP
+
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+
+// ---- Recipe --------------------------------------------------------------------------------------------------------
+// Macros to define before the file; the defaults are the recipe `one`, README has a table of others.
+
+#ifndef GABOR_IMPULSES
+#define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
+#endif
+#ifndef GABOR_RADIUS
+#define GABOR_RADIUS 1.0f // R, cells per kernel radius: a float, at least 1; each axis visits ceil(2 R) + 1 cells
+#endif
+#ifndef GABOR_WEIGHT_FLOOR
+#define GABOR_WEIGHT_FLOOR 0.675f // A: a weight's magnitude is A or 1, equally likely: a float in [0, 1]
+#endif
+// Phases of impulses, evenly spread over a turn: a power of two up to 256. 2 is a sine kernel, which integrates to 0.
+#ifndef GABOR_PHASES
+#define GABOR_PHASES 256
+#endif
+#ifndef GABOR_WINDOW
+#define GABOR_WINDOW gabor_vec3(3.0f, -4.5f, 2.5f) // c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2
+#endif
+#ifndef GABOR_UNROLL
+#define GABOR_UNROLL // before each loop over impulses: [[unroll]] (GL_EXT_control_flow_attributes), [unroll] (HLSL)
+#endif
+
+#ifndef GABOR_UNCHECKED // defined where the macros are constants that #if cannot know
+#if GABOR_IMPULSES < 1
+#error GABOR_IMPULSES is an int, at least 1
+#endif
+#if GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0
+#error GABOR_PHASES is a power of two, from 2 to 256
+#endif
+#endif
+GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window)
+{
+}
+GABOR_INLINE void gabor_impl_check_macros() // a macro of another type ends in an error here
+{
+    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
+                                                       GABOR_WINDOW);
+}
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+#define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u // odd, and spreads consecutive cells over all 32 bits
+
+// A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
+// The salt enters between them, so that the sequences of two salts share no run.
+GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt)
+{
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// From the word of a seed follow those of the rows of cells, and from them those of the impulses.
+GABOR_INLINE std::uint32_t gabor_impl_seed_word(std::uint32_t seed)
+{
+    return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
+}
+
+GABOR_INLINE std::uint32_t gabor_impl_row_word(int row, std::uint32_t seed_word)
+{
+    return gabor_impl_mix(std::uint32_t(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
+}
+
+// The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
+// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
+// of x: only offsets in x below 1/256 of a cell depend on y.
+GABOR_INLINE std::uint32_t gabor_impl_impulse_word(int column, std::uint32_t row_word, int index)
+{
+    std::uint32_t salt = row_word + std::uint32_t(index) * 0x85ebca6bu;
+    return gabor_impl_mix(std::uint32_t(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
+}
+
+// What an impulse's word says. Positions in the cell are plus 1, in [1, 2)^2, which takes no conversion from integers.
+struct GaborImpulse {
+    gabor_vec2 position_plus_one;
+    float phase;      // turns
+    float phase_rate; // turns while time goes by 1: -4 to -1 or 1 to 4
+    float magnitude;  // of the weight
+};
+
+GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word)
+{
+    gabor_vec2 position_plus_one = gabor_vec2(gabor_cpp_uintBitsToFloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
+                                  gabor_cpp_uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
+    float rate = float((word >> 8u) & 7u) - 4.0f;
+    return GaborImpulse{position_plus_one, gabor_cpp_fract(position_plus_one.y * (8388608.0f / float(GABOR_PHASES))),
+                        rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
+}
+
+// sin(2 pi t) by t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1], and as t is rounded beyond.
+GABOR_INLINE float gabor_impl_sine(float t)
+{
+    t = gabor_cpp_fract(t) - 0.5f;
+    float s = t * t;
+    float p = 12.233303f * s - 38.123196f;
+    p = p * s + 67.0439f;
+    p = p * s - 64.83468f;
+    p = p * s + 25.13273f;
+    return t * (s - 0.25f) * p;
+}
+
+// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials, within 1e-7.
+GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle)
+{
+    float quarter = gabor_cpp_floor(angle * 0.63661977f + 0.5f);
+    float r = angle - quarter * 1.5703125f;
+    r -= quarter * 4.837512969970703e-4f;
+    r -= quarter * 7.549789948768648e-8f;
+    r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range, where no digit is left of it, any direction will do
+    float s = r * r;
+    float sine = r + r * s * (-0.16666654f + s * (8.3321608e-3f - s * 1.9515295e-4f));
+    float cosine = 1.0f - 0.5f * s + s * s * (4.1666645e-2f + s * (-1.3887316e-3f + s * 2.4433157e-5f));
+    gabor_vec2 axis = gabor_cpp_fract(0.5f * quarter) < 0.25f ? gabor_vec2(cosine, sine) : gabor_vec2(-sine, cosine);
+    return gabor_cpp_fract(0.25f * quarter) < 0.375f ? axis : -axis;
+}
+
+// ---- Normalization -------------------------------------------------------------------------------------------------
+// With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
+// I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
+// Bessel function (Poisson's integral, DLMF 10.54.1). The five c_n I_n, whose sum is the integral of q^2:
+struct GaborEnergy {
+    gabor_vec4 e4567;
+    float e8;
+    float sum;
+};
+
+GABOR_INLINE GaborEnergy gabor_impl_energy()
+{
+    gabor_vec3 c = GABOR_WINDOW;
+    gabor_vec4 e4567 = gabor_vec4(256.0f / 315.0f, 512.0f / 693.0f, 2048.0f / 3003.0f, 4096.0f / 6435.0f)
+               * gabor_vec4(c.x * c.x, 2.0f * c.x * c.y, c.y * c.y + 2.0f * c.x * c.z, 2.0f * c.y * c.z);
+    float e8 = c.z * c.z * (65536.0f / 109395.0f);
+    return GaborEnergy{e4567, e8, gabor_cpp_dot(e4567, gabor_vec4(1.0f)) + e8};
+}
+
+// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
+// a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
+// series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
+//     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
+GABOR_INLINE float gabor_impl_relative_energy(float k, GaborEnergy energy)
+{
+    float a = 12.566371f * k;
+    float z = a * a;
+    gabor_vec4 d4567;
+    gabor_vec2 d78 = gabor_vec2(0.0f);
+    if (z < 64.0f) {
+        gabor_vec2 term = gabor_vec2(1.0f);
+        for (int i = 1; i <= 14; ++i) {
+            term *= -0.25f * z / (float(i) * (float(i) + gabor_vec2(7.5f, 8.5f)));
+            d78 -= term;
+        }
+        float d6 = d78.x + z * (1.0f - d78.y) * (1.0f / 255.0f);
+        float d5 = d6 + z * (1.0f - d78.x) * (1.0f / 195.0f);
+        d4567 = gabor_vec4(d5 + z * (1.0f - d6) * (1.0f / 143.0f), d5, d6, d78.x);
+    } else {
+        float y = 1.0f / z;
+        float l0 = gabor_impl_sine(2.0f * k) / a;
+        float l1 = 3.0f * y * (l0 - gabor_impl_sine(2.0f * k + 0.25f));
+        float l2 = 15.0f * y * (l1 - l0);
+        float l3 = 35.0f * y * (l2 - l1);
+        gabor_vec4 l;
+        l.x = 63.0f * y * (l3 - l2);
+        l.y = 99.0f * y * (l.x - l3);
+        l.z = 143.0f * y * (l.y - l.x);
+        l.w = 195.0f * y * (l.z - l.y);
+        d78.y = 1.0f - 255.0f * y * (l.w - l.z);
+        d4567 = 1.0f - l;
+    }
+    return (gabor_cpp_dot(energy.e4567, d4567) + energy.e8 * d78.y) / energy.sum;
+}
+
+// ---- Kernels -------------------------------------------------------------------------------------------------------
+struct GaborKernel { // see gabor_kernel
+    gabor_vec2 wave;             // wave vector, cycles per kernel radius
+    float amplitude;       // K
+    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
+};
+
+// The window q along one axis, 0 from |x| = 1 on, and its derivative.
+GABOR_INLINE gabor_vec2 gabor_impl_window(float x)
+{
+    gabor_vec3 c = GABOR_WINDOW;
+    float u = gabor_cpp_max(1.0f - x * x, 0.0f);
+    return gabor_vec2(u * u * (c.x + u * (c.y + u * c.z)), -2.0f * x * u * (2.0f * c.x + u * (3.0f * c.y + u * (4.0f * c.z))));
+}
+
+// Where and when to evaluate, and the periods of space.
+struct GaborPlace {
+    gabor_ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
+    gabor_vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
+    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    gabor_ivec2 period; // in cells, 0 for none
+    float time;   // in periods of time: only its fraction counts
+};
+
+// The noise, imaginary, and its quadrature, real, the same with cosines for sines. What is not used costs nothing.
+struct GaborField {
+    gabor_vec2 value;   // (real, imaginary), each of mean 0 and variance 1
+    gabor_vec2 slope_x; // their derivatives along x, per kernel radius
+    gabor_vec2 slope_y; // along y
+};
+
+// A cell's coordinate within a period.
+GABOR_INLINE int gabor_impl_wrap(int cell, int period)
+{
+    if (period == 0)
+        return cell;
+    int within = cell - cell / period * period;
+    return within < 0 ? within + period : within;
+}
+
+// Keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is multiplied by
+// 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time)
+{
+    if (GABOR_PHASES != 2 || time == 0.0f)
+        return 1.0f;
+    gabor_vec4 sines = gabor_vec4(gabor_impl_sine(time), gabor_impl_sine(2.0f * time),
+                      gabor_impl_sine(3.0f * time), gabor_impl_sine(4.0f * time));
+    float u = 0.5f * gabor_cpp_dot(sines, sines);
+    return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel.variance_factor) / kernel.variance_factor);
+}
+
+// ---- The functions to call -----------------------------------------------------------------------------------------
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
+GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
+{
+    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise. There are N R^2 impulses per unit area,
+// so by Campbell's theorem
+//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
+// With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
+GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
+{
+    gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency) > 1.0e-6f ? gabor_cpp_abs(frequency) : 1.0e-6f, 1.0e6f) * gabor_impl_direction(orientation);
+    GaborEnergy energy = gabor_impl_energy();
+    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float power = 0.5f + 0.5f * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
+    float amplitude = gabor_cpp_inversesqrt(0.5f * density * power * energy.sum * energy.sum);
+    if (GABOR_PHASES != 2)
+        return GaborKernel{wave, amplitude, 1.0f};
+    float x = gabor_impl_relative_energy(wave.x, energy);
+    float y = gabor_impl_relative_energy(wave.y, energy);
+    float variance_factor = x + y - x * y;
+    return GaborKernel{wave, amplitude * gabor_cpp_inversesqrt(variance_factor), variance_factor};
+}
+
+// The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed)
+{
+    int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
+    gabor_vec2 whole = gabor_cpp_floor(place.local);
+    gabor_vec2 local = place.local - whole;
+    gabor_vec2 first = gabor_cpp_floor(local - place.radius);
+    gabor_ivec2 cell = place.cell + gabor_ivec2(whole + first);
+    first -= 1.0f; // what position_plus_one adds
+    gabor_vec2 cell_side = 1.0f / place.radius;
+    float time = gabor_cpp_fract(place.time);
+    std::uint32_t seed_word = gabor_impl_seed_word(seed);
+    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GABOR_UNROLL for (int j = 0; j < visited; ++j) {
+        std::uint32_t row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
+        GABOR_UNROLL for (int i = 0; i < visited; ++i) {
+            int column = gabor_impl_wrap(cell.x + i, place.period.x);
+            GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
+                std::uint32_t word = gabor_impl_impulse_word(column, row_word, k);
+                GaborImpulse impulse = gabor_impl_impulse(word);
+                // The sum in the inner brackets is exact, which leaves one rounding.
+                gabor_vec2 d = (local - (impulse.position_plus_one + (first + gabor_vec2(float(i), float(j))))) * cell_side;
+                // Half of the impulses reach here. The branch also keeps compilers for CPUs from spilling registers.
+                if (gabor_cpp_max(gabor_cpp_abs(d.x), gabor_cpp_abs(d.y)) < 1.0f) {
+                    float turns = gabor_cpp_dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;
+                    gabor_vec2 x = gabor_impl_window(d.x);
+                    gabor_vec2 y = gabor_impl_window(d.y);
+                    gabor_vec2 wave = impulse.magnitude * gabor_vec2(gabor_impl_sine(turns + 0.25f), gabor_impl_sine(turns));
+                    // The derivative of e^(2 pi i F x) is 2 pi i F times it.
+                    gabor_vec2 turned = (6.2831853f * x.x * y.x) * gabor_vec2(-wave.y, wave.x);
+                    sum.value += (x.x * y.x) * wave;
+                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
+                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
+                }
+            }
+        }
+    }
+    // With fewer cells per radius there are fewer impulses.
+    float scale = kernel.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
+                * gabor_impl_phase_gain(kernel, time);
+    return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+}
+
+// gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed)
+{
+    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+}
+
+// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
+// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
+//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
+//                steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude is used, within [10^-6, 10^6]. Above 64 the positions of
+//                impulses are too coarse for the exact variance.
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
+//   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
+// turns about its own impulse. A slope of theirs adds to that of the noise.
+GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The noise at p, the imaginary part, with its quadrature, the real one, which has cosines for sines: at one place both
+// have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
+GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
+{
+    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
+// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
+GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
+{
+    float intensity = gabor_cpp_length(value);
+    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
+    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
+}
+
+// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
+// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
+// fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
+// square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
+{
+    period = gabor_cpp_max(period, gabor_vec2(2.0f));
+    gabor_vec2 cells = gabor_cpp_floor(period * GABOR_RADIUS);
+    gabor_vec2 radius = cells / period;
+    gabor_vec2 within = p - gabor_cpp_floor(p / period) * period;
+    GaborPlace place = GaborPlace{gabor_ivec2(0), within * radius, radius, gabor_ivec2(cells), 0.0f};
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
+// is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
+// a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed)
+{
+    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
+    place.time = time;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
+// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
+GABOR_INLINE float gabor_unorm(float noise)
+{
+    return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
+}
+
+#endif // GABOR_NOISE_HPP

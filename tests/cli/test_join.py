@@ -1,0 +1,121 @@
+"""`gabor join`: regions become, byte for byte, the picture that is rendered at once."""
+
+import pathlib
+import unittest
+
+from exr import Exr, write_exr
+from program import ProgramTest
+
+PICTURE = ["--size=96x75", "--scale=8", "--frequency=1.5", "--orientation=30"]
+STRIPS = ["0,0,96,32", "0,32,96,32", "0,64,96,11"]
+UNEVEN = ["0,0,96,13", "0,13,96,41", "0,54,96,21"]
+TILES = ["0,0,50,20", "50,0,46,33", "0,20,50,55", "50,33,20,42", "70,33,26,42"]
+
+
+class JoinTest(ProgramTest):
+    def render(self, name, *options):
+        self.succeed("render", "-o", name, *options)
+        return name
+
+    def regions(self, windows, *options):
+        return [self.render(f"region{i}.exr", *PICTURE, f"--region={window}", *options)
+                for i, window in enumerate(windows)]
+
+    def bytes(self, name):
+        return (self.folder / name).read_bytes()
+
+
+class Joined(JoinTest):
+    def test_every_tiling_in_every_compression(self):
+        # Strips whose blocks are those of the whole, strips whose are not, and tiles; the last in a mixed order.
+        tilings = {"none": (STRIPS, UNEVEN, TILES, ["0,0,96,75"]), "zip": (STRIPS, UNEVEN, TILES), "rle": (UNEVEN,),
+                   "zips": (UNEVEN,), "piz": (STRIPS, UNEVEN)}
+        for compression, all_windows in tilings.items():
+            option = f"--compression={compression}"
+            self.render("whole.exr", *PICTURE, option)
+            for windows in all_windows:
+                regions = self.regions(windows, option)
+                self.succeed("join", *regions[1:], regions[0], "-o", "joined.exr")
+                self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), (compression, windows))
+
+    def test_all_channels(self):
+        more = ["--gradient", "--quadrature", "--values=2"]
+        self.render("whole.exr", *PICTURE, *more)
+        for windows in (STRIPS, TILES):
+            self.succeed("join", *self.regions(windows, *more), "-o", "joined.exr")
+            self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), windows)
+
+    def test_more_rows_than_fit_a_band(self):
+        wide = ["--size=40000x230", "--scale=8"]
+        self.render("whole.exr", *wide)
+        halves = [self.render(f"half{x}.exr", *wide, f"--region={x},0,20000,230") for x in (0, 20000)]
+        self.succeed("join", *halves, "-o", "joined.exr")
+        self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"))
+
+    def test_it_says_what_it_made(self):
+        said = self.succeed("join", *self.regions(STRIPS), "-o", "joined.exr")
+        self.assertEqual(said, "joined.exr: 96 x 75 pixels, from 3 regions\n")
+
+
+class Refused(JoinTest):
+    def refuse(self, words, *regions):
+        (self.folder / "old.exr").write_text("older")
+        for output in ("old.exr", "new.exr"):
+            self.assert_refused(["cannot join", *words], "join", *regions, "-o", output)
+
+    def test_gaps(self):
+        for windows in (STRIPS, TILES):
+            regions = self.regions(windows)
+            for i, window in enumerate(windows):
+                corner = ",".join(window.split(",")[:2])
+                self.refuse([f"no region has the pixel {corner};"], *regions[:i], *regions[i + 1:])
+        self.refuse(["no region has the pixel 94,74;"], *self.regions(["0,0,96,74", "0,74,94,1"]))
+
+    def test_overlaps(self):
+        for windows in (["0,0,96,32", "0,31,96,44"], [*TILES, "60,40,1,1"], [*STRIPS, STRIPS[1]],
+                        ["0,0,50,75", "49,0,47,75"], ["0,10,96,65", "0,0,40,75", "40,0,56,10"]):
+            self.refuse(["overlap"], *self.regions(windows))
+        self.refuse(["'region0.exr' (0,0,96,32) and 'region1.exr' (0,31,96,44) overlap"],
+                    *self.regions(["0,0,96,32", "0,31,96,44"]))
+
+    def test_other_pictures(self):
+        regions = self.regions(STRIPS)
+        others = {"its parameters": ["--seed=8"], "its compression": ["--compression=zip"],
+                  "its channels": ["--gradient"]}
+        for words, options in others.items():
+            self.render("other.exr", *PICTURE, f"--region={STRIPS[2]}", *options)
+            self.refuse(["'other.exr' differs from 'region0.exr'", words], *regions[:2], "other.exr")
+        self.render("other.exr", "--size=96x76", *PICTURE[1:], "--region=0,64,96,12")
+        self.refuse(["the size of its picture"], *regions[:2], "other.exr")
+
+    def test_another_driver(self):
+        regions = self.regions(STRIPS)
+        path = self.folder / regions[1]
+        mine = Exr(path).attributes["software"][1]
+        self.assertIn(self.succeed("--version").strip().encode() + b", ", mine)
+        path.write_bytes(path.read_bytes().replace(mine, mine.upper()))
+        self.refuse([f"'region1.exr' was rendered by {mine.decode().upper()}, 'region0.exr' by {mine.decode()}"],
+                    *regions)
+
+    def test_what_is_no_region(self):
+        regions = self.regions(STRIPS)
+        write_exr(self.folder / "foreign.exr", {"Y": Exr(self.folder / regions[0]).pixels})
+        self.refuse(["'foreign.exr' has no 'gabor' attribute"], "foreign.exr", *regions[1:])
+        self.assert_refused(["missing.exr"], "join", *regions, "missing.exr", "-o", "new.exr")
+        self.assert_refused(["region0.exr", "is one of the regions"], "join", *regions, "-o", regions[0])
+        self.assert_refused(["-o"], "join", *regions)
+        self.assert_refused(["REGION"], "join", "-o", "new.exr")
+
+    def test_damaged_regions(self):
+        for windows in (STRIPS, TILES):
+            regions = self.regions(windows, "--compression=zip")
+            path = pathlib.Path(self.folder / regions[1])
+            path.write_bytes(path.read_bytes()[:-20])
+            self.assert_refused([regions[1], "truncated"], "join", *regions, "-o", "new.exr")
+
+    def test_a_full_disk(self):
+        self.assert_fails(1, ["/dev/full"], "join", *self.regions(STRIPS), "-o", "/dev/full")
+
+
+if __name__ == "__main__":
+    unittest.main()

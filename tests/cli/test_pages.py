@@ -1,0 +1,57 @@
+"""What README.md and docs promise of a call, tried out."""
+
+import json
+import pathlib
+import re
+import sys
+import types
+import unittest
+
+import numpy as np
+
+from exr import Exr
+from program import ProgramTest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "engines"))
+import reference  # noqa: E402
+
+README = (ROOT / "README.md").read_text()
+ENGINES = (ROOT / "docs" / "engines.md").read_text()
+
+
+class Readme(ProgramTest):
+    def test_its_example_is_a_typical_picture(self):
+        example = re.search(r"(?m)^ +build/release/gabor (render .*) -o noise\.exr$", README)[1]
+        self.succeed(*example.split(), "-o", "noise.exr")
+        stats = json.loads(self.succeed("stats", "noise.exr", "--json", "-"))
+        for name, truth in (("mean", 0), ("variance", 1)):
+            interval = stats[f"{name}_interval"]
+            self.assertTrue(interval["low"] < truth < interval["high"], (name, interval))
+        self.assertLess(abs(stats["cvm"]["value"]), stats["smallest_cvm"])
+
+
+class Engines(ProgramTest):
+    def test_every_snippet_draws_the_readmes_picture(self):
+        """The places at which each evaluates the noise, pixel by pixel as its engine counts them."""
+        side = 96
+        self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", "--frequency=4",
+                     "--orientation=45", "--seed=7")
+        picture = Exr(self.folder / "noise.exr").pixels
+        snippets = re.findall(r"gabor_noise\((.*) / 32\.0, 4\.0, 0\.7854, 7u\)", ENGINES)
+        self.assertGreater(len(snippets), 3)
+        x, down = np.meshgrid(np.arange(side) + 0.5, np.arange(side) + 0.5)
+        vec2 = lambda x, y: types.SimpleNamespace(x=x, y=y, xy=(x, y))
+        for snippet in snippets:
+            upwards = "gl_FragCoord" in snippet  # of OpenGL; others count from the top
+            place = eval(snippet.replace(".xy", ""), {
+                "gl_FragCoord": vec2(x, side - down), "FRAGCOORD": vec2(x, down), "position": vec2(x, down),
+                "vec2": vec2, "height": side})
+            drawn = reference.lattice((0, 0), 1.5 * place.x / 32, 1.5 * place.y / 32)
+            difference = np.abs(drawn - picture).max()
+            print(f"  {snippet}, y {'up' if upwards else 'down'}: differs by {difference:.1e}")
+            self.assertLess(difference, 1e-4, snippet)  # 0.7854 is not quite 45 degrees
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,61 @@
+// A text for Shadertoy, between what Shadertoy puts around it, drawn with WebGL 2 and nothing else.
+
+const VERTEX = `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
+const BEFORE = `#version 300 es
+precision highp float;
+precision highp int;
+precision mediump sampler3D;
+uniform vec3 iResolution;
+uniform float iTime;
+uniform vec4 iMouse;
+out vec4 shadertoy_out_color;
+`;
+const AFTER = `
+void main() {
+    vec4 color = vec4(0.0, 0.0, 0.0, 1.0);
+    mainImage(color, gl_FragCoord.xy);
+    shadertoy_out_color = vec4(color.xyz, 1.0);
+}`;
+
+function draw(gl, text, width, height) {
+    const program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, BEFORE + text + AFTER]]) {
+        const shader = gl.createShader(type);
+        gl.shaderSource(shader, source);
+        gl.compileShader(shader);
+        if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+            throw new Error(gl.getShaderInfoLog(shader));
+        gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    gl.useProgram(program);
+    gl.uniform3f(gl.getUniformLocation(program, "iResolution"), width, height, 1);
+    gl.viewport(0, 0, width, height);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+}
+
+// 256 x 256 values that mainImage gives to red.
+function redOf(gl, text) {
+    gl.getExtension("EXT_color_buffer_float");
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 256, 256);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+    draw(gl, text, 256, 256);
+    const pixels = new Float32Array(4 * 256 * 256);
+    gl.readPixels(0, 0, 256, 256, gl.RGBA, gl.FLOAT, pixels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return pixels.filter((_, index) => index % 4 === 0);
+}
+
+// Draws it into the canvas; the noise before gabor_unorm, and the name of the driver.
+function measure(canvas, text) {
+    const plain = text.replace("gabor_unorm(n)", "n");
+    if (plain === text)
+        throw new Error("the text shows no gabor_unorm(n)");
+    const gl = canvas.getContext("webgl2", { preserveDrawingBuffer: true });
+    const values = redOf(gl, plain);
+    draw(gl, text, canvas.width, canvas.height);
+    return { driver: gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL), values };
+}

@@ -1,0 +1,313 @@
+// ---- GLSL's vectors, as much of them as the noise uses
+// -------------------------------------------------------------
+
+#ifndef GABOR_VECTORS_HPP
+#define GABOR_VECTORS_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// All is inlined: only then do compilers make vectors of a loop over points.
+#if defined(__GNUC__)
+#define GABOR_INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define GABOR_INLINE __forceinline
+#else
+#define GABOR_INLINE inline
+#endif
+
+template <typename T, int N>
+struct gabor_vector;
+
+template <typename T>
+struct gabor_vector<T, 2> {
+    T x, y;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_) : x(x_), y(y_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 2> v) : x(T(v.x)), y(T(v.y)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : y; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : y; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+};
+
+template <typename T>
+struct gabor_vector<T, 3> {
+    T x, y, z;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_) : x(v.x), y(v.y), z(z_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 3> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
+    GABOR_INLINE gabor_vector<T, 2> yz() const { return {y, z}; }
+    GABOR_INLINE void set_xy(gabor_vector<T, 2> v) { x = v.x, y = v.y; }
+};
+
+template <typename T>
+struct gabor_vector<T, 4> {
+    T x, y, z, w;
+    gabor_vector() = default;
+    GABOR_INLINE gabor_vector(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_, T w_) : x(v.x), y(v.y), z(z_), w(w_) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, gabor_vector<T, 2> u) : x(v.x), y(v.y), z(u.x), w(u.y) {}
+    GABOR_INLINE gabor_vector(gabor_vector<T, 3> v, T w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all), w(all) {}
+    template <typename U>
+    GABOR_INLINE explicit gabor_vector(gabor_vector<U, 4> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)), w(T(v.w)) {}
+    GABOR_INLINE T& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE T operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
+    GABOR_INLINE gabor_vector<T, 2> zw() const { return {z, w}; }
+    GABOR_INLINE gabor_vector<T, 3> xyz() const { return {x, y, z}; }
+};
+
+using gabor_vec2 = gabor_vector<float, 2>;
+using gabor_vec3 = gabor_vector<float, 3>;
+using gabor_vec4 = gabor_vector<float, 4>;
+using gabor_ivec2 = gabor_vector<int, 2>;
+using gabor_ivec3 = gabor_vector<int, 3>;
+using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
+using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
+
+// A function of vectors of one length, part by part; R is the type of its results' parts.
+#define GABOR_EACH(name, R, function)                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \
+        return {function(a.x), function(a.y)};                                                               \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z)};                                                \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a) {                                             \
+        return {function(a.x), function(a.y), function(a.z), function(a.w)};                                 \
+    }
+#define GABOR_EACH_2(name, R, function)                                                                      \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a, gabor_vector<T, 2> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y)};                                                     \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 3> name(gabor_vector<T, 3> a, gabor_vector<T, 3> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z)};                                 \
+    }                                                                                                        \
+    template <typename T>                                                                                    \
+    GABOR_INLINE gabor_vector<R, 4> name(gabor_vector<T, 4> a, gabor_vector<T, 4> b) {                       \
+        return {function(a.x, b.x), function(a.y, b.y), function(a.z, b.z), function(a.w, b.w)};             \
+    }
+#define GABOR_OPERATOR(op, function)                                                                         \
+    GABOR_EACH_2(operator op, T, function)                                                                   \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> a, T b) {                                 \
+        return a op gabor_vector<T, N>(b);                                                                   \
+    }                                                                                                        \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(T a, gabor_vector<T, N> b) {                                 \
+        return gabor_vector<T, N>(a) op b;                                                                   \
+    }                                                                                                        \
+    template <typename T, int N, typename U>                                                                 \
+    GABOR_INLINE gabor_vector<T, N>& operator op##=(gabor_vector<T, N>& a, U b) {                            \
+        return a = a op b;                                                                                   \
+    }
+#define GABOR_PLUS(a, b) (a) + (b)
+#define GABOR_MINUS(a, b) (a) - (b)
+#define GABOR_TIMES(a, b) (a) * (b)
+#define GABOR_OVER(a, b) (a) / (b)
+#define GABOR_NEGATIVE(a) -(a)
+#define GABOR_BELOW(a, b) (a) < (b)
+#define GABOR_UNEQUAL(a, b) (a) != (b)
+GABOR_OPERATOR(+, GABOR_PLUS)
+GABOR_OPERATOR(-, GABOR_MINUS)
+GABOR_OPERATOR(*, GABOR_TIMES)
+GABOR_OPERATOR(/, GABOR_OVER)
+GABOR_EACH(operator-, T, GABOR_NEGATIVE)
+GABOR_EACH_2(operator<, bool, GABOR_BELOW)
+GABOR_EACH_2(operator!=, bool, GABOR_UNEQUAL)
+
+GABOR_INLINE bool gabor_cpp_all(gabor_vector<bool, 2> v) {
+    return v.x && v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 2> v) {
+    return v.x || v.y;
+}
+GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
+    return v.x || v.y || v.z;
+}
+
+// condition ? a : b, without a branch, at which compilers would give up making vectors.
+GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
+    std::uint32_t x, y;
+    std::memcpy(&x, &a, sizeof x);
+    std::memcpy(&y, &b, sizeof y);
+    const std::uint32_t mask = std::uint32_t(-int(condition));
+    x = (x & mask) | (y & ~mask);
+    std::memcpy(&a, &x, sizeof a);
+    return a;
+}
+
+// std::floor is a call where the processor has no instruction for it; and beyond 2^23 all floats are
+// integers.
+GABOR_INLINE float gabor_cpp_floor(float x) {
+    const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    const float whole = float(int(near));
+    return gabor_cpp_choose(near == x, whole - gabor_cpp_choose(whole > near, 1.0f, 0.0f), x);
+}
+GABOR_INLINE float gabor_cpp_ceil(float x) {
+    return -gabor_cpp_floor(-x);
+}
+GABOR_INLINE float gabor_cpp_fract(float x) {
+    return x - gabor_cpp_floor(x);
+}
+GABOR_INLINE float gabor_cpp_abs(float x) {
+    return std::fabs(x);
+}
+GABOR_INLINE float gabor_cpp_sqrt(float x) {
+    return std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_min(float a, float b) {
+    return gabor_cpp_choose(b < a, b, a);
+}
+GABOR_INLINE float gabor_cpp_max(float a, float b) {
+    return gabor_cpp_choose(a < b, b, a);
+}
+GABOR_INLINE int gabor_cpp_min(int a, int b) {
+    return b < a ? b : a;
+}
+GABOR_INLINE int gabor_cpp_max(int a, int b) {
+    return a < b ? b : a;
+}
+GABOR_INLINE float gabor_cpp_step(float edge, float x) {
+    return gabor_cpp_choose(x < edge, 0.0f, 1.0f);
+}
+GABOR_INLINE float gabor_cpp_sin(float x) {
+    return std::sin(x);
+}
+GABOR_INLINE float gabor_cpp_cos(float x) {
+    return std::cos(x);
+}
+GABOR_INLINE float gabor_cpp_exp(float x) {
+    return std::exp(x);
+}
+GABOR_INLINE float gabor_cpp_exp2(float x) {
+    return std::exp2(x);
+}
+GABOR_INLINE float gabor_cpp_log(float x) {
+    return std::log(x);
+}
+GABOR_INLINE float gabor_cpp_log2(float x) {
+    return std::log2(x);
+}
+GABOR_INLINE float gabor_cpp_pow(float x, float y) {
+    return std::pow(x, y);
+}
+GABOR_EACH(gabor_cpp_floor, T, gabor_cpp_floor)
+GABOR_EACH(gabor_cpp_fract, T, gabor_cpp_fract)
+GABOR_EACH(gabor_cpp_sin, T, gabor_cpp_sin)
+GABOR_EACH(gabor_cpp_cos, T, gabor_cpp_cos)
+GABOR_EACH(gabor_cpp_exp, T, gabor_cpp_exp)
+GABOR_EACH_2(gabor_cpp_step, T, gabor_cpp_step)
+GABOR_EACH_2(gabor_cpp_pow, T, gabor_cpp_pow)
+GABOR_EACH(gabor_cpp_ceil, T, gabor_cpp_ceil)
+GABOR_EACH(gabor_cpp_abs, T, gabor_cpp_abs)
+GABOR_EACH(gabor_cpp_sqrt, T, gabor_cpp_sqrt)
+GABOR_EACH_2(gabor_cpp_min, T, gabor_cpp_min)
+GABOR_EACH_2(gabor_cpp_max, T, gabor_cpp_max)
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_max(gabor_vector<T, N> a, T b) {
+    return gabor_cpp_max(a, gabor_vector<T, N>(b));
+}
+GABOR_INLINE float gabor_cpp_clamp(float x, float low, float high) {
+    return gabor_cpp_min(gabor_cpp_max(x, low), high);
+}
+template <typename T, int N>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_clamp(gabor_vector<T, N> v, T low, T high) {
+    return gabor_cpp_min(gabor_cpp_max(v, gabor_vector<T, N>(low)), gabor_vector<T, N>(high));
+}
+GABOR_INLINE float gabor_cpp_mix(float a, float b, float share) {
+    return a * (1.0f - share) + b * share;
+}
+template <typename T, int N, typename S>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_mix(gabor_vector<T, N> a, gabor_vector<T, N> b, S share) {
+    return a * (T(1) - share) + b * share;
+}
+GABOR_INLINE float gabor_cpp_smoothstep(float low, float high, float x) {
+    const float t = gabor_cpp_clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
+    return 1.0f / std::sqrt(x);
+}
+GABOR_INLINE float gabor_cpp_atan(float y, float x) {
+    return std::atan2(y, x);
+}
+GABOR_INLINE float gabor_cpp_uintBitsToFloat(std::uint32_t bits) {
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec2 a, gabor_vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec3 a, gabor_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+GABOR_INLINE float gabor_cpp_dot(gabor_vec4 a, gabor_vec4 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec2 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec3 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE gabor_vec2 gabor_cpp_normalize(gabor_vec2 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
+    return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
+
+// By columns.
+struct gabor_mat3 {
+    gabor_vec3 x, y, z;
+    GABOR_INLINE gabor_vec3& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    GABOR_INLINE gabor_vec3 operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+};
+GABOR_INLINE gabor_vec3 operator*(gabor_mat3 m, gabor_vec3 v) {
+    return v.x * m.x + v.y * m.y + v.z * m.z;
+}
+GABOR_INLINE gabor_mat3 operator*(gabor_mat3 m, gabor_mat3 n) {
+    return {m * n.x, m * n.y, m * n.z};
+}
+GABOR_INLINE gabor_mat3 operator+(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x + n.x, m.y + n.y, m.z + n.z};
+}
+GABOR_INLINE gabor_mat3 operator-(gabor_mat3 m, gabor_mat3 n) {
+    return {m.x - n.x, m.y - n.y, m.z - n.z};
+}
+GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
+    return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+
+#undef GABOR_EACH
+#undef GABOR_EACH_2
+#undef GABOR_OPERATOR
+#undef GABOR_PLUS
+#undef GABOR_MINUS
+#undef GABOR_TIMES
+#undef GABOR_OVER
+#undef GABOR_NEGATIVE
+#undef GABOR_BELOW
+#undef GABOR_UNEQUAL
+#endif // GABOR_VECTORS_HPP
