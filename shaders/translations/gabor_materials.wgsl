@@ -436,7 +436,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     kept = exp(-(min((2.5f * (_e195.x + _e197.y)), 40f)));
     let _e210 = top;
     let _e212 = kept;
-    light = mix(0.6f, smoothstep(-1.3f, 0.5f, _e210), _e212);
+    light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_4;
     if _e216 {
         local_15 = 1f;
@@ -462,7 +462,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e260 = kept;
     let _e264 = fibre_1;
     let _e268 = count_2;
-    let _e272 = gabor_impl_material(_e256, (((0.3f * mix(0.1f, _e259, _e260)) + (0.035f * _e264.y)) / _e268), 0.85f, 0f);
+    let _e272 = gabor_impl_material(_e256, (((0.3f * mix(0.146f, _e259, _e260)) + (0.035f * _e264.y)) / _e268), 0.85f, 0f);
     return _e272;
 }
 
@@ -479,6 +479,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var cells: f32;
     var shares: vec2<f32>;
     var kept_1: f32;
+    var blur: f32;
     var pebble: f32;
     var colour_3: vec3<f32>;
     var dome: f32;
@@ -528,31 +529,35 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     shares = (_e91 / (_e92 + (2.5f * vec2<f32>(_e94.z, _e96.z))));
     let _e103 = shares;
     let _e105 = shares;
-    kept_1 = (_e103.x * _e105.y);
-    let _e114 = cells;
-    let _e116 = fine;
-    let _e121 = kept_1;
-    pebble = mix(0.75f, smoothstep(-1.45f, -0.55f, (_e114 + (0.1f * _e116.y))), _e121);
-    let _e132 = pebble;
-    colour_3 = mix(vec3<f32>(0.04f, 0.014f, 0.007f), vec3<f32>(0.2f, 0.068f, 0.026f), vec3(_e132));
-    let _e136 = colour_3;
-    let _e137 = tone_2;
-    let _e139 = tone_2;
-    let _e142 = gabor_impl_tone(_e137.y, _e139.z, 0.14f);
-    let _e143 = fine;
-    let _e145 = fine;
-    let _e148 = gabor_impl_tone(_e143.x, _e145.z, 0.08f);
-    colour_3 = (_e136 * (_e142 * _e148));
-    let _e151 = kept_1;
-    let _e155 = cells;
-    dome = (_e151 * smoothstep(-1f, 3f, _e155));
-    let _e159 = colour_3;
-    let _e161 = pebble;
-    let _e164 = dome;
-    let _e168 = fine;
-    let _e174 = pebble;
-    let _e178 = gabor_impl_material(_e159, (((0.016f * _e161) + (0.013f * _e164)) + (0.0016f * _e168.y)), (0.55f - (0.15f * _e174)), 0f);
-    return _e178;
+    kept_1 = sqrt((_e103.x * _e105.y));
+    let _e111 = kept_1;
+    blur = (1f - _e111);
+    let _e117 = blur;
+    let _e121 = blur;
+    let _e123 = cells;
+    let _e125 = fine;
+    let _e130 = kept_1;
+    pebble = mix(0.806f, smoothstep((-1.45f - _e117), (-0.55f + _e121), (_e123 + (0.1f * _e125.y))), _e130);
+    let _e141 = pebble;
+    colour_3 = mix(vec3<f32>(0.04f, 0.014f, 0.007f), vec3<f32>(0.2f, 0.068f, 0.026f), vec3(_e141));
+    let _e145 = colour_3;
+    let _e146 = tone_2;
+    let _e148 = tone_2;
+    let _e151 = gabor_impl_tone(_e146.y, _e148.z, 0.14f);
+    let _e152 = fine;
+    let _e154 = fine;
+    let _e157 = gabor_impl_tone(_e152.x, _e154.z, 0.08f);
+    colour_3 = (_e145 * (_e151 * _e157));
+    let _e164 = cells;
+    let _e166 = kept_1;
+    dome = mix(0.236f, smoothstep(-1f, 3f, _e164), _e166);
+    let _e169 = colour_3;
+    let _e171 = pebble;
+    let _e174 = dome;
+    let _e178 = fine;
+    let _e184 = pebble;
+    let _e188 = gabor_impl_material(_e169, (((0.016f * _e171) + (0.013f * _e174)) + (0.0016f * _e178.y)), (0.55f - (0.15f * _e184)), 0f);
+    return _e188;
 }
 
 // A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
