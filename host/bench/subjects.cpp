@@ -9,6 +9,7 @@
 #include "passes/bench/recipe_lattice_3.h"
 #include "passes/bench/recipe_lattice_4.h"
 #include "passes/bench/seminal.h"
+#include "passes/bench/simplex.h"
 #include "passes/bench/space.h"
 #include "passes/bench/write.h"
 
@@ -72,6 +73,7 @@ std::vector<Subject> subjects() {
     add_drop_in(all);
     add_space(all);
     all.push_back({"gradient noise", 0, gradient_spirv});
+    all.push_back({"simplex noise", 0, simplex_spirv});
     all.push_back({"writing alone", 0, write_spirv});
     return all;
 }

@@ -58,12 +58,15 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
     const fit::Figures& figures = texture.figures;
     fmt::print("{}: {} lobes for {} x {} pixels, {}\n", options.output, texture.waves.size(), exemplar.width,
                exemplar.height, exemplar.channels == 1 ? "grey" : "colour");
-    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", figures.l1, figures.l2);
+    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", figures.l1,
+               figures.l2);
     fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", figures.autocorrelation,
                fit::furthest_lag);
     if (exemplar.structure > fit::Structure::limit)
-        fmt::print("  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, where Gaussian "
-                   "textures have 0.\n  Its random-phase noise has lost the edges and the things that it is made of: "
+        fmt::print("  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, "
+                   "where Gaussian "
+                   "textures have 0.\n  Its random-phase noise has lost the edges and the things that it is "
+                   "made of: "
                    "the fit will too.\n",
                    exemplar.structure);
     if (exemplar.alpha)
@@ -103,7 +106,8 @@ void fit_picture(const FitOptions& options) {
 void add_fit_command(CLI::App& app) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
-    command->add_option("IMAGE", options->image, "The photograph: PNG, JPEG or OpenEXR, at least 128x128 pixels")
+    command
+        ->add_option("IMAGE", options->image, "The photograph: PNG, JPEG or OpenEXR, at least 128x128 pixels")
         ->required();
     command
         ->add_option("-o,--output", options->output,
@@ -111,9 +115,10 @@ void add_fit_command(CLI::App& app) {
         ->type_name("FILE")
         ->required();
     command
-        ->add_option("--lobes", options->lobes,
-                     fmt::format("The most lobes that it may have, 1 to {}: each costs as much as a plain noise [{}]",
-                                 fit::most_lobes, options->lobes))
+        ->add_option(
+            "--lobes", options->lobes,
+            fmt::format("The most lobes that it may have, 1 to {}: each costs as much as a plain noise [{}]",
+                        fit::most_lobes, options->lobes))
         ->type_name("NUMBER");
     command
         ->add_option("--glsl", options->glsl,

@@ -58,7 +58,8 @@ AxisAtom axis_atom(double frequency, double radius) {
     const Eigen::ArrayXd phase = 2 * pi * frequency * lags;
     const Eigen::ArrayXd cosine = phase.cos();
     const Eigen::ArrayXd sine = phase.sin();
-    const Eigen::ArrayXd a = window * lags.unaryExpr([&](double t) { return kernel_correlation(t / radius); });
+    const Eigen::ArrayXd a =
+        window * lags.unaryExpr([&](double t) { return kernel_correlation(t / radius); });
     const Eigen::ArrayXd b = 2 * pi * lags * a;
     const Eigen::ArrayXd r =
         window * lags.unaryExpr([&](double t) { return -t / radius * correlation_slope(t / radius); });

@@ -15,7 +15,8 @@ void normalize(std::vector<Wave>& waves) {
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(components, components);
     for (const Wave& wave : waves)
         covariance += (wave.weight * wave.weight.adjoint()).real();
-    const Eigen::MatrixXd root = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(covariance).operatorInverseSqrt();
+    const Eigen::MatrixXd root =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(covariance).operatorInverseSqrt();
     for (Wave& wave : waves)
         wave.weight = root * wave.weight;
 }

@@ -6,8 +6,8 @@
 
 namespace gabor::fit {
 
-/// What weighs components against one another: each one's spectrum is divided by the root of its variance, so that
-/// weak ones count, and not as much as strong ones. A factor for each component of variance 1.
+/// What weighs components against one another: each one's spectrum is divided by the root of its variance, so
+/// that weak ones count, and not as much as strong ones. A factor for each component of variance 1.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
 /// Makes the covariance of the components the unit matrix, by the least change.

@@ -26,7 +26,8 @@ constexpr double least_share = 0.01;
 class Rows {
   public:
     Rows(const std::filesystem::path& path, bool as_grey)
-        : path_(path), picture_(image::open_picture(path)), as_grey_(as_grey && picture_->format().channels == 3),
+        : path_(path), picture_(image::open_picture(path)),
+          as_grey_(as_grey && picture_->format().channels == 3),
           row_(static_cast<std::size_t>(format().width) * static_cast<std::size_t>(format().channels)) {}
 
     const image::PictureReader::Format& format() const { return picture_->format(); }
@@ -109,7 +110,8 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
     for (int y = 0; y < exemplar.height; ++y) {
         const std::span<float> row = rows.next();
         exemplar.trend.subtract(y, row);
-        values.noalias() = map * Eigen::Map<const Eigen::MatrixXf>(row.data(), exemplar.channels, exemplar.width);
+        values.noalias() =
+            map * Eigen::Map<const Eigen::MatrixXf>(row.data(), exemplar.channels, exemplar.width);
         estimate.add_row({values.data(), static_cast<std::size_t>(values.size())});
         for (int x = 0; x < exemplar.width; ++x)
             first[static_cast<std::size_t>(x)] = values(0, x);

@@ -25,7 +25,8 @@ double squares(const Spectra& spectra) {
 Eigen::MatrixXd autocorrelation(const Spectra& spectra) {
     constexpr int lags = 2 * furthest_lag + 1;
     const Eigen::ArrayXd power = spectra.total() * multiplicities();
-    const Eigen::Map<const Eigen::Matrix<double, grid_side, grid_columns, Eigen::RowMajor>> plane(power.data());
+    const Eigen::Map<const Eigen::Matrix<double, grid_side, grid_columns, Eigen::RowMajor>> plane(
+        power.data());
     const auto waves = [&](int frequencies, auto function) {
         Eigen::MatrixXd result(lags, frequencies);
         for (int t = 0; t < lags; ++t)
@@ -35,9 +36,8 @@ Eigen::MatrixXd autocorrelation(const Spectra& spectra) {
     };
     const auto cosine = [](double phase) { return std::cos(phase); };
     const auto sine = [](double phase) { return std::sin(phase); };
-    Eigen::MatrixXd result =
-        waves(grid_side, cosine) * plane * waves(grid_columns, cosine).transpose() -
-        waves(grid_side, sine) * plane * waves(grid_columns, sine).transpose();
+    Eigen::MatrixXd result = waves(grid_side, cosine) * plane * waves(grid_columns, cosine).transpose() -
+                             waves(grid_side, sine) * plane * waves(grid_columns, sine).transpose();
     const Eigen::ArrayXd& window = hann_window();
     Eigen::VectorXd seen(lags); // the windows' own
     for (int t = -furthest_lag; t <= furthest_lag; ++t) {

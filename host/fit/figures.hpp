@@ -17,7 +17,8 @@ struct Figures {
 };
 Figures compare(const Spectra& estimate, const Spectra& model);
 
-/// The autocorrelation of the channels together at lags from -furthest_lag to furthest_lag: a row for each of y.
+/// The autocorrelation of the channels together at lags from -furthest_lag to furthest_lag: a row for each of
+/// y.
 Eigen::MatrixXd autocorrelation(const Spectra& spectra);
 
 } // namespace gabor::fit

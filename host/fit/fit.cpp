@@ -10,12 +10,22 @@ namespace gabor::fit {
 
 namespace {
 
-// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall with the
-// number of windows along a side. Windows of larger pictures are sampled.
+// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall
+// with the number of windows along a side. Windows of larger pictures are sampled.
 bool is_chance(const Figures& figures, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side, 2048.0) / window_side;
-    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows;
+    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows &&
+           figures.autocorrelation < 0.32 / windows;
+}
+
+// A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
+// well have any of that order.
+void keep_from_zero(std::vector<Wave>& waves) {
+    const double least = 0.0011 / waves.front().radius;
+    for (Wave& wave : waves)
+        if (wave.wave.norm() < least)
+            wave.wave = {least, 0};
 }
 
 void drop_empty(std::vector<Wave>& waves) {
@@ -66,6 +76,7 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     for (Eigen::Index c = 0; c < scales.size(); ++c)
         texture.variances.push_back(covariance(c, c) / measured(c, c));
     normalize(waves);
+    keep_from_zero(waves);
     texture.waves = std::move(waves);
     texture.colour = colour_of(exemplar, texture.waves);
     advance(1);

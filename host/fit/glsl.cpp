@@ -17,8 +17,9 @@ namespace {
 using noise::Colour;
 
 // Words of GLSL that a texture's file may be called.
-constexpr std::array<std::string_view, 13> reserved{"common", "filter", "fixed",   "flat",  "main",    "mix",   "noise1",
-                                                    "patch",  "sample", "sampler", "smooth", "texture", "varying"};
+constexpr std::array<std::string_view, 13> reserved{"common", "filter",  "fixed",  "flat",   "main",
+                                                    "mix",    "noise1",  "patch",  "sample", "sampler",
+                                                    "smooth", "texture", "varying"};
 
 std::string number(double value) {
     std::string text = fmt::format("{:.8g}", static_cast<double>(static_cast<float>(value)));
@@ -36,11 +37,15 @@ std::string vector(Of of) {
     return vector(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
 }
 
-// Shares of the variance that components' polynomials have in their parts of degree 1 to 5: n! a_n^2 for a sum
-// a_n He_n.
+// Shares of the variance that components' polynomials have in their parts of degree 1 to 5: n! a_n^2 for a
+// sum a_n He_n.
 std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
-    return {0, std::pow(c[1] + 3 * c[3] + 15 * c[5], 2), 2 * std::pow(c[2] + 6 * c[4], 2),
-            6 * std::pow(c[3] + 10 * c[5], 2), 24 * c[4] * c[4], 120 * c[5] * c[5]};
+    return {0,
+            std::pow(c[1] + 3 * c[3] + 15 * c[5], 2),
+            2 * std::pow(c[2] + 6 * c[4], 2),
+            6 * std::pow(c[3] + 10 * c[5], 2),
+            24 * c[4] * c[4],
+            120 * c[5] * c[5]};
 }
 
 std::string histogram_function(const std::string& name, const Colour& colour) {
@@ -107,9 +112,10 @@ std::string function_name(const std::filesystem::path& file) {
     if (file.extension() != ".glsl" || !std::ranges::all_of(name, letter) || name.empty() ||
         std::isdigit(static_cast<unsigned char>(name[0])) != 0 || name.find("__") != std::string::npos ||
         name.starts_with("gl_") || std::ranges::find(reserved, name) != reserved.end())
-        throw RequestError(fmt::format("--glsl '{}': it takes NAME.glsl with the name of a function, of letters, digits "
-                                       "and _, and no word of GLSL",
-                                       file.string()));
+        throw RequestError(
+            fmt::format("--glsl '{}': it takes NAME.glsl with the name of a function, of letters, digits "
+                        "and _, and no word of GLSL",
+                        file.string()));
     return name;
 }
 
@@ -118,8 +124,10 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
     const Colour& colour = texture.colour;
     const bool complex = has_quadrature(colour);
     std::string comment = image.filename().string();
-    std::ranges::replace_if(comment, [](unsigned char c) { return c < ' ' || c == 0x7f || c == '\\'; }, '_');
-    std::string text = fmt::format(R"(// {name}: Gabor noise after {image}, {width} x {height} pixels, by gabor fit.
+    std::ranges::replace_if(
+        comment, [](unsigned char c) { return c < ' ' || c == 0x7f || c == '\\'; }, '_');
+    std::string text =
+        fmt::format(R"(// {name}: Gabor noise after {image}, {width} x {height} pixels, by gabor fit.
 //     vec3 {name}(vec2 p)                             its colour at p, in pixels of that picture
 //     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it that reaches dx and dy further to its neighbours,
 //                                                     dFdx(p) and dFdy(p), and the share of the variance that this removed
@@ -127,9 +135,8 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
 
 const uint {name}_seed = 0u; // which instance of the noise
 )",
-                                   fmt::arg("name", name), fmt::arg("image", comment),
-                                   fmt::arg("width", exemplar.width), fmt::arg("height", exemplar.height),
-                                   fmt::arg("count", texture.waves.size()));
+                    fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
+                    fmt::arg("height", exemplar.height), fmt::arg("count", texture.waves.size()));
     text += histogram_function(name, colour);
 
     std::string plain;
@@ -137,16 +144,18 @@ const uint {name}_seed = 0u; // which instance of the noise
     for (std::size_t i = 0; i < texture.waves.size(); ++i) {
         const Line line = line_of(texture.waves[i], colour.weights[i]);
         const std::string seed = fmt::format("gabor_lobe_seed({}_seed, {})", name, i);
-        const std::string arguments = fmt::format("p / {}, {}, {}, {}", line.radius, line.frequency, line.orientation, seed);
+        const std::string arguments =
+            fmt::format("p / {}, {}, {}, {}", line.radius, line.frequency, line.orientation, seed);
         if (complex)
-            plain += fmt::format("    n = gabor_noise_complex({});\n    z += n.x * {} + n.y * {};\n", arguments,
-                                 line.quadrature, line.noise);
+            plain += fmt::format("    n = gabor_noise_complex({});\n    z += n.x * {} + n.y * {};\n",
+                                 arguments, line.quadrature, line.noise);
         else
             plain += fmt::format("    z += gabor_noise({}) * {};\n", arguments, line.noise);
-        filtered += fmt::format("    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
-                                "gabor_kernel({1}, {2}),\n"
-                                "                             gabor_footprint(dx / {0}, dy / {0}), {3});\n",
-                                line.radius, line.frequency, line.orientation, seed);
+        filtered +=
+            fmt::format("    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
+                        "gabor_kernel({1}, {2}),\n"
+                        "                             gabor_footprint(dx / {0}, dy / {0}), {3});\n",
+                        line.radius, line.frequency, line.orientation, seed);
         filtered += complex ? fmt::format("    z += n.x * {} + n.y * {};\n", line.quadrature, line.noise)
                             : fmt::format("    z += n.y * {};\n", line.noise);
         filtered += fmt::format("    removed += n.z * {};\n", line.squares);
@@ -170,9 +179,11 @@ vec3 {name}(vec2 p)
     for (const double v : variances)
         variance += v;
     const auto share = [&](std::size_t n) {
-        return vector([&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });
+        return vector(
+            [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });
     };
     text += fmt::format(R"(
+#if GABOR_TAPS == 3 // as the filter of gabor_spectrum.glsl
 vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
 {{
     vec3 z = vec3(0.0);
@@ -183,6 +194,7 @@ vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
               + kept * ({s4} + kept * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));
 }}
+#endif
 )",
                         fmt::arg("name", name), fmt::arg("filtered", filtered), fmt::arg("s1", share(1)),
                         fmt::arg("s2", share(2)), fmt::arg("s3", share(3)), fmt::arg("s4", share(4)),

@@ -28,7 +28,8 @@ Eigen::MatrixXf whole_plane(const Eigen::ArrayXd& half, float opposite) {
     return plane;
 }
 
-// The largest eigenvalue of a Hermitian matrix of at most three rows, by its characteristic polynomial [Smith 1961].
+// The largest eigenvalue of a Hermitian matrix of at most three rows, by its characteristic polynomial [Smith
+// 1961].
 float largest_eigenvalue(const Eigen::Matrix3cf& m, int rows) {
     if (rows == 1)
         return m(0, 0).real();
@@ -69,7 +70,8 @@ Search::Search(const Target& target) : channels_(target.channels), weight_(targe
             for (Index f = 0; f < rows.rows(); ++f)
                 for (int k = 0; k < grid_side; ++k)
                     rows(f, k) = static_cast<float>(
-                        atom[(k - sign * frequencies[static_cast<std::size_t>(f)] + 2 * grid_side) % grid_side]);
+                        atom[(k - sign * frequencies[static_cast<std::size_t>(f)] + 2 * grid_side) %
+                             grid_side]);
             return rows;
         };
         scale.atoms_y = shifted(scale.rows, 1);
@@ -89,7 +91,8 @@ Wave Search::best(const Residual& left) const {
         for (Index i = 0; i < columns.cols(); ++i) {
             const auto& [c, d] = pairs[static_cast<std::size_t>(i)];
             const double single = c == d ? 1 : 1 / std::numbers::sqrt2;
-            result.push_back(whole_plane(single * columns.col(i).array() * weight_ / multiplicities(), opposite));
+            result.push_back(
+                whole_plane(single * columns.col(i).array() * weight_ / multiplicities(), opposite));
         }
         return result;
     };
@@ -98,7 +101,8 @@ Wave Search::best(const Residual& left) const {
     const std::vector<Eigen::MatrixXf> even = planes(left.real, real, 1);
     const std::vector<Eigen::MatrixXf> odd = planes(left.imaginary, imaginary, -1);
 
-    // With the products C of residual and atom, a wave of weights W gains most where W is C's first eigenvector.
+    // With the products C of residual and atom, a wave of weights W gains most where W is C's first
+    // eigenvector.
     double most = 0;
     double gained = 0;
     Eigen::Matrix3cf products = Eigen::Matrix3cf::Zero();
@@ -128,13 +132,15 @@ Wave Search::best(const Residual& left) const {
                 gained = gain;
                 most = value / scale.square(y, x);
                 products = at;
-                wave.wave = {scale.columns[static_cast<std::size_t>(x)], scale.rows[static_cast<std::size_t>(y)]};
+                wave.wave = {scale.columns[static_cast<std::size_t>(x)],
+                             scale.rows[static_cast<std::size_t>(y)]};
                 wave.wave /= grid_side;
                 wave.radius = scale.radius;
             }
     }
     if (most > 0) {
-        const Eigen::MatrixXcd block = products.topLeftCorner(channels_, channels_).cast<std::complex<double>>();
+        const Eigen::MatrixXcd block =
+            products.topLeftCorner(channels_, channels_).cast<std::complex<double>>();
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(block);
         wave.weight = std::sqrt(most) * solver.eigenvectors().col(channels_ - 1);
     }

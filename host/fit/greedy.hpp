@@ -6,8 +6,8 @@
 
 namespace gabor::fit {
 
-/// Looks for the wave that takes most of a residual, over all frequencies of the grid and over radii in steps of
-/// sqrt 2.
+/// Looks for the wave that takes most of a residual, over all frequencies of the grid and over radii in steps
+/// of sqrt 2.
 class Search {
   public:
     explicit Search(const Target& target);

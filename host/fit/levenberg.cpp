@@ -17,10 +17,11 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
-constexpr int functions = 4; // of a wave: its atom, and that by both frequencies and by the radius's logarithm
+constexpr int functions =
+    4; // of a wave: its atom, and that by both frequencies and by the radius's logarithm
 
-// An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of cross-spectra have
-// their sum, imaginary ones their difference.
+// An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
+// cross-spectra have their sum, imaginary ones their difference.
 struct Parts {
     Eigen::MatrixXd sum;
     Eigen::MatrixXd difference;
@@ -43,7 +44,8 @@ void put(Parts& parts, Index column, const Eigen::ArrayXd& x, const Eigen::Array
 // Of every wave one column, or with derivatives `functions` of them, times the weight of each frequency.
 Parts parts_of(const std::vector<Wave>& waves, bool with_derivatives, const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
-    Parts parts{Eigen::MatrixXd(grid_size, each * std::ssize(waves)), Eigen::MatrixXd(grid_size, each * std::ssize(waves))};
+    Parts parts{Eigen::MatrixXd(grid_size, each * std::ssize(waves)),
+                Eigen::MatrixXd(grid_size, each * std::ssize(waves))};
     Index column = 0;
     for (const Wave& wave : waves) {
         const AxisAtom x = axis_atom(wave.wave.x(), wave.radius);
@@ -62,8 +64,8 @@ Parts parts_of(const std::vector<Wave>& waves, bool with_derivatives, const Eige
     return parts;
 }
 
-// A Hermitian matrix as the entries that are kept of it, those off the diagonal times the root of 2: the sum of their
-// squares is that of the matrix.
+// A Hermitian matrix as the entries that are kept of it, those off the diagonal times the root of 2: the sum
+// of their squares is that of the matrix.
 struct Entries {
     Eigen::RowVectorXd real;
     Eigen::RowVectorXd imaginary;
@@ -148,9 +150,10 @@ Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& p
     return normal;
 }
 
-// What is added to the diagonal, in proportion. All weights of a wave share one value, for turning them by a common
-// phase changes nothing. A frequency of 0 or a radius that does not matter would have none.
-Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves, const Normal& normal) {
+// What is added to the diagonal, in proportion. All weights of a wave share one value, for turning them by a
+// common phase changes nothing. A frequency of 0 or a radius that does not matter would have none.
+Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
+                        const Normal& normal) {
     Eigen::VectorXd power = Eigen::VectorXd::Zero(std::ssize(waves));
     for (Index i = 0; i < std::ssize(parameters); ++i)
         if (const Parameter& p = parameters[static_cast<std::size_t>(i)]; p.function == 0)
@@ -168,12 +171,14 @@ Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vec
 }
 
 // Radii that are at a bound and would leave it stay there.
-void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves, Normal& normal) {
+void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
+                    Normal& normal) {
     for (Index i = 0; i < std::ssize(parameters); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
         const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
         const double slope = normal.slope[i];
-        if (p.function != 3 || !((radius <= smallest_radius && slope < 0) || (radius >= largest_radius && slope > 0)))
+        if (p.function != 3 ||
+            !((radius <= smallest_radius && slope < 0) || (radius >= largest_radius && slope > 0)))
             continue;
         normal.matrix.row(i).setZero();
         normal.matrix.col(i).setZero();
@@ -220,7 +225,8 @@ Residual subtract(const Target& target, const std::vector<Wave>& waves, const Pa
 
 } // namespace
 
-Target::Target(const Spectra& spectra) : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary) {
+Target::Target(const Spectra& spectra)
+    : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary) {
     const Eigen::ArrayXd total = spectra.total();
     const double mean = (total * multiplicities()).sum() / (grid_side * grid_side);
     weight = (multiplicities() / (total + 0.01 * mean)).sqrt();

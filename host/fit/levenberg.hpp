@@ -8,17 +8,18 @@
 
 namespace gabor::fit {
 
-/// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t) z(p)*] =
-/// 2 exp(2 pi i wave.t) g(t.x / radius) g(t.y / radius), channel c has Re(weight_c z): cross-spectra weight_c weight_d*.
+/// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
+/// z(p)*] = 2 exp(2 pi i wave.t) g(t.x / radius) g(t.y / radius), channel c has Re(weight_c z): cross-spectra
+/// weight_c weight_d*.
 struct Wave {
     Eigen::Vector2d wave;    ///< cycles per pixel
     double radius;           ///< pixels
     Eigen::VectorXcd weight; ///< of each channel; real where there is one
 };
 
-/// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the power
-/// there, P + 0.01 mean P. Plain least squares would leave weak frequencies empty, and weights 1 / P follow where the
-/// estimate is low by chance.
+/// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the
+/// power there, P + 0.01 mean P. Plain least squares would leave weak frequencies empty, and weights 1 / P
+/// follow where the estimate is low by chance.
 struct Target {
     int channels;
     Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal

@@ -104,8 +104,10 @@ Spectra spectra_of(const Picture& picture, const Exemplar& exemplar) {
     std::vector<float> row(row_size);
     for (std::size_t begin = 0; begin < picture.values.size(); begin += row_size) {
         for (std::size_t i = 0; i < row_size; ++i)
-            row[i] = picture.values[begin + i] -
-                     static_cast<float>(exemplar.mean[static_cast<Eigen::Index>(i % static_cast<std::size_t>(picture.channels))]);
+            row[i] =
+                picture.values[begin + i] -
+                static_cast<float>(
+                    exemplar.mean[static_cast<Eigen::Index>(i % static_cast<std::size_t>(picture.channels))]);
         estimate.add_row(row);
     }
     return estimate.spectra();
@@ -162,7 +164,8 @@ std::array<double, bins> histogram(const Picture& picture, int channel, double l
 std::string polyline(const std::array<double, bins>& shares, double most, std::string_view colour) {
     std::string points;
     for (std::size_t i = 0; i < bins; ++i)
-        points += fmt::format("{:.1f},{:.1f} ", 4.0 * (static_cast<double>(i) + 0.5), 120 - 110 * shares[i] / most);
+        points +=
+            fmt::format("{:.1f},{:.1f} ", 4.0 * (static_cast<double>(i) + 0.5), 120 - 110 * shares[i] / most);
     return fmt::format(R"(<polyline points="{}" fill="none" stroke="{}"/>)", points, colour);
 }
 
@@ -196,13 +199,14 @@ std::string escaped(const std::string& text) {
 }
 
 std::string row_of(std::string_view name, const Figures& figures) {
-    return fmt::format("<tr><td>{}<td>{:.3f}<td>{:.3f}<td>{:.3f}\n", name, figures.l1, figures.l2, figures.autocorrelation);
+    return fmt::format("<tr><td>{}<td>{:.3f}<td>{:.3f}<td>{:.3f}\n", name, figures.l1, figures.l2,
+                       figures.autocorrelation);
 }
 
 } // namespace
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& image, const Exemplar& exemplar,
-                  const Texture& texture, const Advance& advance) {
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& image,
+                  const Exemplar& exemplar, const Texture& texture, const Advance& advance) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
@@ -232,12 +236,13 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
     for (const Wave& wave : texture.waves)
         lobes += fmt::format("<tr><td>{:.4f}<td>{:.1f}<td>{:.1f}<td>{:.1f}\n", wave.wave.norm(),
                              std::atan2(wave.wave.y(), wave.wave.x()) * 180 / EIGEN_PI, wave.radius,
-                             100 * (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm());
-    const std::string warning =
-        exemplar.structure > Structure::limit
-            ? "<p><b>This is no texture of waves alone:</b> random-phase noise has lost the edges and the things that "
-              "it is made of, and the fit has too.</p>"
-            : "";
+                             100 * (exemplar.components * wave.weight).squaredNorm() /
+                                 exemplar.components.squaredNorm());
+    const std::string warning = exemplar.structure > Structure::limit
+                                    ? "<p><b>This is no texture of waves alone:</b> random-phase noise has "
+                                      "lost the edges and the things that "
+                                      "it is made of, and the fit has too.</p>"
+                                    : "";
     const std::string page = fmt::format(
         R"(<!DOCTYPE html>
 <html lang="en"><meta charset="utf-8"><title>{name}</title>
@@ -268,8 +273,9 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
 {lobes}</table>
 )",
         fmt::arg("name", escaped(image.filename().string())), fmt::arg("width", exemplar.width),
-        fmt::arg("height", exemplar.height), fmt::arg("count", texture.waves.size()), fmt::arg("warning", warning),
-        fmt::arg("lag", furthest_lag), fmt::arg("channels", exemplar.channels == 1 ? "Grey" : "Red, green and blue"),
+        fmt::arg("height", exemplar.height), fmt::arg("count", texture.waves.size()),
+        fmt::arg("warning", warning), fmt::arg("lag", furthest_lag),
+        fmt::arg("channels", exemplar.channels == 1 ? "Grey" : "Red, green and blue"),
         fmt::arg("histograms", histograms({&crop.flat, &phases, &fitted}, exemplar)),
         fmt::arg("random_phase", row_of("random-phase noise, as measured", compare(measured, of_phases))),
         fmt::arg("fit", row_of("fit, as expected", texture.figures)),

@@ -104,7 +104,8 @@ Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
 
 SpectraEstimate::SpectraEstimate(int width, int height, int channels)
     : width_(width), channels_(channels), columns_(window_begins(width)), lines_(window_begins(height)),
-      rows_(static_cast<std::size_t>(window_side) * static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)),
+      rows_(static_cast<std::size_t>(window_side) * static_cast<std::size_t>(width) *
+            static_cast<std::size_t>(channels)),
       window_(std::size_t{grid_side} * grid_side), transform_(grid_side),
       transformed_(static_cast<std::size_t>(channels)), sum_(channels) {}
 
@@ -129,10 +130,12 @@ void SpectraEstimate::add_window(int left, int top) {
                 out[x] = in[std::ptrdiff_t{x} * channels_] * static_cast<float>(hann[x] * hann[y]);
         }
         const auto values = transform_(window_);
-        transformed_[static_cast<std::size_t>(c)] = Eigen::Map<const Eigen::ArrayXcf>(values.data(), grid_size);
+        transformed_[static_cast<std::size_t>(c)] =
+            Eigen::Map<const Eigen::ArrayXcf>(values.data(), grid_size);
     }
     const auto product = [&](const Pair& pair) {
-        return transformed_[static_cast<std::size_t>(pair.c)] * transformed_[static_cast<std::size_t>(pair.d)].conjugate();
+        return transformed_[static_cast<std::size_t>(pair.c)] *
+               transformed_[static_cast<std::size_t>(pair.d)].conjugate();
     };
     Eigen::Index column = 0;
     for (const Pair& pair : real_pairs(channels_))

@@ -9,8 +9,8 @@
 
 namespace gabor::fit {
 
-/// Windows of the power spectrum's estimate, in pixels, and the grid of frequencies that it is on: twice as many, so
-/// that the lags of a window do not wrap around.
+/// Windows of the power spectrum's estimate, in pixels, and the grid of frequencies that it is on: twice as
+/// many, so that the lags of a window do not wrap around.
 constexpr int window_side = 64;
 constexpr int grid_side = 2 * window_side;
 /// Columns: frequencies of x from 0 to half a cycle per pixel. Those of y are all there, negative ones last.
@@ -20,8 +20,8 @@ constexpr int grid_size = grid_side * grid_columns;
 /// Hann's window for a side of `window_side` pixels, with squares that add up to 1.
 const Eigen::ArrayXd& hann_window();
 
-/// How many frequencies of the whole plane each of the grid stands for: 2, for it has an opposite one, or 1 in the
-/// first and the last column, where that is in the grid itself.
+/// How many frequencies of the whole plane each of the grid stands for: 2, for it has an opposite one, or 1
+/// in the first and the last column, where that is in the grid itself.
 const Eigen::ArrayXd& multiplicities();
 
 /// Where the parts of a Hermitian matrix of channels are kept: Re(c, d) for c <= d, and Im(c, d) for c < d.
@@ -32,8 +32,8 @@ struct Pair {
 std::vector<Pair> real_pairs(int channels);
 std::vector<Pair> imaginary_pairs(int channels);
 
-/// The matrix of the channels' cross-spectra at each frequency, P(c, d) = E[X_c X_d*]: one column for each pair, row
-/// ky * grid_columns + kx. Those of a frequency and of its opposite are conjugate.
+/// The matrix of the channels' cross-spectra at each frequency, P(c, d) = E[X_c X_d*]: one column for each
+/// pair, row ky * grid_columns + kx. Those of a frequency and of its opposite are conjugate.
 struct Spectra {
     int channels = 0;
     Eigen::MatrixXd real;
@@ -49,8 +49,8 @@ struct Spectra {
     Spectra mapped(const Eigen::MatrixXd& map) const;
 };
 
-/// An estimate of the spectra of a picture that passes by row after row, by Welch's method [Welch 1967]: windows 16
-/// pixels apart, or 64 along each axis of a larger picture. Holds as many rows as a window has.
+/// An estimate of the spectra of a picture that passes by row after row, by Welch's method [Welch 1967]:
+/// windows 16 pixels apart, or 64 along each axis of a larger picture. Holds as many rows as a window has.
 class SpectraEstimate {
   public:
     /// At least `window_side` pixels each way.

@@ -7,8 +7,8 @@
 
 namespace gabor::fit {
 
-/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be: by the excess
-/// kurtosis of derivatives, which is 0 for a Gaussian texture of any spectrum.
+/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be: by the
+/// excess kurtosis of derivatives, which is 0 for a Gaussian texture of any spectrum.
 class Structure {
   public:
     explicit Structure(int width);

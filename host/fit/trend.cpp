@@ -28,8 +28,9 @@ void Trend::subtract(int y, std::span<float> row) const {
 }
 
 MomentSums::MomentSums(int width, int height, int channels)
-    : width_(width), height_(height), gram_(decltype(gram_)::Zero()), products_(decltype(products_)::Zero(6, channels)),
-      squares_(Eigen::MatrixXd::Zero(channels, channels)) {}
+    : width_(width), height_(height), gram_(decltype(gram_)::Zero()),
+      products_(decltype(products_)::Zero(6, channels)), squares_(Eigen::MatrixXd::Zero(channels, channels)) {
+}
 
 void MomentSums::add_row(std::span<const float> row) {
     const double v = place(row_++, height_);

@@ -6,12 +6,13 @@
 
 namespace gabor::fit {
 
-/// The quadratic polynomial of x and y in each channel that is nearest to a picture, by least squares: light that
-/// falls off, no texture.
+/// The quadratic polynomial of x and y in each channel that is nearest to a picture, by least squares: light
+/// that falls off, no texture.
 struct Trend {
     int width = 0;
     int height = 0;
-    Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients; ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
+    Eigen::Matrix<double, 6, Eigen::Dynamic>
+        coefficients; ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
 
     /// Takes it from row y, whose pixels have their channels side by side.
     void subtract(int y, std::span<float> row) const;

@@ -29,8 +29,8 @@ class JpegPicture : public PictureReader {
         std::jmp_buf jump;
     };
 
-    /// libjpeg's errors, and its warnings of damaged data, arrive here by a longjmp: `calls` must own nothing that
-    /// has a destructor.
+    /// libjpeg's errors, and its warnings of damaged data, arrive here by a longjmp: `calls` must own nothing
+    /// that has a destructor.
     template <class Calls>
     void guarded(Calls calls) {
         if (setjmp(errors_.jump) == 0) {
@@ -81,7 +81,8 @@ void JpegPicture::read_header() {
     });
     const int colours = jpeg_.num_components;
     if (colours != 1 && colours != 3)
-        refuse(fmt::format("it has {} colours{}: it takes grey or RGB", colours, colours == 4 ? ", CMYK" : ""));
+        refuse(
+            fmt::format("it has {} colours{}: it takes grey or RGB", colours, colours == 4 ? ", CMYK" : ""));
     jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
     guarded([this] { jpeg_start_decompress(&jpeg_); });
     format_ = {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false};

@@ -67,7 +67,8 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path) {
         return open_jpeg(path);
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path);
-    throw RequestError(fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG or OpenEXR", path.string()));
+    throw RequestError(
+        fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG or OpenEXR", path.string()));
 }
 
 } // namespace gabor::image

@@ -70,7 +70,8 @@ PngPicture::PngPicture(const std::filesystem::path& path)
         const std::size_t row = png_get_rowbytes(png_, info_);
         const std::size_t all = row * static_cast<std::size_t>(format_.height);
         if (interlaced_ && all > most_interlaced)
-            refuse(fmt::format("it is interlaced and larger than {} MiB: save it without", most_interlaced >> 20));
+            refuse(fmt::format("it is interlaced and larger than {} MiB: save it without",
+                               most_interlaced >> 20));
         bytes_.resize(interlaced_ ? all : row);
         if (interlaced_)
             read_interlaced();

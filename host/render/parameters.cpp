@@ -484,11 +484,13 @@ namespace {
 void check_colour(const Request& request) {
     if (request.colour->weights.size() != request.lobes.size() ||
         !std::ranges::all_of(request.lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; }))
-        throw RequestError("a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
-                           "that came with it");
+        throw RequestError(
+            "a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
+            "that came with it");
     if (in_space(request) || request.quadrature || request.gradient || request.phasor || request.values > 1 ||
         !request.paint.empty() || has_material(request))
-        throw RequestError("colours are drawn in the plane, without paint, materials and other channels than `removed`");
+        throw RequestError(
+            "colours are drawn in the plane, without paint, materials and other channels than `removed`");
 }
 
 } // namespace

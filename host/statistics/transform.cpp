@@ -11,7 +11,8 @@ namespace gabor::statistics {
 // Rows, then columns. (kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.)
 struct Transform::State {
     explicit State(int length)
-        : side(static_cast<std::size_t>(length)), rows(kiss_fftr_alloc(length, 0, nullptr, nullptr), kiss_fft_free),
+        : side(static_cast<std::size_t>(length)),
+          rows(kiss_fftr_alloc(length, 0, nullptr, nullptr), kiss_fft_free),
           columns(kiss_fft_alloc(length, 0, nullptr, nullptr), kiss_fft_free), values(side * (side / 2 + 1)),
           column(side) {
         if (!rows || !columns)
@@ -37,7 +38,8 @@ std::span<const std::complex<float>> Transform::operator()(std::span<const float
     for (std::size_t y = 0; y < s.side; ++y)
         kiss_fftr(s.rows.get(), &values[y * s.side], of_kiss(&s.values[y * width]));
     for (std::size_t x = 0; x < width; ++x) {
-        kiss_fft_stride(s.columns.get(), of_kiss(&s.values[x]), of_kiss(s.column.data()), static_cast<int>(width));
+        kiss_fft_stride(s.columns.get(), of_kiss(&s.values[x]), of_kiss(s.column.data()),
+                        static_cast<int>(width));
         for (std::size_t y = 0; y < s.side; ++y)
             s.values[y * width + x] = s.column[y];
     }

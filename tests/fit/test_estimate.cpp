@@ -1,10 +1,13 @@
 // The estimate, from spectra and values whose answers are known.
 
+#include "error.hpp"
 #include "fit/atoms.hpp"
 #include "fit/colour.hpp"
 #include "fit/fit.hpp"
+#include "fit/preset.hpp"
 #include "fit/random_phase.hpp"
 #include "fit/structure.hpp"
+#include "render/parameters.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -96,20 +99,24 @@ TEST_CASE("kernels correlate as the integral of their windows says") {
 }
 
 TEST_CASE("atoms are what windows expect of a wave") {
-    for (const auto& [frequency, radius] : {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
+    for (const auto& [frequency, radius] :
+         {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
         const AxisAtom atom = axis_atom(frequency, radius);
         double largest = 0;
         for (int k = 0; k < 128; k += 9)
-            largest = std::max(largest, std::abs(atom.value[k] - expected_power(k / 128.0, frequency, radius)));
+            largest =
+                std::max(largest, std::abs(atom.value[k] - expected_power(k / 128.0, frequency, radius)));
         INFO("frequency " << frequency << ", radius " << radius << ": largest difference " << largest);
         CHECK(largest < 1e-5);
 
         constexpr double h = 1e-6;
         const Eigen::ArrayXd by_frequency =
             (axis_atom(frequency + h, radius).value - axis_atom(frequency - h, radius).value) / (2 * h);
-        CHECK((by_frequency - atom.by_frequency).abs().maxCoeff() < 1e-4 * atom.by_frequency.abs().maxCoeff());
+        CHECK((by_frequency - atom.by_frequency).abs().maxCoeff() <
+              1e-4 * atom.by_frequency.abs().maxCoeff());
         const Eigen::ArrayXd by_radius = (axis_atom(frequency, radius * std::exp(h)).value -
-                                          axis_atom(frequency, radius * std::exp(-h)).value) / (2 * h);
+                                          axis_atom(frequency, radius * std::exp(-h)).value) /
+                                         (2 * h);
         CHECK((by_radius - atom.by_log_radius).abs().maxCoeff() < 1e-4 * atom.by_log_radius.abs().maxCoeff());
     }
 }
@@ -122,8 +129,8 @@ TEST_CASE("a grey texture's lobes are found from its spectrum") {
     for (const Wave& known : waves) {
         const Wave& found = nearest(texture.waves, known);
         const double apart = std::min((found.wave - known.wave).norm(), (found.wave + known.wave).norm());
-        INFO("frequency " << known.wave.transpose() << ": off by " << apart << ", radius " << found.radius << " for "
-                          << known.radius << ", power " << found.weight.squaredNorm() << " for "
+        INFO("frequency " << known.wave.transpose() << ": off by " << apart << ", radius " << found.radius
+                          << " for " << known.radius << ", power " << found.weight.squaredNorm() << " for "
                           << known.weight.squaredNorm());
         CHECK(apart < 0.0005);
         CHECK(found.radius == Approx(known.radius).epsilon(0.03));
@@ -166,7 +173,8 @@ TEST_CASE("spectra under a linear map are those of the mapped channels") {
     const Spectra through = model(waves, 3).mapped(map);
     CHECK((direct.real - through.real).cwiseAbs().maxCoeff() < 1e-9);
     CHECK((direct.imaginary - through.imaginary).cwiseAbs().maxCoeff() < 1e-9);
-    CHECK((direct.covariance() - map * model(waves, 3).covariance() * map.transpose()).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.covariance() - map * model(waves, 3).covariance() * map.transpose()).cwiseAbs().maxCoeff() <
+          1e-9);
 }
 
 TEST_CASE("the estimate of white noise is flat and of its variance") {
@@ -178,7 +186,8 @@ TEST_CASE("the estimate of white noise is flat and of its variance") {
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             row[static_cast<std::size_t>(2 * x)] = normal(generator);
-            row[static_cast<std::size_t>(2 * x + 1)] = 0.5f * row[static_cast<std::size_t>(2 * x)] + normal(generator);
+            row[static_cast<std::size_t>(2 * x + 1)] =
+                0.5f * row[static_cast<std::size_t>(2 * x)] + normal(generator);
         }
         estimate.add_row(row);
     }
@@ -220,9 +229,11 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
     std::mt19937 generator(7);
     std::normal_distribution<double> normal;
     Quantiles cubic; // one that a polynomial is exactly
-    const auto cube = [](double z) { return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025); };
+    const auto cube = [](double z) {
+        return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025);
+    };
     Quantiles uniform; // and one that it is not
-    Quantiles two; // or two values
+    Quantiles two;     // or two values
     for (int i = 0; i < 200000; ++i) {
         const double z = normal(generator);
         cubic.add(static_cast<float>(cube(z)));
@@ -230,14 +241,17 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
         two.add(z > 0 ? 1.0f : -1.0f);
     }
     CHECK(check(cubic.polynomial(), cube) < 0.02);
-    CHECK(check(uniform.polynomial(), [](double z) { return std::sqrt(3) * std::erf(z / std::numbers::sqrt2); }) < 0.1);
+    CHECK(check(uniform.polynomial(),
+                [](double z) { return std::sqrt(3) * std::erf(z / std::numbers::sqrt2); }) < 0.1);
     check(two.polynomial(), [](double z) { return z; });
 }
 
 TEST_CASE("a quadratic trend is removed, and nothing else") {
     constexpr int width = 96;
     constexpr int height = 64;
-    const auto trend = [](double u, double v) { return 0.3 + 0.1 * u - 0.2 * v + 0.05 * u * u + 0.07 * u * v - 0.1 * v * v; };
+    const auto trend = [](double u, double v) {
+        return 0.3 + 0.1 * u - 0.2 * v + 0.05 * u * u + 0.07 * u * v - 0.1 * v * v;
+    };
     std::mt19937 generator(3);
     std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
     std::vector<std::vector<float>> rows;
@@ -248,7 +262,8 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
         std::vector<float> row(width);
         for (std::size_t x = 0; x < width; ++x) {
             noise[x] = uniform(generator);
-            row[x] = noise[x] + static_cast<float>(trend((2.0 * static_cast<double>(x) + 1) / width - 1, (2.0 * y + 1) / height - 1));
+            row[x] = noise[x] + static_cast<float>(trend((2.0 * static_cast<double>(x) + 1) / width - 1,
+                                                         (2.0 * y + 1) / height - 1));
         }
         with.add_row(row);
         without.add_row(noise);
@@ -306,4 +321,18 @@ TEST_CASE("random-phase noise keeps the power spectrum and loses the structure")
     };
     CHECK(structure(stripes) > 0.5);
     CHECK(std::abs(structure(noise)) < 0.5);
+}
+
+TEST_CASE("a preset comes back from its JSON, and weights without their lobes are refused") {
+    using namespace std::complex_literals;
+    const std::vector<Wave> waves{{{0.12, 0.05}, 10, weights({0.7, 0.5i, -0.3 + 0.4i})},
+                                  {{-0.09, 0.2}, 8, weights({0.5, -0.6, 0.5})},
+                                  {{0.0, 0.0}, 14, weights({0.4i, 0.5 + 0.2i, 0.5})}};
+    const Exemplar exemplar = exemplar_of(waves, 512);
+    gabor::render::Request request = request_of(exemplar, fit(exemplar, 16, [](double) {}));
+    REQUIRE(request.colour);
+    gabor::render::check(request);
+    CHECK(gabor::render::from_json(gabor::render::to_json(request)) == request);
+    request.lobes.pop_back();
+    CHECK_THROWS_AS(gabor::render::check(request), gabor::RequestError);
 }
