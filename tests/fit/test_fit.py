@@ -43,7 +43,7 @@ class FitTest(ProgramTest):
         return Exr(self.folder / "fit.exr")
 
     def test_known_lobes_are_found(self):
-        known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=1.2, orientation=-60, radius=0.3, power=0.6)]
+        known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=3.5, orientation=-60, radius=0.4, power=0.6)]
         scale = 24
         (self.folder / "lobes.json").write_text(json.dumps(known))
         self.succeed("render", "--lobes", "lobes.json", "--scale", str(scale), "--size", "1024x1024", "--seed", "3", "-o", "noise.exr")
