@@ -9,10 +9,11 @@ import sys
 import unittest
 
 import numpy as np
+import PIL.Image
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "cli"))
-from exr import Exr
+from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
@@ -166,6 +167,22 @@ void main()
         ratio = np.array(faint["mixing"]) / np.array(sixteen["mixing"])
         self.assertLess(np.abs(ratio - 0.01).max(), 0.0005)
 
+    def test_jpeg(self):
+        picture = PIL.Image.fromarray(np.rint(255 * np.clip(colour_noise(192), 0, 1)).astype("u1"))
+        picture.save(self.folder / "good.jpg", quality=95)
+        picture.convert("L").save(self.folder / "grey.jpg", progressive=True)
+        picture.convert("CMYK").save(self.folder / "cmyk.jpg")
+        whole = (self.folder / "good.jpg").read_bytes()
+        (self.folder / "cut.jpg").write_bytes(whole[:len(whole) // 2])
+        picture.save(self.folder / "good.png")
+        by_png = self.fit("good.png", "--lobes", "2")["colour"]["mean"]
+        by_jpeg = self.fit("good.jpg", "--lobes", "2")["colour"]["mean"]
+        self.assertLess(np.abs(np.array(by_png) - by_jpeg).max(), 0.005)
+        self.assertNotIn("colour", self.fit("grey.jpg", "--lobes", "2"))
+        (self.folder / "fit.json").unlink()
+        self.assert_refused(["cmyk.jpg", "CMYK", "grey or RGB"], "fit", "cmyk.jpg", "-o", "fit.json")
+        self.assert_refused(["cut.jpg"], "fit", "cut.jpg", "-o", "fit.json")
+
     def test_wrong_pictures_are_refused(self):
         write_png(self.folder / "small.png", colour_noise(96))
         write_png(self.folder / "constant.png", np.full((256, 256), 0.5))
@@ -175,10 +192,13 @@ void main()
         (self.folder / "cut.png").write_bytes((self.folder / "good.png").read_bytes()[:20000])
         (self.folder / "video.mp4").write_bytes(b"\0\0\0\x20ftypisom" + bytes(200))
         (self.folder / "folder").mkdir()
+        values = colour_noise(160).astype("f4")
+        values[100, 50, 2] = np.nan
+        write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
         for words, image in ((["small.png", "96 x 96", "128 x 128"], "small.png"), (["constant.png", "constant"], "constant.png"),
                              (["trend.png", "constant"], "trend.png"), (["cut.png"], "cut.png"),
                              (["video.mp4", "PNG, JPEG or OpenEXR"], "video.mp4"),
-                             (["folder", "not a regular file"], "folder"), (["none.png", "No such file"], "none.png")):
+                             (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):
             self.assert_refused(words, "fit", image, "-o", "fit.json")
         for words, options in ((["--lobes", "1 to 16"], ["--lobes", "17"]), (["--lobes", "1 to 16"], ["--lobes", "x"]),
                                (["--glsl", "texture.glsl"], ["--glsl", "texture.glsl"]),

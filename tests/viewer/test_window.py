@@ -90,6 +90,34 @@ class Window(ViewerTest):
         self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
+    def test_what_has_no_effect_says_so(self):
+        self.play("""
+            set view sphere
+            set orientation_spread 90
+            set width 64
+            set height 64
+            screenshot body.png
+            set orientation 60
+            screenshot turned.png
+            key r
+            expect message one recipe
+            key tab
+            expect message nothing to compare
+            set view flat
+            set output 1
+            screenshot normals.png
+            set colours 3
+            screenshot coloured.png
+            key f
+            expect message not filtered
+            save after.json
+            quit""", "--window", "900x600")
+        files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
+        self.assertEqual(files["body"], files["turned"])
+        self.assertEqual(files["normals"], files["coloured"])
+        after = json.loads((self.folder / "after.json").read_text())
+        self.assertEqual((after["recipe"], after["filter"], after["viewer"]["compared"]), ("lattice", False, None))
+
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
         # By drags alone: the same view from another side, which must be the same picture.
         self.play("""
@@ -150,10 +178,10 @@ class Window(ViewerTest):
 
         noise = shaders / "passes/pixels.comp"
         pass_text = noise.read_text()
-        after("before.png", drop_in, good.replace("vec2 gabor_impl_position_plus_one", "vec2 spoilt("))
+        after("before.png", drop_in, good.replace("float gabor_impl_sine", "float spoilt("))
         after("broken.png", drop_in, good)
-        after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
-        after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))
+        after("mended.png", noise, pass_text.replace("here.values[i];", "here.nothing;"))
+        after("other.png", noise, pass_text.replace("here.values[i];", "here.values[i] + 1.0;"))
         self.finish(process)
         before, mended, brighter = (read_colour_png(self.folder / f"{name}.png").astype(int)
                                     for name in ("before", "mended", "brighter"))
