@@ -53,8 +53,7 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
             break;
         waves.push_back(std::move(next));
         refine(target, waves, Free::weights, 4);
-        if (i % 2 == 1 || i + 1 == lobes)
-            refine(target, waves, Free::all, 6);
+        refine(target, waves, Free::all, 6);
         drop_empty(waves);
         advance(0.8 * (i + 1) / lobes);
         if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
