@@ -184,7 +184,37 @@ GABOR_INLINE int gabor_cpp_min(int a, int b) {
 GABOR_INLINE int gabor_cpp_max(int a, int b) {
     return a < b ? b : a;
 }
+GABOR_INLINE float gabor_cpp_step(float edge, float x) {
+    return gabor_cpp_choose(x < edge, 0.0f, 1.0f);
+}
+GABOR_INLINE float gabor_cpp_sin(float x) {
+    return std::sin(x);
+}
+GABOR_INLINE float gabor_cpp_cos(float x) {
+    return std::cos(x);
+}
+GABOR_INLINE float gabor_cpp_exp(float x) {
+    return std::exp(x);
+}
+GABOR_INLINE float gabor_cpp_exp2(float x) {
+    return std::exp2(x);
+}
+GABOR_INLINE float gabor_cpp_log(float x) {
+    return std::log(x);
+}
+GABOR_INLINE float gabor_cpp_log2(float x) {
+    return std::log2(x);
+}
+GABOR_INLINE float gabor_cpp_pow(float x, float y) {
+    return std::pow(x, y);
+}
 GABOR_EACH(gabor_cpp_floor, T, gabor_cpp_floor)
+GABOR_EACH(gabor_cpp_fract, T, gabor_cpp_fract)
+GABOR_EACH(gabor_cpp_sin, T, gabor_cpp_sin)
+GABOR_EACH(gabor_cpp_cos, T, gabor_cpp_cos)
+GABOR_EACH(gabor_cpp_exp, T, gabor_cpp_exp)
+GABOR_EACH_2(gabor_cpp_step, T, gabor_cpp_step)
+GABOR_EACH_2(gabor_cpp_pow, T, gabor_cpp_pow)
 GABOR_EACH(gabor_cpp_ceil, T, gabor_cpp_ceil)
 GABOR_EACH(gabor_cpp_abs, T, gabor_cpp_abs)
 GABOR_EACH(gabor_cpp_sqrt, T, gabor_cpp_sqrt)
@@ -201,24 +231,19 @@ template <typename T, int N>
 GABOR_INLINE gabor_vector<T, N> gabor_cpp_clamp(gabor_vector<T, N> v, T low, T high) {
     return gabor_cpp_min(gabor_cpp_max(v, gabor_vector<T, N>(low)), gabor_vector<T, N>(high));
 }
+GABOR_INLINE float gabor_cpp_mix(float a, float b, float share) {
+    return a * (1.0f - share) + b * share;
+}
+template <typename T, int N, typename S>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_mix(gabor_vector<T, N> a, gabor_vector<T, N> b, S share) {
+    return a * (T(1) - share) + b * share;
+}
 GABOR_INLINE float gabor_cpp_smoothstep(float low, float high, float x) {
     const float t = gabor_cpp_clamp((x - low) / (high - low), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
 GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
     return 1.0f / std::sqrt(x);
-}
-GABOR_INLINE float gabor_cpp_exp(float x) {
-    return std::exp(x);
-}
-GABOR_INLINE float gabor_cpp_exp2(float x) {
-    return std::exp2(x);
-}
-GABOR_INLINE float gabor_cpp_sin(float x) {
-    return std::sin(x);
-}
-GABOR_INLINE float gabor_cpp_cos(float x) {
-    return std::cos(x);
 }
 GABOR_INLINE float gabor_cpp_atan(float y, float x) {
     return std::atan2(y, x);
@@ -239,6 +264,15 @@ GABOR_INLINE float gabor_cpp_dot(gabor_vec4 a, gabor_vec4 b) {
 }
 GABOR_INLINE float gabor_cpp_length(gabor_vec2 v) {
     return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec3 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE gabor_vec2 gabor_cpp_normalize(gabor_vec2 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
+    return v / gabor_cpp_length(v);
 }
 GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};

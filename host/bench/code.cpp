@@ -44,9 +44,6 @@ std::vector<Code> measure_code(const vulkan::Device& device) {
             continue;
         codes.push_back(
             unrolled(subject.name, make_pass(device, subject, Use::statistics).statistics(device)));
-        if (subject.recipe && subject.measure_cvm && subject.recipe->taps == 0)
-            codes.push_back(unrolled(subject.name + ", native sine",
-                                     make_pass(device, subject, Use::statistics, true).statistics(device)));
     }
     for (const noise::Recipe& recipe : noise::recipes())
         codes.push_back(baked(device, recipe));

@@ -9,6 +9,7 @@
 #include "passes/bench/recipe_lattice_3.h"
 #include "passes/bench/recipe_lattice_4.h"
 #include "passes/bench/seminal.h"
+#include "passes/bench/simplex.h"
 #include "passes/bench/space.h"
 #include "passes/bench/write.h"
 
@@ -42,12 +43,11 @@ void add_drop_in(std::vector<Subject>& all) {
                        &recipe,
                        {0},
                        true});
-    constexpr std::array functions{"gradient", "complex and phasor", "four",      "tiled",   "animated",
-                                   "spread",   "lobes, 3",           "lobes, 16", "filtered"};
-    constexpr std::size_t of_lattice = 5; // the first functions
+    constexpr std::array functions{"gradient", "complex and phasor", "tiled",   "animated", "four",
+                                   "spread",   "lobes, 3",           "filtered"};
+    constexpr std::size_t of_sparse = 4; // the first functions
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        const bool lattice = recipe->is_lattice();
-        for (std::size_t i = 0; i < (lattice ? of_lattice : functions.size()); ++i)
+        for (std::size_t i = 0; i < (recipe->is_lattice() ? functions.size() : of_sparse); ++i)
             all.push_back({fmt::format("gabor_noise_{}, {}", functions.at(i), recipe->name),
                            static_cast<double>(noise::visited_impulses(*recipe)),
                            modules.of(*recipe),
@@ -73,18 +73,18 @@ std::vector<Subject> subjects() {
     add_drop_in(all);
     add_space(all);
     all.push_back({"gradient noise", 0, gradient_spirv});
+    all.push_back({"simplex noise", 0, simplex_spirv});
     all.push_back({"writing alone", 0, write_spirv});
     return all;
 }
 
-vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use, bool native_sine) {
-    // A shader ignores the ids that it does not name. 20 is native_sine of passes/recipe.glsl.
-    std::vector<std::uint32_t> constants(21, 0);
+vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use) {
+    // A shader ignores the ids that it does not name.
+    std::vector<std::uint32_t> constants(20, 0);
     if (subject.recipe)
         std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());
     constants[passes::sampling_id] = use == Use::samples;
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
-    constants[20] = native_sine;
     return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
 }
 

@@ -34,8 +34,7 @@ std::vector<Subject> subjects();
 /// what it compiles to.
 enum class Use { picture, samples, statistics };
 
-/// The pass of a subject, compiled with `native_sine` for the device's own sine.
-vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use,
-                       bool native_sine = false);
+/// The pass of a subject.
+vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use);
 
 } // namespace gabor::bench

@@ -85,7 +85,9 @@ int parse_and_work(int argc, const char* const* argv) {
     add_join_command(app);
     add_stats_command(app);
     add_bench_command(app);
+    add_fit_command(app);
     add_study_command(app);
+    add_merge_command(app);
     add_devices_command(app);
     add_recipes_command(app);
     try {

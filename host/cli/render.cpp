@@ -268,8 +268,11 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         total += times;
         if (frame + 1 == frames)
             progress.reset();
-        fmt::print("{}: {} x {} pixels, recipe {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
-                   region.width, region.height, noise::spelled_out(render::drawing_recipe(request)),
+        fmt::print("{}: {} x {} pixels, {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
+                   region.width, region.height,
+                   render::has_material(request)
+                       ? fmt::format("material {}", request.material)
+                       : fmt::format("recipe {}", noise::spelled_out(render::drawing_recipe(request))),
                    device.info().name);
     }
     if (options.verbose)
@@ -354,7 +357,7 @@ void add_render_command(CLI::App& app) {
     command
         ->add_option(
             "--preset", options->preset,
-            fmt::format("Take what is not given from a preset: {}", fmt::join(render::preset_names(), ", ")))
+            fmt::format("Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes", fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,

@@ -76,6 +76,8 @@ class ExrReader {
     const Window& picture() const;
     const Window& window() const;
     const std::string& channel() const;
+    /// Whether the file has one of that name too.
+    bool has_channel(const std::string& name) const;
     /// The `gabor` attribute, empty where the file has none.
     const std::string& parameters() const;
 

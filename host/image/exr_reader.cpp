@@ -92,6 +92,9 @@ const Window& ExrReader::window() const {
 const std::string& ExrReader::channel() const {
     return state_->channel;
 }
+bool ExrReader::has_channel(const std::string& name) const {
+    return state_->image.header().channels().findChannel(name) != nullptr;
+}
 const std::string& ExrReader::parameters() const {
     return state_->parameters;
 }

@@ -36,8 +36,8 @@ std::vector<Piece> pieces(double count) {
     return all;
 }
 
-// Kernels have a bandwidth, in proportion to the inverse of their radius, which fills the gaps: so many pieces
-// are even.
+// Kernels have a bandwidth, in proportion to the inverse of their radius, which fills the gaps: so many
+// pieces are even.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.radius + 0.8, 1.0, 16.0));
 }

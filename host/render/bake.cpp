@@ -112,7 +112,7 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
 
 bool Bake::can_fill(const Request& request) {
     return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
-           !request.phasor && request.values == 1;
+           !request.phasor && request.values == 1 && !request.colour;
 }
 
 Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {

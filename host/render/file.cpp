@@ -2,14 +2,30 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "render/material.hpp"
 #include "render/parameters.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 namespace gabor::render {
+
+namespace {
+
+float as_is(float value) {
+    return value;
+}
+
+} // namespace
+
+float srgb(float light) {
+    light = std::clamp(light, 0.0f, 1.0f);
+    return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+}
 
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
     rendering.waiting += other.rendering.waiting;
@@ -36,10 +52,13 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                                     .parameters = to_json(request),
                                     .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
                                                             device.info().name, device.info().driver)});
-    const int colours = request.values >= 3 ? 3 : 1; // colour, where there are as many noises
+    // Colour, where there are as many noises; of a material its look.
+    const std::size_t colours = has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
+    const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;
+    const auto show = has_material(request) ? srgb : request.colour ? as_is : unorm;
     std::optional<image::PngWriter> png;
     if (files.png)
-        png.emplace(*files.png, region.width, region.height, colours);
+        png.emplace(*files.png, region.width, region.height, static_cast<int>(colours));
 
     FileTimes times;
     std::vector<float> shown;
@@ -51,8 +70,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         if (png) {
             shown.clear();
             for (std::size_t i = 0; i < values.size(); i += names.size())
-                for (int k = 0; k < colours; ++k)
-                    shown.push_back(unorm(values[i + static_cast<std::size_t>(k)]));
+                for (std::size_t k = first; k < first + colours; ++k)
+                    shown.push_back(show(values[i + k]));
             png->write_rows(shown);
         }
         times.writing += seconds_since(before);

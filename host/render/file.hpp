@@ -14,6 +14,9 @@ constexpr float unorm(float noise) {
     return 0.5f + 0.25f * noise;
 }
 
+/// Light as it is shown: from linear to the values of sRGB (IEC 61966-2-1), within [0, 1].
+float srgb(float light);
+
 /// Where the time of rendering a file went, in seconds.
 struct FileTimes {
     Times rendering;

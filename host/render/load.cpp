@@ -81,10 +81,12 @@ std::vector<std::string_view> preset_names() {
 }
 
 Request preset(std::string_view name) {
+    if (name.ends_with(".json"))
+        return load_request(std::string(name)).request;
     const auto found = std::ranges::find(presets(), name, &Preset::name);
     if (found == presets().end())
-        throw RequestError(
-            fmt::format("unknown preset '{}': the presets are {}", name, fmt::join(preset_names(), ", ")));
+        throw RequestError(fmt::format("unknown preset '{}': the presets are {}, and files NAME.json", name,
+                                       fmt::join(preset_names(), ", ")));
     return from_json(found->json);
 }
 

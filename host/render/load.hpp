@@ -33,7 +33,7 @@ struct Preset {
 /// All of them, by name.
 std::span<const Preset> presets();
 std::vector<std::string_view> preset_names();
-/// Throws RequestError, listing the known names.
+/// One of them, or of a file NAME.json. Throws RequestError, listing the known names.
 Request preset(std::string_view name);
 
 /// Frequencies and orientations that are painted over a picture.

@@ -1,6 +1,7 @@
 #include "render/parameters.hpp"
 
 #include "error.hpp"
+#include "render/material.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +16,7 @@ namespace gabor::render {
 
 namespace {
 
+using namespace std::string_view_literals;
 using Kind = Parameter::Kind;
 using noise::Lobe;
 
@@ -174,6 +176,12 @@ std::vector<Parameter> make_table() {
          "space; `sphere` and `torus` carry noise on their surface",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
+        {"material", Kind::choice, "", none, none, "",
+         "What to show in the noise's place, in the views flat and horizon: channels R, G, B (linear), "
+         "height, "
+         "roughness and metalness, and lit.R, lit.G, lit.B, which a PNG shows",
+         [](const Request& r) { return Value(r.material); },
+         [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
         flag("tileable", "the view flat", "Let the picture continue from each edge at the opposite one",
              in_view(&Plane::tileable)),
         row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the view slice",
@@ -219,15 +227,18 @@ constexpr std::string_view unlike_filter = "a filtered noise is one value, and w
 const std::array exclusions{
     Exclusion{"filter", "gradient", [](const Request& r) { return r.filter && r.gradient; }, unlike_filter},
     Exclusion{"filter", "values", [](const Request& r) { return r.filter && r.values > 1; }, unlike_filter},
+    Exclusion{"view", "material", [](const Request& r) { return in_space(r) && has_material(r); },
+              "a material lies in the views flat and horizon"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
               "paint takes the place of the one lobe's frequency and orientation"},
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
               "paint is stretched over a picture of the view flat"},
-    Exclusion{
-        "filter", "recipe",
-        [](const Request& r) { return r.filter && !in_space(r) && r.recipe != noise::recipes().front(); },
-        "the filter in a plane is for the recipe lattice"},
+    Exclusion{"values", "recipe",
+              [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
+              "several values are for the lattice's recipes"},
+    Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
+              "the filter in a plane is for the recipe lattice"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
@@ -235,6 +246,20 @@ const std::array exclusions{
               },
               "noise in space has a recipe of its own"},
 };
+
+// What a material leaves as it is. All else is the noise's, and has no use beside one.
+constexpr std::array of_material{"width"sv, "height"sv, "scale"sv,  "recipe"sv,
+                                 "seed"sv,  "view"sv,   "filter"sv, "material"sv};
+
+// What is asked for beside a material that has no use.
+std::vector<const Parameter*> beside_material(const Request& request) {
+    std::vector<const Parameter*> found;
+    if (has_material(request))
+        for (const Parameter& p : parameters())
+            if (std::ranges::find(of_material, p.name) == of_material.end() && is_set(request, p.name))
+                found.push_back(&p);
+    return found;
+}
 
 // ---- Values ----
 
@@ -326,7 +351,10 @@ const Parameter& parameter(std::string_view name) {
 
 std::vector<std::string_view> choices(const Parameter& p) {
     std::vector<std::string_view> names;
-    if (p.kind == Kind::choice)
+    if (p.name == "material") {
+        names.push_back(no_material);
+        names.insert(names.end(), materials.begin(), materials.end());
+    } else if (p.kind == Kind::choice)
         std::ranges::transform(named_views, std::back_inserter(names), &NamedView::name);
     else
         std::ranges::transform(noise::recipes(), std::back_inserter(names), &noise::Recipe::name);
@@ -434,6 +462,12 @@ bool is_set(const Request& request, std::string_view name) {
 }
 
 void give_way(Request& request, std::string_view name) {
+    for (const Parameter* p : beside_material(request)) {
+        if (name == p->name)
+            request.material = no_material;
+        else if (const auto value = p->get(Request()); name == "material" && value && p->get(request))
+            p->put(request, *value);
+    }
     for (const Exclusion& exclusion : exclusions) {
         if (!exclusion.stands(request) || (name != exclusion.parameter && name != exclusion.other))
             continue;
@@ -444,6 +478,22 @@ void give_way(Request& request, std::string_view name) {
             parameter(loser).put(request, *parameter(loser).get(Request()));
     }
 }
+
+namespace {
+
+void check_colour(const Request& request) {
+    if (request.colour->weights.size() != request.lobes.size() ||
+        !std::ranges::all_of(request.lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; }))
+        throw RequestError(
+            "a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
+            "that came with it");
+    if (in_space(request) || request.quadrature || request.gradient || request.phasor || request.values > 1 ||
+        !request.paint.empty() || has_material(request))
+        throw RequestError(
+            "colours are drawn in the plane, without paint, materials and other channels than `removed`");
+}
+
+} // namespace
 
 void check(const Request& request) {
     for (const Parameter& p : parameters())
@@ -457,6 +507,12 @@ void check(const Request& request) {
             throw RequestError(fmt::format("{} and {} exclude each other: {}", described(exclusion.parameter),
                                            described(exclusion.other), exclusion.because));
         }
+    for (const Parameter* p : beside_material(request))
+        throw RequestError(
+            fmt::format("{} and material {} exclude each other: a material has noises of its own", p->name,
+                        request.material));
+    if (request.colour)
+        check_colour(request);
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);

@@ -62,7 +62,23 @@ std::vector<std::uint32_t> pixels_constants(const Request& request) {
     constants.push_back(request.phasor);
     constants.push_back(static_cast<std::uint32_t>(request.values));
     constants.push_back(wrapped_time(request) != 0);
+    constants.push_back(request.colour.has_value());
     return constants;
+}
+
+passes::PixelsColour pixels_colour(const Request& request) {
+    const noise::Colour colour = request.colour.value_or(noise::Colour());
+    const auto vector = [](double x, double y, double z) {
+        return passes::vec4{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), 0};
+    };
+    const auto& h = colour.histogram;
+    passes::PixelsColour result{};
+    for (std::size_t n = 0; n < h[0].size(); ++n)
+        result.histogram[n] = vector(h[0][n], h[1][n], h[2][n]);
+    result.mean = vector(colour.mean[0], colour.mean[1], colour.mean[2]);
+    for (std::size_t i = 0; i < colour.mixing.size(); ++i)
+        result.mixing[i] = vector(colour.mixing[i][0], colour.mixing[i][1], colour.mixing[i][2]);
+    return result;
 }
 
 std::vector<double> pixels_tables(const Request& request) {
@@ -91,8 +107,16 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint
                          .radius = static_cast<float>(wave.radius),
                          .amplitude = static_cast<float>(std::sqrt(wave.share)),
                          .seed = wave.seed,
-                         .table = static_cast<int>(table)});
+                         .table = static_cast<int>(table),
+                         .weights = {}});
     }
+    if (request.colour) // one wave for each lobe
+        for (std::size_t i = 0; i < waves.size(); ++i)
+            std::ranges::transform(request.colour->weights.at(i), waves[i].weights,
+                                   [](const noise::Colour::Weight& weight) {
+                                       return passes::vec2{static_cast<float>(weight.quadrature),
+                                                           static_cast<float>(weight.noise)};
+                                   });
     return waves;
 }
 
@@ -117,13 +141,13 @@ Pixels::Pixels(const vulkan::Device& device, const Request& request, const image
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
                const Paint& paint, const std::vector<passes::PixelsWave>& waves)
-    : pass_(device, modules.of(request.recipe), {5, sizeof(passes::PixelsPush)},
-            pixels_constants(request)),
+    : pass_(device, modules.of(request.recipe), {6, sizeof(passes::PixelsPush)}, pixels_constants(request)),
       columns_(
           upload(device, lines_along(request, request.width, region.x, region.width, request.width / 2.0))),
       rows_(upload(device,
                    lines_along(request, request.height, region.y, region.height, sky_rows(request.height)))),
       waves_(upload(device, waves)), paint_(upload(device, paint.samples)),
+      colour_(upload(device, std::vector{pixels_colour(request)})),
       push_(pixels_push(request, request.width, request.height)), height_(region.height) {
     push_.waves = static_cast<int>(waves.size());
     push_.width = region.width;
@@ -139,7 +163,7 @@ std::vector<RegionRenderer::Band> Pixels::bands(int most_rows) const {
 }
 
 vulkan::Job Pixels::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, paint_, result}};
+    return {device, pass_, {columns_, rows_, waves_, paint_, colour_, result}};
 }
 
 void Pixels::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

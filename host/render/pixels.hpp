@@ -14,6 +14,9 @@ std::vector<std::uint32_t> pixels_constants(const Request& request);
 /// frequency needs.
 std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint& paint);
 
+/// What its colours are made of, zeros where there are none.
+passes::PixelsColour pixels_colour(const Request& request);
+
 /// The kernel radius of each of its tables of lines, PixelsWave.table.
 std::vector<double> pixels_tables(const Request& request);
 
@@ -48,6 +51,7 @@ class Pixels : public RegionRenderer {
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;
     vulkan::Buffer paint_;
+    vulkan::Buffer colour_;
     passes::PixelsPush push_;
     int height_;
 };

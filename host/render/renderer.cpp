@@ -1,6 +1,7 @@
 #include "render/renderer.hpp"
 
 #include "render/bake.hpp"
+#include "render/material.hpp"
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 
@@ -71,6 +72,8 @@ std::vector<RegionRenderer::Band> RegionRenderer::bands_of_rows(int height, int 
 
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
                                               const image::Window& region) {
+    if (has_material(request))
+        return std::make_unique<Material>(device, request, region);
     if (Bake::can_fill(request))
         return std::make_unique<Bake>(device, request, region);
     if (in_space(request))

@@ -1,11 +1,17 @@
 #include "render/request.hpp"
 
+#include "render/material.hpp"
+
 #include <array>
 
 namespace gabor::render {
 
 bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
+}
+
+bool has_material(const Request& request) {
+    return request.material != no_material;
 }
 
 bool is_one_wave(const Request& request) {
@@ -16,13 +22,21 @@ noise::Recipe drawing_recipe(const Request& request) {
     return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }
 
+bool can_filter(const Request& request) {
+    return in_space(request) || request.recipe == noise::find_recipe("lattice");
+}
+
 bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }
 
 std::vector<std::string> channels(const Request& request) {
+    if (has_material(request))
+        return {material_channels.begin(), material_channels.end()};
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    if (request.colour)
+        names = {"R", "G", "B"};
     if (request.quadrature)
         names.push_back("quadrature");
     if (request.gradient)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "noise/colour.hpp"
 #include "noise/lobe.hpp"
 #include "noise/recipe.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -56,6 +58,8 @@ struct Request {
     std::uint32_t seed = 0;
     double time = 0; ///< in periods of an animation that ends where it began
     View view = Plane();
+    std::string material =
+        "none"; ///< what to make of noises of its own, in place of the noise: see render/material.hpp
     bool filter = false;    ///< pixels are seen through a normal filter with a deviation of half a pixel
     std::string paint = {}; ///< an EXR with channels `frequency` and `orientation`, in degrees, stretched
                             ///< over the picture in place of those of the lobe; empty for none
@@ -66,14 +70,23 @@ struct Request {
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< uncorrelated noises, 1 to 4
 
+    /// Channels R, G and B in place of the noise. Its weights are of the lobes, in their order.
+    std::optional<noise::Colour> colour = {};
+
     bool operator==(const Request&) const = default;
 };
 
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 
+/// Whether it is a picture of a material in place of the noise.
+bool has_material(const Request& request);
+
 /// The recipe that draws it: the one asked for, but in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
+
+/// Whether its pixels can be filtered: in the plane by the recipe `lattice` alone.
+bool can_filter(const Request& request);
 
 /// Whether the spectrum is a single frequency and orientation.
 bool is_one_wave(const Request& request);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace gabor::render {
 
@@ -95,6 +96,62 @@ ordered_json json_of(const Parameter& p, const Value& value) {
     return std::get<bool>(value);
 }
 
+// Numbers in lists, of as many as the array has.
+template <typename T, std::size_t count>
+void read_numbers(std::array<T, count>& values, const json& list, std::string_view name) {
+    if (!list.is_array() || list.size() != count)
+        throw RequestError(fmt::format("{} of a colour must be a list of {}", name, count));
+    for (std::size_t i = 0; i < count; ++i) {
+        if constexpr (std::is_same_v<T, double>) {
+            if (!list[i].is_number())
+                throw RequestError(fmt::format("{} of a colour must be made of numbers", name));
+            values[i] = list[i].get<double>();
+        } else {
+            read_numbers(values[i], list[i], name);
+        }
+    }
+}
+
+using Weights = std::array<std::array<double, 2>, 3>; // (quadrature, noise)
+
+noise::Colour colour_of(const json& object) {
+    if (!object.is_object())
+        throw RequestError("the colour must be an object");
+    for (const char* name : {"weights", "histogram", "mean", "mixing"})
+        if (!object.contains(name))
+            throw RequestError(fmt::format("the colour has no '{}'", name));
+    if (object.size() != 4 || !object["weights"].is_array())
+        throw RequestError("a colour has weights, one for each lobe, histogram, mean and mixing");
+    noise::Colour colour;
+    for (const json& entry : object["weights"]) {
+        Weights weights{};
+        read_numbers(weights, entry, "weights");
+        auto& to = colour.weights.emplace_back();
+        std::ranges::transform(weights, to.begin(), [](const auto& w) {
+            return noise::Colour::Weight{.quadrature = w[0], .noise = w[1]};
+        });
+    }
+    read_numbers(colour.histogram, object["histogram"], "histogram");
+    read_numbers(colour.mean, object["mean"], "mean");
+    read_numbers(colour.mixing, object["mixing"], "mixing");
+    return colour;
+}
+
+ordered_json json_of(const noise::Colour& colour) {
+    ordered_json list = ordered_json::array();
+    for (const auto& weights : colour.weights) {
+        Weights numbers{};
+        std::ranges::transform(weights, numbers.begin(), [](const noise::Colour::Weight& w) {
+            return std::array{w.quadrature, w.noise};
+        });
+        list.push_back(numbers);
+    }
+    return {{"weights", std::move(list)},
+            {"histogram", colour.histogram},
+            {"mean", colour.mean},
+            {"mixing", colour.mixing}};
+}
+
 bool is_of_lobe(const Parameter& p) {
     return std::ranges::find(lobe_parameters(), p.name, &LobeParameter::name) != lobe_parameters().end();
 }
@@ -111,6 +168,8 @@ std::string to_json(const Request& request) {
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
+    if (request.colour)
+        object["colour"] = json_of(*request.colour);
     return dumped(object);
 }
 
@@ -121,9 +180,14 @@ Request from_json(std::string_view text) {
     Values deciding; // which other parameters there are
     Values others;
     bool has_lobes = false;
+    Request request;
     for (const auto& [name, entry] : object.items()) {
         if (name == "sum" || name == "viewer") // of versions before 1.1.0; how gabor-viewer shows it
             continue;
+        if (name == "colour") {
+            request.colour = colour_of(entry);
+            continue;
+        }
         const Parameter& p = parameter(name);
         const Value value = value_of(p, entry);
         const auto* lobes = std::get_if<std::vector<Lobe>>(&value);
@@ -132,7 +196,6 @@ Request from_json(std::string_view text) {
         has_lobes |= lobes != nullptr;
         (lobes || p.kind == Kind::choice ? deciding : others).emplace_back(&p, value);
     }
-    Request request;
     set(request, deciding);
     std::erase_if(others, [&](const auto& each) {
         return !each.first->get(request) || (has_lobes && is_of_lobe(*each.first));

@@ -1,13 +1,12 @@
 #include "statistics/spectrum.hpp"
 
-#include <kiss_fft.h>
-#include <kiss_fftr.h>
+#include "statistics/transform.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 #include <cstdint>
-#include <new>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -39,42 +38,6 @@ std::vector<int> segment_begins(int length, int side) {
     return begins;
 }
 
-/// Two-dimensional transform of side * side real values: rows, then the columns of fx >= 0.
-/// (kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.)
-class Transform {
-  public:
-    explicit Transform(int side)
-        : side_(static_cast<std::size_t>(side)),
-          rows_(kiss_fftr_alloc(side, 0, nullptr, nullptr), kiss_fft_free),
-          columns_(kiss_fft_alloc(side, 0, nullptr, nullptr), kiss_fft_free), half_(side_ * (side_ / 2 + 1)),
-          column_(side_) {
-        if (!rows_ || !columns_)
-            throw std::bad_alloc();
-    }
-
-    /// Adds the squared modulus of the transform of `values` to `power`.
-    void add_power(std::span<const float> values, std::span<double> power) {
-        const std::size_t width = side_ / 2 + 1;
-        for (std::size_t y = 0; y < side_; ++y)
-            kiss_fftr(rows_.get(), &values[y * side_], &half_[y * width]);
-        for (std::size_t x = 0; x < width; ++x) {
-            kiss_fft_stride(columns_.get(), &half_[x], column_.data(), static_cast<int>(width));
-            for (std::size_t y = 0; y < side_; ++y) {
-                const double re = column_[y].r;
-                const double im = column_[y].i;
-                power[y * width + x] += re * re + im * im;
-            }
-        }
-    }
-
-  private:
-    std::size_t side_;
-    std::unique_ptr<kiss_fftr_state, void (*)(void*)> rows_;
-    std::unique_ptr<kiss_fft_state, void (*)(void*)> columns_;
-    std::vector<kiss_fft_cpx> half_;
-    std::vector<kiss_fft_cpx> column_;
-};
-
 } // namespace
 
 struct Spectrum::State {
@@ -101,7 +64,9 @@ void Spectrum::State::add_segment(int left, int top) {
         for (int x = 0; x < side; ++x)
             *out++ = in[x] * window[static_cast<std::size_t>(x)] * window[static_cast<std::size_t>(y)];
     }
-    transform.add_power(segment, power);
+    const std::span<const std::complex<float>> values = transform(segment);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        power[i] += std::norm(std::complex<double>(values[i]));
 }
 
 Spectrum::Spectrum(int width, int height) {

@@ -2,6 +2,7 @@
 
 // The figures of the paper (figures.cpp) and the questions beyond them, each in the file of its name.
 
+#include "noise/recipe.hpp"
 #include "study/study.hpp"
 #include "study/variant.hpp"
 
@@ -41,17 +42,20 @@ class SeminalCurve {
 
 inline constexpr std::string_view recipe_columns =
     "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
-    "places_chance,contrast_interdecile,sidelobe_db,outside";
+    "places_chance,contrast_interdecile,sidelobe_db,outside,cvm_places,cvm_places_low,cvm_places_high";
 
-/// Every criterion of one recipe: Gaussianity, the variance at each place of a cell, the contrast of windows,
-/// spectral purity.
+/// Every criterion of one recipe: Gaussianity pooled over places and at each place of a cell, the variance
+/// there, the contrast of windows, spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
+
+/// The same for a recipe of the lattice.
+Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort);
 
 /// The same for the seminal noise, which is no variant.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
 /// Appends to each of such rows 1 where it is on the Pareto front, 0 elsewhere: where its variance is
-/// stationary, and no such row is as good in visits, Gaussianity and sidelobes and better in one of them.
+/// stationary, and no such row is as good in visits, Gaussianity at places and sidelobes and better in one.
 void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

@@ -1,6 +1,7 @@
 // Gaussianity against impulses visited and spectral purity: the Pareto front of recipes.
 
 #include "study/figures.hpp"
+#include "study/lattice.hpp"
 #include "study/measures.hpp"
 
 #include <fmt/format.h>
@@ -27,15 +28,15 @@ constexpr double most_visited = 20;
 // Columns of `recipe_columns` that are measured.
 enum Column : std::size_t {
     visits = 0,
-    cvm_high = 3,
     places_interdecile = 5,
     places_chance = 6,
-    sidelobe = 8
+    sidelobe = 8,
+    cvm_places_high = 12
 };
 
 bool dominates(const Numbers& a, const Numbers& b) {
     bool better = false;
-    for (const std::size_t column : {visits, cvm_high, sidelobe}) {
+    for (const std::size_t column : {visits, cvm_places_high, sidelobe}) {
         if (a[column] > b[column])
             return false;
         better |= a[column] < b[column];
@@ -43,24 +44,26 @@ bool dominates(const Numbers& a, const Numbers& b) {
     return better;
 }
 
-Numbers criteria(Noise noise, const Window& window, double visits, double cell, const Effort& effort,
+Numbers criteria(Noise noise, const SpectralPurity& purity, double visits, double cell, const Effort& effort,
                  std::uint32_t seed) {
     const std::span<Noise> sum(&noise, 1);
     const ValueStatistics values = measure_values(sum, effort.samples, seed);
     const statistics::Estimate cvm = values.gaussianity.index();
-    const statistics::ProcessStationarity places = measure_places(sum, cell, effort.places, seed);
+    const PlaceStatistics places = measure_places(sum, cell, effort.places, seed);
     const statistics::InstanceStationarity windows = measure_windows(sum, effort.windows, seed);
-    const SpectralPurity purity = spectral_purity(window);
     return {visits,
             cvm.value,
             cvm.low,
             cvm.high,
             values.moments.variance(),
-            places.variance().interdecile,
-            places.chance_interdecile(),
+            places.stationarity.variance().interdecile,
+            places.stationarity.chance_interdecile(),
             windows.contrast().interdecile,
             purity.sidelobe,
-            purity.outside};
+            purity.outside,
+            places.cvm.value,
+            places.cvm.low,
+            places.cvm.high};
 }
 
 double cost(double visits, const Effort& effort) {
@@ -76,8 +79,19 @@ Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effor
                         name(variant.magnitudes), variant.floor, variant.jitter, variant.impulses,
                         variant.radius, effort.samples),
             cost(visits, effort), [&device, variant, visits, effort](std::uint32_t seed) {
-                return criteria(Noise(device, variant), variant.window, visits, 1 / variant.radius, effort,
-                                seed);
+                return criteria(Noise(device, variant), spectral_purity(variant.window), visits,
+                                1 / variant.radius, effort, seed);
+            }};
+}
+
+Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort) {
+    const double visits = noise::visited_impulses(recipe);
+    return {fmt::format("lattice {} taps,square,normal,0.000,0,1,{:g},{}", recipe.taps, recipe.radius,
+                        effort.samples),
+            cost(visits, effort), [&device, recipe, visits, effort](std::uint32_t seed) {
+                const auto window = [&](double x) { return lattice_window(recipe.taps, x); };
+                return criteria(Noise(device, recipe), spectral_purity(window, true), visits,
+                                1 / double{recipe.radius}, effort, seed);
             }};
 }
 
@@ -86,8 +100,8 @@ Row seminal_row(const vulkan::Device& device, const Effort& effort) {
     const double visits = 9 * seminal.impulses;
     return {fmt::format("gaussian,poisson,uniform_signed,0.000,1,{},1,{}", seminal.impulses, effort.samples),
             cost(visits, effort), [&device, seminal, visits, effort](std::uint32_t seed) {
-                return criteria(Noise(device, seminal), Window{"gaussian", Shape::gaussian}, visits, 1,
-                                effort, seed);
+                return criteria(Noise(device, seminal), spectral_purity({"gaussian", Shape::gaussian}),
+                                visits, 1, effort, seed);
             }};
 }
 
@@ -106,6 +120,9 @@ void mark_pareto(std::vector<Numbers>& rows) {
 Tables frontier(const vulkan::Device& device, const Effort& effort) {
     Table table{"frontier", std::string(recipe_columns), {}, "pareto", mark_pareto};
     table.rows.push_back(seminal_row(device, effort));
+    for (const noise::Recipe& recipe : noise::recipes())
+        if (recipe.is_lattice())
+            table.rows.push_back(lattice_row(device, recipe, effort));
     for (const Window& window : window_functions)
         for (const int n : {1, 2})
             for (const double radius : effort.radii)

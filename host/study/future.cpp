@@ -36,7 +36,7 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                                  measure_values(sum, effort.samples, seed, std::sqrt(variance))
                                      .gaussianity.index();
                              const statistics::ProcessStationarity places =
-                                 measure_places(sum, 1, effort.places, seed);
+                                 measure_places(sum, 1, effort.places, seed).stationarity;
                              const statistics::InstanceStationarity windows =
                                  measure_windows(sum, effort.windows, seed);
                              return {variance,

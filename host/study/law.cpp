@@ -1,10 +1,12 @@
-// What a law pooled over places hides: the law at each place of a cell, that of pairs of places, and how much
-// the covariance of two places depends on where they are.
+// What a law pooled over places hides: the law at each place of a cell, that of pairs of places, how much the
+// covariance of two places depends on where they are, and what of the cells power spectra show.
 
 #include "study/figures.hpp"
 
 #include "statistics/gaussianity.hpp"
+#include "statistics/lines.hpp"
 #include "statistics/moments.hpp"
+#include "study/lattice.hpp"
 #include "study/noise.hpp"
 
 #include <fmt/format.h>
@@ -24,13 +26,14 @@ struct Subject {
     std::string name;
     double visited; ///< impulses per value
     double cells_per_radius;
+    int taps; ///< of the lattice, else 0
     std::function<Noise(const vulkan::Device&, const Wave&)> make;
 };
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
     const auto add_ingredients = [&](const char* name, const Ingredients& ingredients) {
-        all.push_back({name, 9.0 * ingredients.impulses, 1,
+        all.push_back({name, 9.0 * ingredients.impulses, 1, 0,
                        [ingredients](const vulkan::Device& device, const Wave& wave) {
                            return Noise(device, ingredients, wave);
                        }});
@@ -40,7 +43,7 @@ std::vector<Subject> subjects() {
     for (const noise::Recipe& recipe : noise::recipes())
         all.push_back(
             {recipe.is_lattice() ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
-             static_cast<double>(noise::visited_impulses(recipe)), recipe.radius,
+             static_cast<double>(noise::visited_impulses(recipe)), recipe.radius, recipe.taps,
              [recipe](const vulkan::Device& device, const Wave& wave) {
                  return Noise(device, recipe, wave);
              }});
@@ -245,6 +248,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     Table table{
         "law_covariance", "noise,lag_x,lag_y,instances,covariance,rms,rms_chance,largest,largest_chance", {}};
     const std::uint64_t instances = effort.places / 2;
+    std::vector<Numbers> theory; // nothing but the lattice depends on the place: signs and phases have mean 0
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, whole_turns);
         for (const std::array<double, 2> lag : {std::array{0.25, 0.0},
@@ -255,13 +259,46 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
                                                 {1.5, 0.0},
                                                 {1.75, 0.0},
                                                 {0.5, 0.5},
-                                                {1.0, 1.0}})
+                                                {1.0, 1.0}}) {
+            const CovarianceOverCell expected =
+                subject.taps > 0 ? lattice_covariance(subject.taps, lag, side) : CovarianceOverCell();
+            theory.push_back({expected.rms, expected.largest});
             table.rows.push_back(
                 {fmt::format("{},{:g},{:g},{}", subject.name, lag[0], lag[1], instances),
                  2.0 * side * side * subject.visited * static_cast<double>(instances),
                  [noise, lag, radius = subject.cells_per_radius, instances](std::uint32_t seed) {
                      return covariance(noise(), lag, radius, instances, seed);
                  }});
+        }
+    }
+    table.derived = "rms_theory,largest_theory";
+    table.derive = [theory](std::vector<Numbers>& rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].insert(rows[i].end(), theory[i].begin(), theory[i].end());
+    };
+    return table;
+}
+
+// Peaks of power spectra at the frequencies of the cells, in pictures of independent instances.
+Table spectra(const vulkan::Device& device, const Effort& effort) {
+    constexpr std::uint64_t pictures = 12;
+    Table table{"law_spectra", "noise,pictures,side,value,square,magnitude,fourth_power,beyond_2.5", {}};
+    const int pixels = 1 << effort.picture_bits;
+    for (const Subject& subject : subjects()) {
+        const Grid grid{.bits = static_cast<unsigned>(effort.picture_bits),
+                        .side = pixels / statistics::Lines::pixels_per_cell / subject.cells_per_radius,
+                        .random = false};
+        table.rows.push_back({fmt::format("{},{},{}", subject.name, pictures, pixels),
+                              subject.visited * static_cast<double>(pictures) * pixels * pixels,
+                              [noise = source(device, subject, {}), grid, pixels](std::uint32_t seed) {
+                                  const std::vector<float> values = draw(noise(), pictures, grid, seed);
+                                  statistics::NoiseLines lines(pixels);
+                                  const auto width = static_cast<std::size_t>(pixels);
+                                  for (std::size_t i = 0; i < values.size(); i += width)
+                                      lines.add_row(std::span(values).subspan(i, width));
+                                  const auto largest = lines.largest();
+                                  return Numbers(largest.begin(), largest.end());
+                              }});
     }
     return table;
 }
@@ -271,7 +308,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
 Tables law(const vulkan::Device& device, const Effort& effort) {
     const auto summaries = std::make_shared<Summaries>();
     return {places(device, effort, summaries), pooled(device, effort, summaries), pairs(device, effort),
-            stationary(device, effort)};
+            stationary(device, effort), spectra(device, effort)};
 }
 
 } // namespace gabor::study

@@ -61,12 +61,30 @@ statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint
     return result;
 }
 
-statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                               std::uint32_t seed) {
+PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                               std::uint32_t seed) {
     const Grid grid{3, cell, false};
-    statistics::ProcessStationarity places(std::size_t{1} << 2 * grid.bits);
-    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) { places.add(values); });
-    return places;
+    const std::size_t places = std::size_t{1} << 2 * grid.bits;
+    PlaceStatistics result{statistics::ProcessStationarity(places), {}};
+    std::vector<statistics::Gaussianity> laws(places);
+    std::vector<float> here;
+    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) {
+        result.stationarity.add(values);
+        for (std::size_t place = 0; place < places; ++place) {
+            here.clear();
+            for (std::size_t i = place; i < values.size(); i += places)
+                here.push_back(values[i]);
+            laws[place].add(here);
+        }
+    });
+    const double share = 1 / static_cast<double>(places);
+    for (const statistics::Gaussianity& law : laws) {
+        const statistics::Estimate cvm = law.index();
+        result.cvm.value += share * cvm.value;
+        result.cvm.low += share * cvm.low;
+        result.cvm.high += share * cvm.high;
+    }
+    return result;
 }
 
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,

@@ -28,8 +28,14 @@ statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint
                                                  std::uint32_t seed);
 
 /// 8 x 8 places of a cell, over many instances. `cell`: its side in kernel radii.
-statistics::ProcessStationarity measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                                               std::uint32_t seed);
+struct PlaceStatistics {
+    statistics::ProcessStationarity stationarity;
+    /// The index at each place, averaged over the places; the interval is the average of theirs, which is
+    /// wider than needed.
+    statistics::Estimate cvm;
+};
+PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
+                               std::uint32_t seed);
 
 /// The mean of a whole instance, 64 x 64 pixels on a square of `side` kernel radii from a cell's corner, for
 /// each of many instances.

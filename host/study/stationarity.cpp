@@ -17,7 +17,7 @@ Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
                 const statistics::ProcessStationarity places =
-                    measure_places(std::span(&noise, 1), 1, instances, seed);
+                    measure_places(std::span(&noise, 1), 1, instances, seed).stationarity;
                 return {places.variance().median, places.variance().interdecile, places.chance_interdecile(),
                         places.largest_mean(), places.chance_largest_mean()};
             }};

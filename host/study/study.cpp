@@ -65,4 +65,10 @@ const Study& find_study(std::string_view name) {
         fmt::format("unknown study '{}': the studies are {}, all", name, fmt::join(names, ", ")));
 }
 
+std::vector<Study> find_studies(std::string_view name) {
+    if (name == "all")
+        return {known.begin(), known.end()};
+    return {find_study(name)};
+}
+
 } // namespace gabor::study

@@ -43,4 +43,7 @@ std::span<const Study> studies();
 /// Throws RequestError, listing the known names.
 const Study& find_study(std::string_view name);
 
+/// The one of that name, or `all`. Throws RequestError, listing the known names.
+std::vector<Study> find_studies(std::string_view name);
+
 } // namespace gabor::study

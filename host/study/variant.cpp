@@ -170,13 +170,12 @@ double node(int i) {
 }
 
 // The Fourier transform of a separable window along an axis, or of a round one, which is Hankel's.
-double transform(const Window& window, double frequency) {
+double transform(const std::function<double(double)>& q, bool separable, double frequency) {
     double sum = 0;
     for (int i = 0; i < nodes; ++i) {
         const double x = node(i);
         const double phase = 2 * std::numbers::pi * frequency * x;
-        sum += value(window, x, 0) *
-               (window.shape == Shape::separable ? std::cos(phase) : x * boost::math::cyl_bessel_j(0, phase));
+        sum += q(x) * (separable ? std::cos(phase) : x * boost::math::cyl_bessel_j(0, phase));
     }
     return sum / nodes;
 }
@@ -184,10 +183,13 @@ double transform(const Window& window, double frequency) {
 } // namespace
 
 SpectralPurity spectral_purity(const Window& window) {
-    const bool separable = window.shape == Shape::separable;
+    return spectral_purity([&](double x) { return value(window, x, 0); }, window.shape == Shape::separable);
+}
+
+SpectralPurity spectral_purity(const std::function<double(double)>& q, bool separable) {
     std::vector<double> power;
     for (double f = 0; f < highest; f += step)
-        power.push_back(std::pow(transform(window, f), 2));
+        power.push_back(std::pow(transform(q, separable, f), 2));
     std::size_t end = 1;
     while (power[end + 1] < power[end])
         ++end;
@@ -204,7 +206,7 @@ SpectralPurity spectral_purity(const Window& window) {
             (power[i] + power[i + 1]) / 2 * step * (separable ? 4 : std::pow(2 * std::numbers::pi, 2) * f);
     }
     for (int i = 0; i < nodes; ++i)
-        whole += std::pow(value(window, node(i), 0), 2) * (separable ? 1 : node(i)) / nodes;
+        whole += std::pow(q(node(i)), 2) * (separable ? 1 : node(i)) / nodes;
     const double share = separable ? std::pow(lobe / whole, 2) : lobe / whole;
     return {10 * std::log10(sidelobe / power[0]), 1 - share};
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,7 +61,8 @@ struct SpectralPurity {
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 
-/// That of a window, by quadrature of its Fourier transform.
+/// That of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier transform.
+SpectralPurity spectral_purity(const std::function<double(double)>& q, bool separable);
 SpectralPurity spectral_purity(const Window& window);
 
 } // namespace gabor::study

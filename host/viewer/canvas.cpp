@@ -31,7 +31,7 @@ vulkan::Pass::Interface interface_of(const NoisePass& noise) {
         return {2, sizeof(passes::SolidPush)};
     if (noise.ingredients)
         return {3, sizeof(passes::IngredientsPush)};
-    return {5, sizeof(passes::PixelsPush)};
+    return {6, sizeof(passes::PixelsPush)};
 }
 
 vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
@@ -51,7 +51,8 @@ void Cost::add(double seconds, double values) {
 ValueGrid::ValueGrid(const vulkan::Device& device, int channels)
     : device_(device), channels_(channels), values_(device, 4, result_memory(device)),
       columns_(device, 8, vulkan::Memory::upload), rows_(device, 8, vulkan::Memory::upload),
-      waves_(device, 8, vulkan::Memory::upload) {}
+      waves_(device, 8, vulkan::Memory::upload),
+      colour_(device, sizeof(passes::PixelsColour), vulkan::Memory::upload) {}
 
 std::size_t ValueGrid::count() const {
     return static_cast<std::size_t>(input_.grid.width) * static_cast<std::size_t>(input_.grid.height) *
@@ -80,7 +81,7 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
     if (std::holds_alternative<passes::IngredientsPush>(input_.push))
         buffers = {columns_, rows_, values_};
     else if (std::holds_alternative<passes::PixelsPush>(input_.push))
-        buffers = {columns_, rows_, waves_, paint, values_};
+        buffers = {columns_, rows_, waves_, paint, colour_, values_};
     job_.emplace(device_, pass, buffers);
 }
 

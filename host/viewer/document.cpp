@@ -41,7 +41,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
         render::load_paint(std::get<std::string>(value)); // it must be there
     render::set(request, name, value);
     if (name == "view") {
-        request.filter = !is_flat(request.view);
+        request.filter = !is_flat(request.view) && render::can_filter(request);
         render::give_way(request, "filter");
     }
     render::give_way(request, name);

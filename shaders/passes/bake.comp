@@ -47,12 +47,6 @@ vec2 rotated(vec2 z, vec2 by)
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
 
-// A window and its derivative per kernel radius.
-struct Window {
-    float value;
-    float slope;
-};
-
 #ifdef GABOR_TAPS
 
 // Those of an axis' nodes.
@@ -134,15 +128,16 @@ void fill(Run across, Run down, uint index)
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
         uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
-        vec2 impulse = gabor_impl_position_plus_one(word);
-        vec2 d = (local - (impulse + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + gabor_impl_phase(impulse, float(GABOR_PHASES)) + gabor_impl_phase_rate(word) * time;
-        vec2 z = amplitude * gabor_impl_magnitude(word) * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
+        GaborImpulse impulse = gabor_impl_impulse(word);
+        vec2 d = (local - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
+        float turns = dot(wave, d) + impulse.phase + impulse.phase_rate * time;
+        vec2 z = amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            bracket[c * block_columns + k] = z * gabor_impl_window(d.x + float(k) * pixel);
+            vec2 window = gabor_impl_window(d.x + float(k) * pixel);
+            bracket[c * block_columns + k] = z * window.x;
             if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * gabor_impl_window_slope(d.x + float(k) * pixel);
+                bracket_slope[c * block_columns + k] = z * window.y;
             z = rotated(z, column_turn);
         }
     }
@@ -166,16 +161,15 @@ void fill(Run across, Run down, uint index)
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            Window q = Window(down_windows.value[c], down_windows.slope[c]);
+            vec2 q = vec2(down_windows.value[c], down_windows.slope[c]); // and its derivative per kernel radius
 #else
-            float y = distance_y[c] + float(r) * pixel;
-            Window q = Window(gabor_impl_window(y), gabor_impl_window_slope(y));
+            vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
-                envelope[k] += q.value * bracket[c * block_columns + k];
+                envelope[k] += q.x * bracket[c * block_columns + k];
                 if (with_gradient) {
-                    slope_x[k] += q.value * bracket_slope[c * block_columns + k];
-                    slope_y[k] += q.slope * bracket[c * block_columns + k];
+                    slope_x[k] += q.x * bracket_slope[c * block_columns + k];
+                    slope_y[k] += q.y * bracket[c * block_columns + k];
                 }
             }
         }

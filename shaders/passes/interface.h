@@ -18,6 +18,9 @@ struct alignas(8) vec2 {
 struct alignas(8) ivec2 {
     int x, y;
 };
+struct alignas(16) vec4 {
+    float x, y, z, w;
+};
 
 } // namespace gabor::passes
 

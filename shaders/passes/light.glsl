@@ -1,4 +1,5 @@
-// How a material looks on a table under a lamp, seen from above: the lamp upper left, a window's soft light around.
+// How a material looks under a lamp at the upper left, with a window's soft light around. The surface is the plane z = 0,
+// y pointing down the picture.
 // Microfacets after Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 
 // What shines on a surface from direction `d`: a bright window above, dark walls.
@@ -9,13 +10,30 @@ vec3 surroundings(vec3 d, float roughness)
     return vec3(0.13, 0.14, 0.16) + vec3(0.8, 0.85, 0.95) * window;
 }
 
-//   slope  of the height along the picture's right and down
-//   at     place in the picture, from -0.5 to 0.5 along its longer side, y downwards
-vec3 lit(GaborMaterial material, vec2 slope, vec2 at)
+// Towards the eye above the middle of a picture of `size` pixels, from a pixel.
+vec3 eye_above(vec2 pixel, vec2 size)
+{
+    return normalize(vec3((0.5 * size - pixel) / max(size.x, size.y), 1.8));
+}
+
+// Towards the lamp, from a place in the picture between -0.5 and 0.5 along its longer side.
+vec3 lamp_above(vec2 place)
+{
+    return normalize(vec3(vec2(-0.75, -0.85) - 0.6 * place, 1.0));
+}
+
+// Of the sky, from the horizon at 0 to the picture's edge at 1.
+vec3 sky_colour(float up)
+{
+    return mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up);
+}
+
+// The light, linear, that goes to the eye.
+//   slope      of the height along x and y
+//   eye, lamp  where they are, of length 1
+vec3 lit(GaborMaterial material, vec2 slope, vec3 eye, vec3 lamp)
 {
     vec3 normal = normalize(vec3(-slope, 1.0));
-    vec3 eye = normalize(vec3(-at, 1.8));
-    vec3 lamp = normalize(vec3(vec2(-0.75, -0.85) - 0.6 * at, 1.0));
     vec3 between = normalize(eye + lamp);
     float facing = max(dot(normal, lamp), 0.0);
     float seen = max(dot(normal, eye), 0.05);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A picture pixel by pixel: any sum of noises, in any view of the plane, painted, and filtered.
+// A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
 #include "recipe.glsl"
@@ -17,7 +17,8 @@ layout(constant_id = 11) const bool with_gradient = false;
 layout(constant_id = 12) const bool with_phasor = false;
 layout(constant_id = 13) const int values = 1; // uncorrelated ones
 layout(constant_id = 14) const bool animated = false; // for the lattice: whether time is not 0
-const int channels = values + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+layout(constant_id = 15) const bool coloured = false; // red, green and blue in place of the noise
+const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
 layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
@@ -26,7 +27,8 @@ layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; }
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Waves { PixelsWave wave_table[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
-layout(std430, set = 0, binding = 4) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Colour { PixelsColour colour; };
+layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
 
 // Frequency and orientation at a pixel, between the samples of the paint around it.
 vec2 painted_at(vec2 pixel)
@@ -40,8 +42,12 @@ vec2 painted_at(vec2 pixel)
 }
 
 struct Values {
-    GaborField field;
+    vec4 values;
+    vec2 complex;
+    vec2 slope;
     float removed;
+    vec3 components; // of colours
+    vec3 components_removed;
 };
 
 // Where a pixel is, and how far from it are its neighbours along the picture's axes.
@@ -70,13 +76,19 @@ Values wave_at(PixelsWave wave, Footprint here)
     if (filtered) {
         vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
         vec3 value = gabor_field_filtered(place, kernel, gabor_footprint(nodes * here.dx, nodes * here.dy), wave.seed);
-        return Values(GaborField(value.xy, vec2(0.0), vec2(0.0), vec4(value.y)), value.z);
+        return Values(vec4(value.y), value.xy, vec2(0.0), value.z, vec3(0.0), vec3(0.0));
     }
 #endif
-    return Values(gabor_field(place, kernel, wave.seed), 0.0);
+    GaborField field = gabor_field(place, kernel, wave.seed);
+#ifdef GABOR_TAPS
+    vec4 four = values > 1 ? field.four : vec4(field.value.y);
+#else
+    vec4 four = vec4(field.value.y); // of which only the first is wanted
+#endif
+    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), 0.0, vec3(0.0), vec3(0.0));
 }
 
-const Values nothing = Values(GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0)), 0.0);
+const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));
 
 Values values_at(Footprint here)
 {
@@ -84,34 +96,60 @@ Values values_at(Footprint here)
     for (int i = 0; i < waves; ++i) {
         PixelsWave wave = wave_table[i];
         Values one = wave_at(wave, here);
-        sum.field.value += wave.amplitude * one.field.value;
-        sum.field.slope_x += wave.amplitude / wave.radius * one.field.slope_x;
-        sum.field.slope_y += wave.amplitude / wave.radius * one.field.slope_y;
-        sum.field.four += wave.amplitude * one.field.four;
+        sum.values += wave.amplitude * one.values;
+        sum.complex += wave.amplitude * one.complex;
+        sum.slope += wave.amplitude / wave.radius * one.slope;
         sum.removed += wave.amplitude * wave.amplitude * one.removed;
+        if (coloured) {
+            vec2 a = wave.weights[0];
+            vec2 b = wave.weights[1];
+            vec2 c = wave.weights[2];
+            vec2 value = one.complex;
+            sum.components += vec3(dot(a, value), dot(b, value), dot(c, value));
+            sum.components_removed += one.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
+        }
     }
     return sum;
 }
 
-void write_pixel(int at, Values values_here)
+// Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
+// mean of that over what was removed: of z^n over a normal rest of variance v.
+vec3 colour_of(vec3 z, vec3 v)
 {
-    GaborField field = values_here.field;
-    picture[at++] = values > 1 ? field.four.x : field.value.y;
-    for (int i = 1; i < values; ++i)
-        picture[at++] = field.four[i];
+    z = clamp(z, -4.0, 4.0);
+    vec3 s = z * z;
+    vec3 even = colour.histogram[0].xyz + colour.histogram[2].xyz * (s + v)
+              + colour.histogram[4].xyz * (s * (s + 6.0 * v) + 3.0 * v * v);
+    vec3 odd = colour.histogram[1].xyz + colour.histogram[3].xyz * (s + 3.0 * v)
+             + colour.histogram[5].xyz * (s * (s + 10.0 * v) + 15.0 * v * v);
+    vec3 component = even + z * odd;
+    return colour.mean.xyz + vec3(dot(colour.mixing[0].xyz, component), dot(colour.mixing[1].xyz, component),
+                                  dot(colour.mixing[2].xyz, component));
+}
+
+void write_pixel(int at, Values here)
+{
+    if (coloured) {
+        vec3 shown = colour_of(here.components, here.components_removed);
+        for (int i = 0; i < 3; ++i)
+            picture[at++] = shown[i];
+    } else {
+        for (int i = 0; i < values; ++i)
+            picture[at++] = here.values[i];
+    }
     if (with_quadrature)
-        picture[at++] = field.value.x;
+        picture[at++] = here.complex.x;
     if (with_gradient) {
-        picture[at++] = field.slope_x.y;
-        picture[at++] = field.slope_y.y;
+        picture[at++] = here.slope.x;
+        picture[at++] = here.slope.y;
     }
     if (with_phasor) {
-        vec2 phasor = gabor_phasor(field.value);
+        vec2 phasor = gabor_phasor(here.complex);
         picture[at++] = phasor.x;
         picture[at++] = phasor.y;
     }
     if (filtered)
-        picture[at++] = values_here.removed;
+        picture[at++] = here.removed;
 }
 
 void main()
@@ -125,7 +163,7 @@ void main()
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         if (seen.y <= 0.0) { // the sky
-            write_pixel(at, Values(nothing.field, 1.0));
+            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, vec3(0.0), vec3(1.0)));
             return;
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.

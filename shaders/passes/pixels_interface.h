@@ -20,6 +20,14 @@ struct PixelsWave {
     float amplitude;   // the root of its share of the variance
     uint seed;
     int table; // of lines
+    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+};
+
+// What colours are made of: see noise::Colour. Three numbers each.
+struct PixelsColour {
+    vec4 histogram[6]; // coefficients of 1, z, ... z^5, of each component
+    vec4 mean;
+    vec4 mixing[3]; // a row for each channel
 };
 
 // Lengths are in kernel radii of the picture.

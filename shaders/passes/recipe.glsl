@@ -15,11 +15,7 @@ layout(constant_id = 4) const float recipe_window_x = 1.0;
 layout(constant_id = 5) const float recipe_window_y = 0.0;
 layout(constant_id = 6) const float recipe_window_z = 0.0;
 
-// 1 for the device's own sine; apart, because it is no part of a recipe.
-layout(constant_id = 20) const int native_sine = 0;
-
 #define GABOR_UNROLL [[unroll]]
-#define GABOR_NATIVE_SINE native_sine
 #define GABOR_UNCHECKED
 #define GABOR_IMPULSES recipe_impulses
 #define GABOR_RADIUS recipe_radius

@@ -32,9 +32,9 @@ float magnitude(uint word)
 float envelope(vec2 d)
 {
     if (window == 0)
-        return gabor_impl_window(d.x) * gabor_impl_window(d.y);
+        return gabor_impl_window(d.x).x * gabor_impl_window(d.y).x;
     if (window == 1)
-        return gabor_impl_window(length(d));
+        return gabor_impl_window(length(d)).x;
     return dot(d, d) <= 1.0 ? exp(-3.14159265 * dot(d, d)) : 0.0;
 }
 
@@ -55,7 +55,7 @@ float noise(vec2 p, uint seed)
             for (int k = 0; k < impulses; ++k) {
                 uint word = gabor_impl_impulse_word(int(column), row_word, k);
                 uint more = gabor_impl_mix(word, 3u);
-                vec2 place = gabor_impl_position_plus_one(word) - 1.5;
+                vec2 place = gabor_impl_impulse(word).position_plus_one - 1.5;
                 vec2 d = (p - (jitter * place + vec2(column + shift, row) + 0.5)) / radius;
                 float phase = float(int((more ^ word) & 0xffu)) / 256.0;
                 sum += magnitude(more) * envelope(d) * gabor_impl_sine(dot(wave, d) + phase);

@@ -207,7 +207,37 @@ GABOR_INLINE int gabor_cpp_min(int a, int b) {
 GABOR_INLINE int gabor_cpp_max(int a, int b) {
     return a < b ? b : a;
 }
+GABOR_INLINE float gabor_cpp_step(float edge, float x) {
+    return gabor_cpp_choose(x < edge, 0.0f, 1.0f);
+}
+GABOR_INLINE float gabor_cpp_sin(float x) {
+    return std::sin(x);
+}
+GABOR_INLINE float gabor_cpp_cos(float x) {
+    return std::cos(x);
+}
+GABOR_INLINE float gabor_cpp_exp(float x) {
+    return std::exp(x);
+}
+GABOR_INLINE float gabor_cpp_exp2(float x) {
+    return std::exp2(x);
+}
+GABOR_INLINE float gabor_cpp_log(float x) {
+    return std::log(x);
+}
+GABOR_INLINE float gabor_cpp_log2(float x) {
+    return std::log2(x);
+}
+GABOR_INLINE float gabor_cpp_pow(float x, float y) {
+    return std::pow(x, y);
+}
 GABOR_EACH(gabor_cpp_floor, T, gabor_cpp_floor)
+GABOR_EACH(gabor_cpp_fract, T, gabor_cpp_fract)
+GABOR_EACH(gabor_cpp_sin, T, gabor_cpp_sin)
+GABOR_EACH(gabor_cpp_cos, T, gabor_cpp_cos)
+GABOR_EACH(gabor_cpp_exp, T, gabor_cpp_exp)
+GABOR_EACH_2(gabor_cpp_step, T, gabor_cpp_step)
+GABOR_EACH_2(gabor_cpp_pow, T, gabor_cpp_pow)
 GABOR_EACH(gabor_cpp_ceil, T, gabor_cpp_ceil)
 GABOR_EACH(gabor_cpp_abs, T, gabor_cpp_abs)
 GABOR_EACH(gabor_cpp_sqrt, T, gabor_cpp_sqrt)
@@ -224,24 +254,19 @@ template <typename T, int N>
 GABOR_INLINE gabor_vector<T, N> gabor_cpp_clamp(gabor_vector<T, N> v, T low, T high) {
     return gabor_cpp_min(gabor_cpp_max(v, gabor_vector<T, N>(low)), gabor_vector<T, N>(high));
 }
+GABOR_INLINE float gabor_cpp_mix(float a, float b, float share) {
+    return a * (1.0f - share) + b * share;
+}
+template <typename T, int N, typename S>
+GABOR_INLINE gabor_vector<T, N> gabor_cpp_mix(gabor_vector<T, N> a, gabor_vector<T, N> b, S share) {
+    return a * (T(1) - share) + b * share;
+}
 GABOR_INLINE float gabor_cpp_smoothstep(float low, float high, float x) {
     const float t = gabor_cpp_clamp((x - low) / (high - low), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
 GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
     return 1.0f / std::sqrt(x);
-}
-GABOR_INLINE float gabor_cpp_exp(float x) {
-    return std::exp(x);
-}
-GABOR_INLINE float gabor_cpp_exp2(float x) {
-    return std::exp2(x);
-}
-GABOR_INLINE float gabor_cpp_sin(float x) {
-    return std::sin(x);
-}
-GABOR_INLINE float gabor_cpp_cos(float x) {
-    return std::cos(x);
 }
 GABOR_INLINE float gabor_cpp_atan(float y, float x) {
     return std::atan2(y, x);
@@ -262,6 +287,15 @@ GABOR_INLINE float gabor_cpp_dot(gabor_vec4 a, gabor_vec4 b) {
 }
 GABOR_INLINE float gabor_cpp_length(gabor_vec2 v) {
     return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE float gabor_cpp_length(gabor_vec3 v) {
+    return std::sqrt(gabor_cpp_dot(v, v));
+}
+GABOR_INLINE gabor_vec2 gabor_cpp_normalize(gabor_vec2 v) {
+    return v / gabor_cpp_length(v);
+}
+GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
+    return v / gabor_cpp_length(v);
 }
 GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
@@ -596,6 +630,24 @@ GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
     return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), false, 0.0f};
 }
 
+// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period)
+{
+    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
+    GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
+    if (period.x > 0.0f) {
+        place.period.x = int(nodes.x);
+        place.radius.x = nodes.x / period.x;
+    }
+    if (period.y > 0.0f) {
+        place.period.y = int(nodes.y);
+        place.radius.y = nodes.y / period.y;
+    }
+    place.local = p * place.radius;
+    return place;
+}
+
 // A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
 GABOR_INLINE GaborKernel gabor_kernel_stretched(GaborKernel kernel, gabor_vec2 radius)
 {
@@ -664,11 +716,8 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
 // Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
 {
-    period = gabor_cpp_max(period, gabor_vec2(0.0009765625f));
-    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
-    gabor_vec2 radius = nodes / period;
-    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), radius);
-    GaborPlace place = GaborPlace{gabor_ivec2(0), p * radius, radius, gabor_ivec2(nodes), false, 0.0f};
+    GaborPlace place = gabor_place_tiled(p, gabor_cpp_max(period, gabor_vec2(0.0009765625f)));
+    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
     return gabor_field(place, kernel, seed).value.y;
 }
 

@@ -47,16 +47,29 @@ GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float
     sum.four += amplitude * field.four;
 }
 
-// The noise of a sum of lobes at p, with its quadrature and derivatives per unit of p.
-GABOR_INLINE GaborField gabor_field_lobes(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
+// The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
+// rounded to a float: within a period, or without one as p is.
+GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius)
+{
+    gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
+    gabor_vec2 unit = 1.0f / (place.radius * radius);
+    GaborPlace scaled = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
+    scaled.animated = place.animated;
+    scaled.time = place.time;
+    return scaled;
+}
+
+// The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
+GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed)
 {
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f)};
     float power = 0.0f;
     for (int i = 0; i < lobes.count; ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * (GABOR_RADIUS / lobe.radius)),
-                                       gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
-                                       gabor_lobe_seed(seed, i));
+        GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
+        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
+                                                    scaled.radius);
+        GaborField field = gabor_field(scaled, kernel, gabor_lobe_seed(seed, i));
         gabor_impl_accumulate(sum, field, gabor_cpp_sqrt(lobe.power), gabor_cpp_sqrt(lobe.power) / lobe.radius);
         power += lobe.power;
     }
@@ -91,11 +104,10 @@ GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c)
     return gabor_vec3((2.0f * float(i) + 1.0f) * width - 1.0f, share * width, float(i + (n & 1) * 64));
 }
 
-// The noise of a range of waves at p, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
-GABOR_INLINE GaborField gabor_field_spread(gabor_vec2 p, float frequency, float orientation, float frequency_spread,
+// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
                               float orientation_spread, std::uint32_t seed)
 {
-    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f)};
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     frequency_spread = gabor_cpp_clamp(frequency_spread, 0.0f, 1.0f);
@@ -110,6 +122,7 @@ GABOR_INLINE GaborField gabor_field_spread(gabor_vec2 p, float frequency, float 
         for (int i = 0; i < direction_count; ++i) {
             gabor_vec3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
+            kernel = gabor_kernel_stretched(kernel, place.radius);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
             float amplitude = gabor_cpp_sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
@@ -277,20 +290,20 @@ GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radi
 //     lobes.count = 2;
 GABOR_INLINE float gabor_noise_lobes(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
 {
-    return gabor_field_lobes(p, lobes, seed).value.y;
+    return gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_noise_lobes_gradient(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
 {
-    GaborField field = gabor_field_lobes(p, lobes, seed);
+    GaborField field = gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The same with its quadrature, as gabor_noise_complex.
 GABOR_INLINE gabor_vec2 gabor_noise_lobes_complex(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
 {
-    return gabor_field_lobes(p, lobes, seed).value;
+    return gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed).value;
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
@@ -304,14 +317,16 @@ GABOR_INLINE gabor_vec2 gabor_noise_lobes_complex(gabor_vec2 p, GaborLobes lobes
 GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          std::uint32_t seed)
 {
-    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
+    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
+    return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_noise_spread_gradient(gabor_vec2 p, float frequency, float orientation, float frequency_spread,
                                  float orientation_spread, std::uint32_t seed)
 {
-    GaborField field = gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed);
+    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
+    GaborField field = gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
@@ -319,7 +334,8 @@ GABOR_INLINE gabor_vec3 gabor_noise_spread_gradient(gabor_vec2 p, float frequenc
 GABOR_INLINE gabor_vec2 gabor_noise_spread_complex(gabor_vec2 p, float frequency, float orientation, float frequency_spread,
                                 float orientation_spread, std::uint32_t seed)
 {
-    return gabor_field_spread(p, frequency, orientation, frequency_spread, orientation_spread, seed).value;
+    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
+    return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
 #if GABOR_TAPS == 3

@@ -14,17 +14,19 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "join", "stats", "bench", "devices", "recipes"):
+        for command in ("render", "join", "stats", "bench", "study", "merge", "devices", "recipes"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
-                              "--orientation-spread", "--lobes", "--sum", "--preset", "--paint", "--filter", "--view",
+                              "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom"),
+                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom",
+                              "--material"),
                    "join": ("REGION", "-o,--output"),
+                   "merge": ("PART", "-o,--output", "--device"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
                    "bench": ("--json", "--device", "--quick", "--isa")}
         for command, names in options.items():

@@ -14,9 +14,10 @@ from program import ProgramTest, gabor
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
             "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
-            "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1}
+            "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1,
+            "material": "none"}
 # What only some views have, and lists of lobes.
-OF_SOME = {"lobes": None, "sum": False, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1}
+OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1}
 
 
 class RenderTest(ProgramTest):
@@ -134,11 +135,12 @@ class Like(RenderTest):
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--values=3"], ["--filter"],
-                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--sum", "--preset=fabric"]]
+                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--sum", "--preset=figure6"],
+                 ["--material=zebra"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
-            if "--preset=fabric" in flags or "--paint=paint.exr" in flags:
+            if {"--preset=figure6", "--paint=paint.exr", "--material=zebra"} & {*flags}:
                 options = ["--size=61x47", "--scale=24"]
             self.succeed("render", "-o", "made.exr", "--compression=none", *options, *flags)
             made = Exr(self.folder / "made.exr")

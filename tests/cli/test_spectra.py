@@ -8,9 +8,9 @@ import numpy as np
 from exr import Exr, write_exr
 from program import ProgramTest
 
-LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "orientation": 45, "power": 2.5},
+LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "orientation": 45, "power": 2.5, "radius": 2},
          {"frequency": 3.2, "orientation": 90, "power": 2}, {"frequency": 3.2, "orientation": 135, "power": 1.5},
-         {"frequency": 1.3, "orientation": 20, "power": 1}]
+         {"frequency": 1.3, "orientation": 20, "power": 1, "radius": 0.8}]
 
 
 def power(values):
@@ -24,13 +24,8 @@ def frequencies(side, scale):
 
 
 def window_power(f):
-    """|Fourier transform|^2 of the recipe `one`'s window along an axis, of integral 1."""
-    x = (np.arange(4096) + 0.5) / 4096
-    u = 1 - x * x
-    q = u * u * (3 - 4.5 * u + 2.5 * u * u)
-    grid = np.linspace(0, 16, 4097)
-    transform = np.array([(q * np.cos(2 * np.pi * g * x)).mean() * 2 for g in grid])
-    return np.interp(np.abs(f), grid, transform ** 2) / (2 * np.mean(q * q))
+    """|Fourier transform|^2 of Hann's window along an axis, of integral 1."""
+    return (np.sinc(2 * f) + (np.sinc(2 * f + 1) + np.sinc(2 * f - 1)) / 2) ** 2 * 4 / 3
 
 
 class SpectraTest(ProgramTest):
@@ -59,7 +54,8 @@ class Spectra(SpectraTest):
             for sign in (1, -1):
                 dx = x - sign * lobe["frequency"] * np.cos(angle)
                 dy = y - sign * lobe["frequency"] * np.sin(angle)
-                expected += window_power(dx) * window_power(dy) * lobe["power"] / total / 2 * scale ** 2
+                r = lobe.get("radius", 1)
+                expected += window_power(r * dx) * window_power(r * dy) * lobe["power"] / total / 2 * (r * scale) ** 2
                 distance = np.hypot(dx, dy)
                 owner[distance < nearest] = i
                 nearest = np.minimum(nearest, distance)
@@ -69,10 +65,9 @@ class Spectra(SpectraTest):
 
     def test_lobes_have_the_energies_asked_for(self):
         name = self.write_lobes(LOBES)
-        for flags in ([], ["--sum"]):
-            exr = self.render("--tileable", *flags, lobes=name, size="4096x4096", scale=8, seed=5)
-            self.assertAlmostEqual(exr.pixels.var(), 1, delta=0.01)
-            self.assert_energies(exr.pixels, 8, LOBES)
+        exr = self.render("--tileable", lobes=name, size="4096x4096", scale=8, seed=5)
+        self.assertAlmostEqual(exr.pixels.var(), 1, delta=0.01)
+        self.assert_energies(exr.pixels, 8, LOBES)
 
     def test_isotropic_noise_has_the_same_energy_in_every_direction(self):
         values = self.render("--tileable", orientation_spread=90, frequency=2.5, size="2048x2048", scale=8).pixels
@@ -108,7 +103,7 @@ class Spectra(SpectraTest):
         # Were any two of the noises one, the variance would be 1.67 of three and 1.5 of four.
         for count in (3, 4):
             lobes = self.write_lobes([{"frequency": 3, "orientation": 30, "power": 2}] * count)
-            pixels = self.render("--sum", lobes=lobes, size="1024x1024", scale=8).pixels
+            pixels = self.render(lobes=lobes, size="1024x1024", scale=8).pixels
             self.assertAlmostEqual(pixels.var(), 1, delta=0.05)
             self.assertAlmostEqual(pixels.mean(), 0, delta=0.01)
 
@@ -135,7 +130,7 @@ class Spectra(SpectraTest):
 
     def test_regions_of_lobes_have_the_pixels_of_the_whole(self):
         name = self.write_lobes(LOBES)
-        for flags in ([], ["--sum"], ["--filter"]):
+        for flags in ([], ["--phasor"], ["--filter"]):
             whole = self.render(*flags, output="a.exr", lobes=name, size="150x110", scale=16).pixels
             part = self.render(*flags, output="b.exr", lobes=name, size="150x110", scale=16,
                                region="33,21,70,50").pixels
@@ -144,11 +139,21 @@ class Spectra(SpectraTest):
     def test_presets(self):
         names = [line for line in self.succeed("render", "--help").replace("\n", " ").split("preset: ")[1:]]
         presets = names[0].split("  -")[0].replace(" ", "").split(",")
-        self.assertGreaterEqual(len(presets), 9)
-        for preset in presets:
-            exr = self.render(preset=preset.strip(), size="96x64", output=f"{preset}.exr")
-            self.assertTrue(np.isfinite(exr.pixels).all(), preset)
-            self.assertGreater(exr.pixels.std(), 0.3, preset)
+        self.assertGreaterEqual(len(presets), 13)
+        exr = self.render(preset="figure6", size="96x64")
+        self.assertTrue(np.isfinite(exr.pixels).all())
+        self.assertGreater(exr.pixels.std(), 0.3)
+
+    def test_a_material_has_its_channels_and_one_picture_however_it_is_cut(self):
+        options = {"material": "zebra", "size": "40x30", "scale": 20, "seed": 3}
+        whole = self.render("--png=whole.png", **options).channels
+        self.assertEqual({*whole}, {"R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"})
+        part = self.render(output="part.exr", region="7,5,20,10", **options).channels
+        for name, values in whole.items():
+            self.assertEqual(part[name].tobytes(), values[5:15, 7:27].tobytes(), name)
+        light = np.clip(np.dstack([whole[f"lit.{colour}"] for colour in "RGB"]).astype(float), 0, 1)
+        shown = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+        self.assertLess(np.abs(read_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
 
     def test_requests_that_make_no_sense(self):
         good = self.write_lobes(LOBES)
@@ -164,7 +169,8 @@ class Spectra(SpectraTest):
             (["radius of a lobe 0", "0.01 to 100", "kernel radii"],
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["frequency", "a single lobe", "5, each with its own"], ["--lobes", good, "--frequency=3"]),
-            (["sum", "several lobes"], ["--sum"]),
+            (["values", "recipe", "the lattice's recipes"], ["--values=3", "--recipe=paper"]),
+            (["filter", "recipe lattice-4", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
             (["depth", "the view slice"], ["--depth=3"]),
             (["solid", "sphere and torus"], ["--solid"]),
             (["--orientation-spread", "90"], ["--orientation-spread=91"]),
@@ -176,9 +182,7 @@ class Spectra(SpectraTest):
             (["tileable", "the view flat"], ["--view=horizon", "--tileable"]),
             (["'woood'", "marble"], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
-            (["sphere", "orientation_spread"], ["--view=sphere", "--orientation-spread=30"]),
             (["slice", "recipe"], ["--view=slice", "--recipe=pure"]),
-            (["torus", "values"], ["--view=torus", "--values=2"]),
             (["paint", "lobes"], ["--lobes", good, "--paint=x.exr"]),
             (["absent.exr"], ["--paint=absent.exr"]),
         ]:
@@ -187,7 +191,7 @@ class Spectra(SpectraTest):
 
 class Filter(SpectraTest):
     def test_it_is_the_normal_filter_of_a_finer_picture(self):
-        options = {"orientation": 40, "frequency": 1.5, "seed": 3, "recipe": "one"}
+        options = {"orientation": 40, "frequency": 1.5, "seed": 3}
         seen = self.render("--filter", size="128x96", scale=4, **options)
         fine = self.render(output="fine.exr", size="2048x1536", scale=64, **options).pixels
         at = (np.arange(fine.shape[1]) + 0.5) / 16
@@ -203,7 +207,7 @@ class Filter(SpectraTest):
 
     def test_it_goes_with_time_and_with_tiles(self):
         # Through pixels this small the filter changes the noise by 2 % at most: the same time, and the same tile.
-        options = {"recipe": "one", "frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
+        options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
         for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
             with self.subTest(more):
                 plain = self.render(*more, output="plain.exr", **options).pixels
@@ -213,15 +217,12 @@ class Filter(SpectraTest):
                 self.assertGreater(plain.std(), 0.5)
 
     def test_what_it_takes_is_as_calculated(self):
-        # A lobe of variance B along each axis under a filter of variance S, from the window's own integrals.
-        window = np.polynomial.Polynomial([0, 0, 3.0, -4.5, 2.5])(np.polynomial.Polynomial([1, 0, -1]))
-        energy, slope = ((w ** 2).integ() for w in (window, window.deriv()))
-        b = (slope(1) - slope(-1)) / (energy(1) - energy(-1)) / (4 * np.pi ** 2)
+        # A lobe of variance 1/12 along each axis, which is Hann's window's, under a filter of variance S.
         for frequency, scale in ((1, 4), (3, 6), (2, 16)):
             s = 0.25 / scale ** 2
-            widened = 1 + 8 * np.pi ** 2 * b * s
+            widened = 1 + 8 * np.pi ** 2 / 12 * s
             kept = np.exp(-4 * np.pi ** 2 * frequency ** 2 * s / widened) / widened
-            removed = self.render("--filter", recipe="one", frequency=frequency, scale=scale, size="8x8").channels["removed"]
+            removed = self.render("--filter", frequency=frequency, scale=scale, size="8x8").channels["removed"]
             self.assertAlmostEqual(removed[0, 0] / (1 - kept), 1, delta=0.001)
 
     def test_what_it_takes_is_in_a_channel_of_its_own(self):
@@ -263,6 +264,34 @@ class Space(SpectraTest):
         self.assertAlmostEqual(correlation[3], 0, delta=0.06)
         self.assertAlmostEqual(slices[0].var(), 1, delta=0.06)
 
+    def test_spectra_in_space(self):
+        """A sum of lobes is the sum of what each of them is alone, with its own kernel radius."""
+        lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
+        for view in (["--view=slice", "--depth=1.3"], ["--view=sphere"], ["--view=torus", "--solid"]):
+            # Seeds of a sum are not those of a lone lobe: so the sum is known by its powers' limits.
+            both = [self.render(*view, "--gradient", lobes=self.write_lobes([{**lobes[0], "power": power}, lobes[1]]),
+                                size="120x100", scale=12).pixels for power in (0, 1, 3, 1e9)]
+            for share, seen in ((0.5, both[1]), (0.75, both[2])):
+                expected = np.sqrt(share) * both[3] + np.sqrt(1 - share) * both[0]
+                np.testing.assert_allclose(seen, expected, atol=1e-4)
+            self.assertGreater(np.ptp(both[0]), 1)
+            self.assertGreater(np.abs(both[0] - both[3]).max(), 1)
+        # Kernels twice as wide at half the frequency are the same noise at twice the scale.
+        wide = self.render(view="slice", lobes=self.write_lobes([{"frequency": 1, "radius": 2}]), size="80x60", scale=10)
+        plain = self.render(view="slice", frequency=2, size="80x60", scale=20)
+        np.testing.assert_allclose(wide.pixels, plain.pixels, atol=4e-5)
+        # A spread in the slice's plane is narrow where its angle is.
+        values = self.render(view="slice", frequency=3, orientation_spread=20, size="1024x1024", scale=8).pixels
+        x, y = frequencies(1024, 8)
+        measured = power(values)
+        self.assertAlmostEqual(values.var(), 1, delta=0.06)
+        self.assertLess((measured * np.abs(y)).sum() / (measured * np.abs(x)).sum(), 0.25)
+
+    def test_several_values_in_space_do_not_correlate(self):
+        exr = self.render("--view=slice", size="512x512", scale=4, frequency=1, values=4, orientation_spread=90)
+        values = np.array([exr.channels[name].ravel() for name in ("Y", "second", "third", "fourth")])
+        np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.05)
+
 
 class Channels(SpectraTest):
     def test_pixel_by_pixel_it_is_the_noise_of_the_blocks(self):
@@ -300,15 +329,10 @@ class Channels(SpectraTest):
                                               region=f"{x},{y},37,45")
 
     def test_headers_name_the_recipe_that_drew(self):
-        """The lattice draws single waves; what it does not draw, `one` does, asked for or not."""
-        for options in (["--filter"], ["--frequency-spread=0.2"], ["--orientation-spread=90"], ["--preset=fabric"]):
-            for recipe in ("lattice-4", "one"):
-                self.succeed("render", "-o", f"{recipe}.exr", "--size=64x64", *options, f"--recipe={recipe}")
-            drawn, one = (Exr(self.folder / f"{recipe}.exr") for recipe in ("lattice-4", "one"))
-            self.assertEqual((drawn.parameters["recipe"], one.parameters["recipe"]), ("one", "one"), options)
-            for name, values in one.channels.items():
-                self.assertEqual(drawn.channels[name].tobytes(), values.tobytes(), options)
-        for options in ([], ["--view=horizon"], ["--view=slice"], ["--view=sphere"], ["--values=4"], ["--time=0.5"]):
+        for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
+                                ("one", ["--orientation-spread=90"]), ("paper", ["--preset=figure6"])):
+            self.assertEqual(self.render(*options, size="64x64", recipe=recipe).parameters["recipe"], recipe)
+        for options in (["--view=slice"], ["--view=sphere"]):
             self.assertEqual(self.render(*options, size="64x64").parameters["recipe"], "lattice")
 
     def test_several_values_do_not_correlate(self):
@@ -323,6 +347,12 @@ class Channels(SpectraTest):
                                              "orientation": np.full((5, 7), 40, "<f4")})
         even = self.render("--paint=even.exr", output="a.exr", size="200x150", scale=20).pixels
         np.testing.assert_allclose(even, plain, atol=4e-5)
+        spreads = {"orientation_spread": 50, "frequency_spread": 0.3}
+        for flags in ([], ["--filter"]):
+            plain = self.render(*flags, output="plain.exr", size="200x150", scale=20, frequency=3, orientation=40,
+                                **spreads).pixels
+            even = self.render("--paint=even.exr", *flags, output="a.exr", size="200x150", scale=20, **spreads).pixels
+            np.testing.assert_allclose(even, plain, atol=4e-5)
 
         # Left of the middle third the one noise, right of it the other, and no seam on the way.
         frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)

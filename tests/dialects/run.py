@@ -1,4 +1,4 @@
-"""The scene in one dialect: run.py glsl|hlsl|dxc|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
+"""The scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
 in GABOR_SCENES, and for dxc the compiler's library in GABOR_DXC."""
 
 import json
@@ -29,18 +29,33 @@ def pasted(scene, text):
     return path
 
 
+def included(path):
+    """A file with all that it includes, from beside it or from the repository's root."""
+    def contents(match):
+        return included(next(file for file in (path.parent / match[1], HERE.parents[1] / match[1]) if file.exists()))
+    return re.sub(r'^#include "(.*)"$', contents, path.read_text(), flags=re.MULTILINE)
+
+
 def drawn_by_vulkan():
     spirv = f"{values}.spv"
     if dialect == "glsl":
         shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text())
         run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
+    elif dialect in ("unity", "unreal"):
+        shader = pathlib.Path(values).with_suffix(".hlsl")
+        shader.write_text(included(HERE / f"scene_{dialect}.hlsl"))
+        run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
     else:
         shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text())
         if dialect == "dxc":
             run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
         else:
             run("glslangValidator", "--quiet", "-V", "-D", "-S", "comp", "-e", "main", "-o", spirv, shader)
-    return run(SCENES / "scene_vulkan", spirv, values).strip()
+    driver = run(SCENES / "scene_vulkan", spirv, values).strip()
+    if dialect in ("unity", "unreal"):  # their nodes have no gabor_noise_at
+        drawn = pathlib.Path(values)
+        drawn.write_bytes(drawn.read_bytes()[:4 * 256 * 256])
+    return driver
 
 
 if dialect == "cpp":
@@ -59,6 +74,8 @@ engine, version, language = {
     "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),
     "dxc": ("Vulkan", "1.1", "HLSL by DXC"),
     "metal": ("none: a C++ compiler", "-", "Metal, as C++"),
+    "unity": ("Unity's function", "-", "HLSL by DXC"),
+    "unreal": ("Unreal's Custom node", "-", "HLSL by DXC"),
     "cpp": ("none: a C++ compiler", "-", "C++ 11"),
 }[dialect]
 print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver}))

@@ -19,7 +19,7 @@ int main(int, char** argv) {
     const Pass pass(device, spirv, {});
     const Buffer values(device, 256 * 257 * sizeof(float), Memory::readback);
     Job job(device, pass, {values});
-    const vulkan::Job::Dispatch dispatch{{}, {.x = 256 / 8, .y = 257}};
+    const Job::Dispatch dispatch{{}, {.x = 256 / 8, .y = 257}};
     job.submit(std::span(&dispatch, 1));
     job.wait();
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <numbers>
 #include <vector>
@@ -326,4 +327,108 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
     }
     fmt::print("{} products over {} draws: {:.2f} sigma at most ({})\n", seen, count, largest, which);
     CHECK(largest < 5.5);
+}
+
+// A word is its column's times its row's modulo 2^32, and all are odd: of the corners of a rectangle the
+// fourth word is the quotient of two by the other, for multiplication is commutative. Whether amplitudes show
+// it.
+TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
+          "[lattice][randomness]") {
+    struct Sides {
+        int x;
+        int y;
+    };
+    const auto count = draws();
+    const double n = static_cast<double>(count);
+    double largest = 0;
+    int seen = 0;
+    std::string which;
+    const auto see = [&](double sigma, const std::string& name) {
+        ++seen;
+        if (std::abs(sigma) > std::abs(largest)) {
+            largest = sigma;
+            which = name;
+        }
+    };
+    for (const bool over_seeds : {false, true}) {
+        for (const Sides sides : {Sides{1, 1}, {2, 1}, {1, 2}, {2, 2}, {7, 5}}) {
+            std::complex<double> alternating,
+                plain; // E[A1 A2* A3 A4*] and E[A1 A2 A3 A4] around the rectangle
+            std::vector<std::uint64_t> high(256), low(256); // the two leading bits of each part of the four
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const std::int32_t x = over_seeds ? 3 : static_cast<std::int32_t>(i & 0xfff) - 2048;
+                const std::int32_t y = over_seeds ? -5 : static_cast<std::int32_t>(i >> 12) - 128;
+                const std::uint32_t seed = over_seeds ? static_cast<std::uint32_t>(i) : 7;
+                const std::array words{lattice_word(x, y, seed), lattice_word(x + sides.x, y, seed),
+                                       lattice_word(x + sides.x, y + sides.y, seed),
+                                       lattice_word(x, y + sides.y, seed)};
+                if (words[0] * words[2] != words[1] * words[3])
+                    FAIL("the words are no longer products: say above what they are");
+                std::array<std::complex<double>, 4> a;
+                std::size_t high_bits = 0, low_bits = 0;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    a[k] = lattice_amplitude(words[k]) / lattice_amplitude_deviation();
+                    high_bits = high_bits << 2 | words[k] >> 30;
+                    low_bits = low_bits << 2 | (words[k] >> 14 & 3);
+                }
+                alternating += a[0] * std::conj(a[1]) * a[2] * std::conj(a[3]);
+                plain += a[0] * a[1] * a[2] * a[3];
+                ++high[high_bits];
+                ++low[low_bits];
+            }
+            const std::string name =
+                fmt::format("{} x {} {}", sides.x, sides.y, over_seeds ? "over seeds" : "in a square");
+            const double sigma = std::sqrt(8 * n); // of either part of a product of four, E|A|^2 = 2
+            for (const auto& [sum, conjugated] :
+                 {std::pair(alternating, "A1 A2* A3 A4*"), {plain, "A1 A2 A3 A4"}}) {
+                see(sum.real() / sigma, fmt::format("Re {}, {}", conjugated, name));
+                see(sum.imag() / sigma, fmt::format("Im {}, {}", conjugated, name));
+            }
+            for (const auto& [counts, part] : {std::pair(&high, "real"), {&low, "imaginary"}}) {
+                double chi_square = 0;
+                for (const std::uint64_t c : *counts)
+                    chi_square += std::pow(static_cast<double>(c) - n / 256, 2) / (n / 256);
+                see((chi_square - 255) / std::sqrt(510.0),
+                    fmt::format("leading bits of {} parts, {}", part, name));
+            }
+            fmt::print("  {}: E[A1 A2* A3 A4*] / E[|A|^2]^2 = {:.5f} {:+.5f} i +- {:.5f}\n", name,
+                       alternating.real() / n / 4, alternating.imag() / n / 4, std::sqrt(8 / n) / 4);
+        }
+    }
+    fmt::print("{} figures of rectangles over {} draws: {:.2f} sigma at most ({})\n", seen, count, largest,
+               which);
+    CHECK(std::abs(largest) < 5.5);
+}
+
+// Not more draws: the word of a column or a row is one of 2^22, which longer sequences go through too evenly
+// for chance.
+TEST_CASE("the leading bits of both parts of node words are uniform, along rows and columns and over seeds",
+          "[lattice][randomness]") {
+    constexpr std::uint64_t count = 1 << 21;
+    double largest = 0;
+    for (const int along : {0, 1, 2, 3}) { // a square, a row, a column, seeds
+        std::array<std::vector<std::uint64_t>, 2> counts{std::vector<std::uint64_t>(4096),
+                                                         std::vector<std::uint64_t>(4096)};
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const auto k = static_cast<std::int32_t>(i);
+            const std::uint32_t word = along == 0   ? lattice_word((k & 0xfff) - 2048, (k >> 12) - 128, 7)
+                                       : along == 1 ? lattice_word(k, -77, 7)
+                                       : along == 2 ? lattice_word(-77, k, 7)
+                                                    : lattice_word(3, -5, static_cast<std::uint32_t>(i));
+            ++counts[0][word >> 20];
+            ++counts[1][word >> 4 & 0xfff];
+        }
+        for (const auto& part : counts) {
+            const double expected = static_cast<double>(count) / 4096;
+            double chi_square = 0;
+            for (const std::uint64_t c : part)
+                chi_square += std::pow(static_cast<double>(c) - expected, 2) / expected;
+            const double sigma = (chi_square - 4095) / std::sqrt(2 * 4095.0);
+            if (std::abs(sigma) > std::abs(largest))
+                largest = sigma;
+            INFO("sequence " << along);
+            CHECK(std::abs(sigma) < 5.5);
+        }
+    }
+    fmt::print("8 chi-squares of {} words: {:.2f} sigma at most\n", count, largest);
 }

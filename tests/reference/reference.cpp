@@ -61,43 +61,17 @@ std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, 
     return mix(static_cast<std::uint32_t>(cell_x) * spread + salt, salt);
 }
 
-std::uint32_t lobe_seed(std::uint32_t seed, int index) {
-    return mix(seed + static_cast<std::uint32_t>(index) * spread_impulses, spread);
-}
-
 Reference::Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed)
-    : recipe_(recipe), lobes_{{.frequency = frequency, .orientation = degrees(orientation)}},
+    : recipe_(recipe), frequency_(frequency), orientation_(orientation),
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
-
-Reference::Reference(const Recipe& recipe, std::vector<Lobe> lobes, std::uint32_t seed)
-    : recipe_(recipe), lobes_(std::move(lobes)), seed_(seed) {
-    recipe_.phases = 256;
-    deviation_ = std::sqrt(variance(recipe_, 1, 0)); // of no frequency in particular
-}
-
-// The upper half of another word chooses the lobe, the lower half the orientation, its product the frequency.
-Reference::Wave Reference::wave(std::uint32_t word) const {
-    const std::uint32_t choice = mix(word, spread);
-    const auto within = [](std::uint32_t half) { return (half + 0.5) / 32768 - 1; };
-    double total = 0;
-    for (const Lobe& lobe : lobes_)
-        total += lobe.power;
-    const double wanted = total * ((choice >> 16) + 0.5) / 65536;
-    double before = 0;
-    std::size_t chosen = 0;
-    while (chosen + 1 < lobes_.size() && wanted >= before + lobes_[chosen].power)
-        before += lobes_[chosen++].power;
-    const Lobe& lobe = lobes_[chosen];
-    const double frequency = lobe.frequency * (1 + lobe.frequency_spread * within(choice * spread >> 16));
-    const double orientation = lobe.angle() + radians(lobe.orientation_spread) * within(choice & 0xffff);
-    return {frequency * std::cos(orientation), frequency * std::sin(orientation)};
-}
 
 Reference::Field Reference::field(const Place& place) const {
     using namespace std::complex_literals;
     constexpr double pi = std::numbers::pi;
     const double radius_x = place.radius_x;
     const double radius_y = place.radius_y;
+    const double wave_x = frequency_ * std::cos(orientation_);
+    const double wave_y = frequency_ * std::sin(orientation_);
     const auto lowest = [](double local, double radius) {
         return static_cast<std::int64_t>(std::floor(local - radius));
     };
@@ -120,30 +94,21 @@ Reference::Field Reference::field(const Place& place) const {
                 const double weight = word >> 31 ? 1 : recipe_.weight_floor;
                 const double dx = (place.local_x - static_cast<double>(i) - x) / radius_x;
                 const double dy = (place.local_y - static_cast<double>(j) - y) / radius_y;
-                const Wave cycles = this->wave(word);
-                const auto wave = weight * std::exp(2i * pi * (cycles.x * dx + cycles.y * dy + phase));
+                const auto wave = weight * std::exp(2i * pi * (wave_x * dx + wave_y * dy + phase));
                 const Window qx = window(recipe_, dx);
                 const Window qy = window(recipe_, dy);
-                const std::uint32_t quarters = mix(word, spread_impulses);
-                for (unsigned c = 0; c < 4; ++c) {
-                    const double shifted = quarters >> c & 1 ? wave.real() : wave.imag();
-                    sum.four[c] += qx.value * qy.value * (quarters >> (c + 4) & 1 ? -shifted : shifted);
-                }
                 sum.value += qx.value * qy.value * wave;
-                sum.slope_x += (qx.slope * qy.value + 2i * pi * cycles.x * qx.value * qy.value) * wave;
-                sum.slope_y += (qx.value * qy.slope + 2i * pi * cycles.y * qx.value * qy.value) * wave;
+                sum.slope_x += (qx.slope * qy.value + 2i * pi * wave_x * qx.value * qy.value) * wave;
+                sum.slope_y += (qx.value * qy.slope + 2i * pi * wave_y * qx.value * qy.value) * wave;
             }
         }
     }
     const bool still = place.time == 0 || recipe_.phases != 2;
-    const double deviation = still ? deviation_
-                                   : std::sqrt(variance(recipe_, lobes_.front().frequency,
-                                                        lobes_.front().angle(), double{place.time}));
+    const double deviation =
+        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
     // The variance is in proportion to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
-    for (double& channel : sum.four)
-        channel *= scale;
-    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, sum.four};
+    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
 } // namespace gabor::noise

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "noise/lobe.hpp"
 #include "noise/recipe.hpp"
 
-#include <array>
 #include <complex>
 #include <cstdint>
-#include <vector>
 
 namespace gabor::noise {
 
@@ -30,17 +27,11 @@ Place place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, f
 /// and magnitude (31).
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed);
 
-/// The seed of the noise of lobe `index` in a sum of independent noises.
-std::uint32_t lobe_seed(std::uint32_t seed, int index);
-
 /// The noise in double precision, from the equations and not from the shader: the oracle.
 class Reference {
   public:
     /// `frequency` in cycles per kernel radius, `orientation` in radians.
     Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed);
-
-    /// A spectrum of lobes, one chosen for each impulse, with 256 phases.
-    Reference(const Recipe& recipe, std::vector<Lobe> lobes, std::uint32_t seed);
 
     /// The noise as a complex number, and its gradient per kernel radius; the imaginary part is the noise
     /// itself.
@@ -48,7 +39,6 @@ class Reference {
         std::complex<double> value;
         std::complex<double> slope_x;
         std::complex<double> slope_y;
-        std::array<double, 4> four; ///< as in GaborField
     };
 
     Field field(const Place& place) const;
@@ -56,14 +46,9 @@ class Reference {
     double operator()(const Place& place) const { return field(place).value.imag(); }
 
   private:
-    struct Wave {
-        double x;
-        double y;
-    };
-    Wave wave(std::uint32_t word) const;
-
     Recipe recipe_;
-    std::vector<Lobe> lobes_;
+    double frequency_;
+    double orientation_;
     double deviation_;
     std::uint32_t seed_;
 };

@@ -5,7 +5,6 @@
 #include "vulkan/pass.hpp"
 
 #include "passes/sample.h"
-#include "passes/sample_spectra.h"
 
 #include <fmt/ranges.h>
 
@@ -64,44 +63,10 @@ struct Answer {
     float phasor[2];
     std::uint32_t word;
     std::uint32_t padding;
-    float four[4];
 };
 
-/// As in passes/sample_spectra.comp.
-struct SpectraSample {
-    noise::Place place;
-    std::uint32_t seed;
-    float dx[2];
-    float dy[2];
-    float lobes[15];
-    float padding = 0;
-    float x = place.local_x / place.radius_x; ///< of the functions of a position, kernel radii
-    float y = place.local_y / place.radius_y;
-
-    noise::Lobe lobe(std::size_t i) const {
-        const float* l = lobes + 5 * i;
-        return {l[0], noise::degrees(l[1]), l[2], noise::degrees(l[3]), l[4]};
-    }
-};
-
-inline std::string to_string(const SpectraSample& s) {
-    return fmt::format("{}, seed {}, footprint ({}, {}), ({}, {}), lobes {}", to_string(s.place), s.seed,
-                       s.dx[0], s.dx[1], s.dy[0], s.dy[1], fmt::join(s.lobes, " "));
-}
-
-struct SpectraAnswer {
-    float value[2];
-    float slope_x[2];
-    float slope_y[2];
-    float value_filtered[2];
-    float removed;
-    float spread;
-    float filtered[2];
-    float chosen;
-    float sum;
-};
-
-/// All the answers, or some of which millions are wanted: as in passes/sample.comp.
+/// All the answers, or some of which millions are wanted: as in passes/sample.comp, which has no `four`, and
+/// passes/sample_lattice.glsl.
 enum class Wanted : std::int32_t { all, at, moving, four };
 
 /// Asks the drop-in on the device through one of the passes above, up to `capacity` samples at a time.
@@ -137,25 +102,9 @@ class Probe {
     vulkan::Job job_;
 };
 
-enum class Sine : std::uint32_t { polynomial, native };
-
 struct Sampler : Probe<Sample, Answer> {
-    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity,
-            Sine sine = Sine::polynomial)
-        : Probe(device, capacity, sample_spirv, constants_of(recipe, sine)) {}
-
-  private:
-    static std::array<std::uint32_t, 21> constants_of(const noise::Recipe& recipe, Sine sine) {
-        std::array<std::uint32_t, 21> constants{};
-        std::ranges::copy(render::recipe_constants(recipe), constants.begin());
-        constants[20] = static_cast<std::uint32_t>(sine); // native_sine in passes/recipe.glsl
-        return constants;
-    }
-};
-
-struct SpectraSampler : Probe<SpectraSample, SpectraAnswer> {
-    SpectraSampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
-        : Probe(device, capacity, sample_spectra_spirv, render::recipe_constants(recipe)) {}
+    Sampler(const vulkan::Device& device, const noise::Recipe& recipe, std::size_t capacity)
+        : Probe(device, capacity, sample_spirv, render::recipe_constants(recipe)) {}
 };
 
 } // namespace gabor::test

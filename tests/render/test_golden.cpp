@@ -138,21 +138,3 @@ TEST_CASE("values of every function are those of this version", "[golden]") {
     }
     golden.finish();
 }
-
-TEST_CASE("the four noises are those of this version", "[golden]") {
-    const vulkan::Device device;
-    Golden golden("four");
-    for (const noise::Recipe& recipe : noise::sparse_recipes()) {
-        test::Sampler sampler(device, recipe, count);
-        for (const bool away : {false, true}) {
-            const auto answers = ask(sampler, [&](std::size_t i) {
-                return away ? far_sample(recipe, i) : near_sample(recipe, i);
-            });
-            for (std::size_t c = 0; c < 4; ++c)
-                golden.block(
-                    fmt::format("{}, {}: gabor_noise_four, {}", recipe.name, away ? "far" : "near", c),
-                    tolerance(frequency), [&](std::size_t i) { return answers[i].four[c]; });
-        }
-    }
-    golden.finish();
-}

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -31,54 +32,168 @@ int batches() {
     return static_cast<int>(std::ceil(samples / per_batch));
 }
 
-// Random numbers that are gathered first, so that their deviation need not be known, then compared with the
-// normal law.
-class Gathered {
+// Random numbers against the normal law of mean 0 and a deviation that theory says.
+class Figure {
   public:
+    explicit Figure(double deviation = 1) : deviation_(deviation), gaussianity_(deviation) {}
+
     void add(double value) {
         moments_.add(value);
-        values_.push_back(static_cast<float>(value));
+        gaussianity_.add(value);
     }
 
-    void check(const std::string& name, double deviation = 0) const {
-        statistics::Gaussianity gaussianity(deviation == 0 ? std::sqrt(moments_.variance()) : deviation);
-        gaussianity.add(values_);
-        const statistics::Estimate cvm = gaussianity.index();
-        const double n = static_cast<double>(values_.size());
+    void check(const std::string& name) const {
+        const statistics::Estimate cvm = gaussianity_.index();
+        const double n = static_cast<double>(gaussianity_.count());
+        const double variance = moments_.variance() / (deviation_ * deviation_);
         fmt::print(
             "  {:<34} mean {:8.5f}, variance {:.5f}, excess kurtosis {:7.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
-            name, moments_.mean(), moments_.variance(), moments_.excess_kurtosis(), cvm.value, cvm.low,
-            cvm.high);
+            name, moments_.mean(), variance, moments_.excess_kurtosis(), cvm.value, cvm.low, cvm.high);
         INFO(name);
-        CHECK(std::abs(moments_.mean()) < 5 * std::sqrt(moments_.variance() / n));
-        if (deviation > 0)
-            CHECK(std::abs(moments_.variance() / (deviation * deviation) - 1) < 5 * std::sqrt(2 / n));
+        CHECK(std::abs(moments_.mean()) < 5 * deviation_ / std::sqrt(n));
+        CHECK(std::abs(variance - 1) < 5 * std::sqrt(2 / n));
         CHECK(cvm.low < 0.05);
     }
 
   private:
+    double deviation_;
     statistics::Moments moments_;
-    std::vector<float> values_;
+    statistics::Gaussianity gaussianity_;
 };
 
-using All = std::map<std::string, Gathered>;
+using All = std::map<std::string, Figure>;
+
+float uniform(std::mt19937& random) {
+    return static_cast<float>(random() >> 8) * 0x1p-24f;
+}
+
+// The mean over places of the sum along an axis of h(x - x_i) h(x + lag - x_i), over that without a lag: lag
+// in kernel radii.
+double window_correlation(int taps, double lag) {
+    constexpr int steps = 1000;
+    double with_lag = 0, without = 0;
+    for (int k = -steps; k < steps; ++k) {
+        const double x = (k + 0.5) / steps;
+        const double window = noise::lattice_window(taps, x).value;
+        with_lag += window * noise::lattice_window(taps, x + lag).value;
+        without += window * window;
+    }
+    return with_lag / without;
+}
 
 LatticeSample draw_instance(std::mt19937& random) {
-    const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
     LatticeSample s{};
-    s.local[0] = s.p[0] = 1000 * uniform();
-    s.local[1] = s.p[1] = 1000 * uniform();
+    s.local[0] = s.p[0] = 1000 * uniform(random);
+    s.local[1] = s.p[1] = 1000 * uniform(random);
     s.radius[0] = s.radius[1] = 1.5f;
     s.frequency = frequency;
     s.orientation = orientation;
-    s.time = uniform();
-    s.tile[0] = 0.3f + 4 * uniform();
-    s.tile[1] = 0.3f + 4 * uniform();
+    s.time = uniform(random);
+    s.tile[0] = 0.3f + 4 * uniform(random);
+    s.tile[1] = 0.3f + 4 * uniform(random);
     s.seed = static_cast<std::uint32_t>(random());
     return s;
 }
 
 } // namespace
+
+namespace {
+
+constexpr std::size_t side = 16;
+constexpr std::size_t places = side * side; // of a cell, the first at its corner
+constexpr std::size_t per_place = per_batch / places;
+
+struct Waves {
+    float frequency;
+    float orientation;
+    bool tiled;
+};
+
+LatticeSample draw_at(std::size_t place, int taps, const Waves& waves, std::mt19937& random) {
+    LatticeSample s = draw_instance(random);
+    s.frequency = waves.frequency;
+    s.orientation = waves.orientation;
+    const std::array local{place % side, place / side};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        s.cell[axis] = static_cast<std::int32_t>(random());
+        s.local[axis] = static_cast<float>(local[axis]) / side;
+        const auto least = static_cast<float>(taps);
+        const float nodes = std::max(std::floor(s.tile[axis] * 0.5f * least + 0.5f), least);
+        s.p[axis] = (std::floor(nodes * uniform(random)) + s.local[axis]) * s.tile[axis] / nodes;
+    }
+    return s;
+}
+
+} // namespace
+
+TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "[law]") {
+    const vulkan::Device device;
+    const int rounds = (batches() + 7) / 8; // batches for each wave
+    const double n = rounds * static_cast<double>(per_place);
+    for (const int taps : {3, 4}) {
+        test::LatticeSampler sampler(device, taps, per_batch);
+        std::mt19937 random(8);
+        statistics::Moments all, cvms;
+        std::string worst;
+        fmt::print("{} taps on {}, {} values at each place of each wave\n", taps, device.info().name, n);
+        for (const Waves& waves : {Waves{4, 0, false},
+                                   {4, 0.4f, false},
+                                   {4, 0.785398f, false},
+                                   {4, 1.1f, false},
+                                   {0, 0.4f, false},
+                                   {0.05f, 0.4f, false},
+                                   {0.7f, 0.4f, false},
+                                   {30, 0.4f, false},
+                                   {1.5f, 0.4f, true}}) {
+            std::vector<statistics::Moments> moments(places);
+            std::vector<statistics::Gaussianity> laws(places);
+            for (int round = 0; round < rounds; ++round) {
+                for (std::size_t i = 0; i < per_batch; ++i)
+                    sampler.samples()[i] = draw_at(i / per_place, taps, waves, random);
+                const auto answers =
+                    sampler.answers(per_batch, waves.tiled ? test::Wanted::moving : test::Wanted::at);
+                for (std::size_t i = 0; i < per_batch; ++i) {
+                    const float value = waves.tiled ? answers[i].tiled : answers[i].at;
+                    moments[i / per_place].add(value);
+                    laws[i / per_place].add(value);
+                }
+            }
+
+            // Means and variances differ from place to place by chance alone: chi-square per degree of
+            // freedom.
+            double means = 0, variances = 0;
+            const std::string name = fmt::format("frequency {:<4} orientation {:.2f}{}", waves.frequency,
+                                                 waves.orientation, waves.tiled ? ", tiles" : "");
+            statistics::Moments together;
+            for (std::size_t place = 0; place < places; ++place) {
+                together.merge(moments[place]);
+                means += std::pow(moments[place].mean(), 2) * n / places;
+                variances += std::pow(moments[place].variance() - 1, 2) * n / 2 / places;
+                const double cvm = laws[place].index().value;
+                if (!(cvm < cvms.maximum()))
+                    worst = fmt::format("{}, ({}, {}) / 16", name, place % side, place / side);
+                cvms.add(cvm);
+            }
+            all.merge(together);
+            fmt::print(
+                "  {:<41} mean {:8.5f}, variance {:.5f}, chi-square of means {:.2f}, of variances {:.2f}\n",
+                name, together.mean(), together.variance(), means, variances);
+            INFO(taps << " taps, " << name);
+            CHECK(std::abs(together.mean()) < 5 / std::sqrt(n * places));
+            CHECK(std::abs(together.variance() - 1) < 5 * std::sqrt(2 / (n * places)));
+            CHECK(std::abs(means - 1) < 5 * std::sqrt(2.0 / places));
+            CHECK(std::abs(variances - 1) < 5 * std::sqrt(2.0 / places));
+        }
+        const double error = std::sqrt(cvms.variance() / static_cast<double>(cvms.count()));
+        fmt::print("  all: mean {:8.5f}, variance {:.5f}; cvm {:.4f} +- {:.4f} on average, {:.2f} at the "
+                   "worst: {}\n",
+                   all.mean(), all.variance(), cvms.mean(), error, cvms.maximum(), worst);
+        CHECK(std::abs(all.variance() - 1) < 5 * std::sqrt(2 / static_cast<double>(all.count())));
+        CHECK(cvms.mean() - 4 * error < 0.05);
+        // Of 2304 normal laws the largest T - 1/6 is about 1.2, and in one case of 75 more than 2.
+        CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
+    }
+}
 
 TEST_CASE("the lattice noise, its gradient, quadrature, phasor and four are jointly normal", "[law]") {
     const vulkan::Device device;
@@ -109,8 +224,8 @@ TEST_CASE("the lattice noise, its gradient, quadrature, phasor and four are join
             }
         }
         fmt::print("{} taps on {}\n", taps, device.info().name);
-        for (const auto& [name, gathered] : all)
-            gathered.check(name, 1);
+        for (const auto& [name, figure] : all)
+            figure.check(name);
     }
 }
 
@@ -119,7 +234,7 @@ TEST_CASE("tiles and every time of the lattice noise have its law", "[law]") {
     for (const int taps : {3, 4}) {
         test::LatticeSampler sampler(device, taps, per_batch);
         std::mt19937 random(10);
-        Gathered tiled, animated;
+        Figure tiled, animated;
         for (int batch = 0; batch < batches(); ++batch) {
             for (LatticeSample& sample : sampler.samples())
                 sample = draw_instance(random);
@@ -129,35 +244,41 @@ TEST_CASE("tiles and every time of the lattice noise have its law", "[law]") {
             }
         }
         fmt::print("{} taps on {}\n", taps, device.info().name);
-        tiled.check("tiles of any period", 1);
-        animated.check("at any time", 1);
+        tiled.check("tiles of any period");
+        animated.check("at any time");
     }
 }
 
 TEST_CASE("pairs of values of the lattice noise are jointly normal", "[law]") {
     const vulkan::Device device;
-    test::LatticeSampler sampler(device, 3, per_batch);
-    std::mt19937 random(11);
-    for (int lag = 0; lag < 10; ++lag) {
-        const double angle = 0.7 * lag;
-        const double distance = 0.08 * (lag + 1);
-        Gathered sum, difference;
-        for (int batch = 0; batch < (batches() + 1) / 2; ++batch) {
-            const auto samples = sampler.samples();
-            for (std::size_t i = 0; i < per_batch; i += 2) {
-                samples[i] = samples[i + 1] = draw_instance(random);
-                samples[i + 1].local[0] += static_cast<float>(distance * std::cos(angle) * 1.5);
-                samples[i + 1].local[1] += static_cast<float>(distance * std::sin(angle) * 1.5);
+    for (const int taps : {3, 4}) {
+        test::LatticeSampler sampler(device, taps, per_batch);
+        std::mt19937 random(11);
+        fmt::print("{} taps on {}\n", taps, device.info().name);
+        for (int lag = 0; lag < 10; ++lag) {
+            const double angle = 0.7 * lag;
+            const double x = 0.08 * (lag + 1) * std::cos(angle);
+            const double y = 0.08 * (lag + 1) * std::sin(angle);
+            const double turns = frequency * (x * std::cos(orientation) + y * std::sin(orientation));
+            const double correlation =
+                window_correlation(taps, x) * window_correlation(taps, y) * std::cos(2 * pi * turns);
+            Figure sum(std::sqrt(2 + 2 * correlation)), difference(std::sqrt(2 - 2 * correlation));
+            for (int batch = 0; batch < (batches() + 1) / 2; ++batch) {
+                const auto samples = sampler.samples();
+                for (std::size_t i = 0; i < per_batch; i += 2) {
+                    samples[i] = samples[i + 1] = draw_instance(random);
+                    samples[i + 1].local[0] += static_cast<float>(x * taps / 2);
+                    samples[i + 1].local[1] += static_cast<float>(y * taps / 2);
+                }
+                const auto answers = sampler.answers(per_batch, test::Wanted::at);
+                for (std::size_t i = 0; i < per_batch; i += 2) {
+                    sum.add(answers[i].at + answers[i + 1].at);
+                    difference.add(answers[i].at - answers[i + 1].at);
+                }
             }
-            const auto answers = sampler.answers(per_batch, test::Wanted::at);
-            for (std::size_t i = 0; i < per_batch; i += 2) {
-                sum.add(answers[i].at + answers[i + 1].at);
-                difference.add(answers[i].at - answers[i + 1].at);
-            }
+            sum.check(fmt::format("sum at ({:.2f}, {:.2f})", x, y));
+            difference.check("difference");
         }
-        sum.check(
-            fmt::format("sum at ({:.2f}, {:.2f})", distance * std::cos(angle), distance * std::sin(angle)));
-        difference.check("difference");
     }
 }
 
@@ -166,7 +287,8 @@ TEST_CASE("the lattice noise at two times is jointly normal, its correlation cos
     test::LatticeSampler sampler(device, 3, per_batch);
     std::mt19937 random(12);
     for (const float lag : {0.05f, 0.16f, 0.25f, 0.5f}) {
-        Gathered sum, difference;
+        const double correlation = std::pow(std::cos(pi * lag), 2);
+        Figure sum(std::sqrt(2 + 2 * correlation)), difference(std::sqrt(2 - 2 * correlation));
         const auto samples = sampler.samples();
         for (std::size_t i = 0; i < per_batch; i += 2) {
             samples[i] = samples[i + 1] = draw_instance(random);
@@ -177,8 +299,7 @@ TEST_CASE("the lattice noise at two times is jointly normal, its correlation cos
             sum.add(answers[i].animated + answers[i + 1].animated);
             difference.add(answers[i].animated - answers[i + 1].animated);
         }
-        const double correlation = std::pow(std::cos(pi * lag), 2);
-        sum.check(fmt::format("lag {}: sum", lag), std::sqrt(2 + 2 * correlation));
-        difference.check("difference", std::sqrt(2 - 2 * correlation));
+        sum.check(fmt::format("lag {}: sum", lag));
+        difference.check("difference");
     }
 }

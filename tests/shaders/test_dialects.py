@@ -26,8 +26,6 @@ LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--j
 RECIPES = {
     "gabor_noise": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_noise.glsl"},
-        "native sine": {"GABOR_NATIVE_SINE": "1"},
-        "lobes": {"GABOR_LOBES": "6"},
     },
     "gabor_lattice": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_lattice.glsl"},
@@ -44,11 +42,9 @@ BAD_MACROS = {
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES is a power of two *, from 2 to 256"),
         ("GABOR_PHASES", "512", "GABOR_PHASES is a power of two *, from 2 to 256"),
-        ("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1"),
-        ("GABOR_RADIUS", "1", "gabor_impl_macro_must_be_a_float"),
-        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macro_must_be_a_float"),
-        ("GABOR_WINDOW", "1.0", "gabor_impl_macro_must_be_a_vec3"),
-        ("GABOR_NATIVE_SINE", "1.0", "gabor_impl_macro_must_be_an_int"),
+        ("GABOR_RADIUS", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
     ],
     "gabor_lattice": [
         ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
@@ -65,11 +61,11 @@ USE = """
     float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
     vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
     vec2 phasor = gabor_phasor(gabor_noise_complex(p, 4.0, 0.7854, 7u));
-    vec4 four = gabor_noise_four(p, 4.0, 0.7854, 7u);
-    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y + four.x + four.y + four.z + four.w
+    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y
            + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
 """
 SPECTRA = """
+    noise += dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4(1.0));
     GaborLobes lobes;
     for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
@@ -80,15 +76,7 @@ SPECTRA = """
 #endif
 """
 USE_MORE = {
-    "gabor_noise": """
-    GaborLobes lobes;
-    for (int i = 0; i < GABOR_LOBES; ++i)
-        lobes.lobe[i] = gabor_lobe(p.x, p.y, 0.0, 0.0, 1.0);
-    lobes.count = GABOR_LOBES;
-    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u)
-           + gabor_noise_lobes(p, lobes, 7u) + gabor_noise_sum(p, lobes, 7u)
-           + dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
-""",
+    "gabor_noise": "",
     "gabor_lattice": SPECTRA,
     "gabor_lattice_3d": SPECTRA + """
     vec3 q = vec3(p, 0.3);

@@ -103,7 +103,7 @@ TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
     CHECK(windows.contrast().interdecile ==
           Approx(0.94).epsilon(0.06)); // shared figures of the paper's criteria
     CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
-    const statistics::ProcessStationarity places = measure_places(alone(noise), 1, 1 << 13, 1);
+    const statistics::ProcessStationarity places = measure_places(alone(noise), 1, 1 << 13, 1).stationarity;
     CHECK(places.variance().median == Approx(1).margin(0.01));
     CHECK(places.variance().interdecile < 1.3 * places.chance_interdecile());
     CHECK(places.largest_mean() < 1.3 * places.chance_largest_mean());

@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -46,7 +47,7 @@ class StudyTest(ProgramTest):
     def test_the_law_at_places_and_of_pairs(self):
         self.succeed("study", "law", "--quick", "-o", ".")
         noises = {"seminal", "advice", "paper", "one", "pure", "lattice_2", "lattice_3", "lattice_4"}
-        counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9}
+        counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9, "law_spectra": 1}
         for name, count in counts.items():
             rows = self.table(name)
             self.assertEqual({row["noise"] for row in rows}, noises)
@@ -58,6 +59,16 @@ class StudyTest(ProgramTest):
         # What pooling hides: at places the sparse noise is far from normal, and the lattice is not.
         self.assertGreater(float(summaries["one"]["cvm_mean"]), 5)
         self.assertLess(float(summaries["lattice_3"]["cvm_mean"]), 5)
+        # Theory's largest differences at these lags, and what the sparse noises have.
+        theory = {noise: max(float(row["rms_theory"]) for row in self.table("law_covariance") if row["noise"] == noise)
+                  for noise in noises}
+        self.assertGreater(theory["lattice_2"], 0.15)
+        self.assertAlmostEqual(theory["lattice_3"], 0.040, delta=0.004)
+        self.assertAlmostEqual(theory["lattice_4"], 0.0103, delta=0.001)
+        self.assertEqual(theory["one"], 0)
+        spectra = {row["noise"]: row for row in self.table("law_spectra")}
+        self.assertGreater(float(spectra["one"]["fourth_power"]), 5)
+        self.assertLess(float(spectra["lattice_3"]["fourth_power"]), 2.5)
         self.assertEqual(set(self.files()), {f"{name}.csv" for name in counts})
         subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
         for name in counts:
@@ -80,7 +91,54 @@ class StudyTest(ProgramTest):
         self.assertEqual(files[os.path.join("broken", "figure4.csv")], files[os.path.join("whole", "figure4.csv")])
         self.assertNotIn(os.path.join("broken", "study.part"), files)
 
+    def test_parts_merge_into_the_tables_of_one_run(self):
+        # law has tables whose last columns need all rows of themselves and of another; figure1 rows that cost nothing.
+        for name, count in (("law", 3), ("figure1", 7)):
+            self.succeed("study", name, "--quick", "-o", f"{name}.whole")
+            for part in range(count, 0, -1):
+                self.succeed("study", name, "--quick", "-o", f"{name}.parts", f"--part={part}/{count}")
+            parts = [f"{name}.parts/study.{part}-of-{count}.rows" for part in range(1, count + 1)]
+            rows = [len((self.folder / part).read_text().splitlines()) - 1 for part in parts]
+            self.assertGreater(min(rows), 0, "no part is idle")
+            self.succeed("merge", *parts[1:], parts[0], "-o", f"{name}.merged")
+            files = self.files()
+            whole = [path for path in files if path.startswith(f"{name}.whole/")]
+            self.assertGreater(len(whole), 0)
+            for path in whole:
+                self.assertEqual(files[path.replace("whole", "merged")], files[path], path)
+
+        part = self.folder / "figure1.parts" / "study.2-of-7.rows"
+        before = part.stat().st_mtime_ns
+        self.succeed("study", "figure1", "--quick", "-o", "figure1.parts", "--part=2/7")
+        self.assertEqual(part.stat().st_mtime_ns, before, "a complete part is not measured again")
+        shutil.copy(part, self.folder / "again.rows")
+        self.assert_refused(["part 1 of 7 is missing"], "merge", *parts[1:], "-o", "new")
+        self.assert_refused(["study.2-of-7.rows", "again.rows", "the same part"], "merge", *parts, "again.rows", "-o", "new")
+        self.assert_refused(["law", "figure1"], "merge", *parts[1:], "law.parts/study.1-of-3.rows", "-o", "new")
+        self.assert_refused(["nothing.rows", "no complete part"], "merge", "nothing.rows", "-o", "new")
+        part.write_text(part.read_text().replace("llvmpipe", "another").replace("SwiftShader", "another"))
+        self.assert_refused(["another"], "merge", *parts, "-o", "new")
+        part.write_text("\n".join((self.folder / "again.rows").read_text().splitlines()[:-1]) + "\n")
+        self.assert_refused(["no part has the row"], "merge", *parts, "-o", "figure1.merged")
+
+    def test_an_interrupted_part_goes_on_where_it_was(self):
+        self.succeed("study", "figure4", "--quick", "-o", "whole", "--part=2/2")
+        process = start("study", "figure4", "--quick", "-o", "broken", "--part=2/2", cwd=self.folder)
+        part = self.folder / "broken" / "study.2-of-2.part"
+        while not part.exists() or part.read_text().count("\n") < 4:
+            time.sleep(0.01)
+        process.kill()
+        process.communicate()
+        kept = part.read_text()
+        self.succeed("study", "figure4", "--quick", "-o", "broken", "--part=2/2")
+        self.assertFalse(part.exists())
+        made = {folder: (self.folder / folder / "study.2-of-2.rows").read_text() for folder in ("broken", "whole")}
+        self.assertEqual(sorted(made["broken"].splitlines()), sorted(made["whole"].splitlines()))
+        self.assertLess(set(kept.splitlines()[:3]), set(made["broken"].splitlines()))
+
     def test_wrong_requests(self):
+        for part in ("0/4", "5/4", "1/0", "-1/4", "1", "1/", "/4", "1/4x", "a/b", "1/10000"):
+            self.assert_refused(["--part", "K/N"], "study", "figure1", "-o", "new", f"--part={part}")
         self.assert_refused(["figure7", "figure1", "future", "all"], "study", "figure7", "-o", ".")
         self.assert_refused(["--output"], "study", "figure1")
         (self.folder / "file").write_text("")

@@ -15,7 +15,7 @@ using namespace gabor::study;
 
 TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
     const auto row = [](double visits, double cvm_high, double sidelobe, double interdecile = 0.01) {
-        return Numbers{visits, 0, 0, cvm_high, 1, interdecile, 0.02, 1, sidelobe, 0};
+        return Numbers{visits, 0, 0, 0, 1, interdecile, 0.02, 1, sidelobe, 0, 0, 0, cvm_high};
     };
     std::vector<Numbers> rows{
         row(9, 0.5, -28),       row(9, 0.5, -28), // as good as the first: neither dominates the other

@@ -20,7 +20,10 @@ PICTURES = {
     "pure, later": {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 4000000000, "time": 0.3},
     "lobes": {"lobes": [{"frequency": 3, "orientation": 20}, {"frequency": 5, "orientation": 100, "power": 0.5}],
               "seed": 5},
-    "sum": {"lobes": [{"frequency": 3, "frequency_spread": 0.3}, {"frequency": 5, "orientation": 70}], "sum": True},
+    "radii": {"lobes": [{"frequency": 3, "frequency_spread": 0.3, "radius": 2},
+                        {"frequency": 5, "orientation": 70, "power": 0.3, "radius": 0.6}], "tileable": True},
+    "filtered radii": {"lobes": [{"frequency": 3, "orientation_spread": 90}, {"frequency": 8, "radius": 0.6}],
+                       "filter": True},
     "spread": {"frequency": 3, "orientation": 10, "orientation_spread": 40, "frequency_spread": 0.2},
     "filtered": {"frequency": 9, "orientation": 25, "filter": True},
     "horizon": {"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"},
@@ -118,11 +121,11 @@ class Pictures(ViewerTest):
             compare off
             key home
             open shown.json
-            save again.json
+            save back.json
             quit""")
         shown = (self.folder / "shown.json").read_bytes()
         self.assertEqual(json.loads(shown)["viewer"]["output"], "intensity")
-        self.assertEqual((self.folder / "again.json").read_bytes(), shown)
+        self.assertEqual((self.folder / "back.json").read_bytes(), shown)
         self.gabor("render", "--like", "shown.json", "--size", "16x16", "-o", "shown.exr")
 
     def test_the_snippet_draws_the_same(self):
@@ -149,9 +152,9 @@ class Pictures(ViewerTest):
 
 
 def draw(context, snippet, width, height):
-    include = next(line for line in snippet.splitlines() if line.startswith("#include"))
-    drop_in = (SHADERS / include.split('"')[1]).read_text()
-    fragment = ("#version 330 core\n" + snippet.replace(include, drop_in)
+    for include in [line for line in snippet.splitlines() if line.startswith("#include")]:
+        snippet = snippet.replace(include, (SHADERS / include.split('"')[1]).read_text())
+    fragment = ("#version 330 core\n" + snippet
                 + "out float value;\nvoid main() { value = noise_of_view(gl_FragCoord.xy); }\n")
     vertex = "#version 330 core\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }\n"
     program = context.program(vertex_shader=vertex, fragment_shader=fragment)

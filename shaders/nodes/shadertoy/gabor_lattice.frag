@@ -332,6 +332,24 @@ GaborPlace gabor_place(ivec2 cell, vec2 local)
     return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), false, 0.0);
 }
 
+// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+GaborPlace gabor_place_tiled(vec2 p, vec2 period)
+{
+    vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
+    GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
+    if (period.x > 0.0) {
+        place.period.x = int(nodes.x);
+        place.radius.x = nodes.x / period.x;
+    }
+    if (period.y > 0.0) {
+        place.period.y = int(nodes.y);
+        place.radius.y = nodes.y / period.y;
+    }
+    place.local = p * place.radius;
+    return place;
+}
+
 // A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
 GaborKernel gabor_kernel_stretched(GaborKernel kernel, vec2 radius)
 {
@@ -400,11 +418,8 @@ vec2 gabor_phasor(vec2 value)
 // Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 {
-    period = max(period, vec2(0.0009765625));
-    vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
-    vec2 radius = nodes / period;
-    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), radius);
-    GaborPlace place = GaborPlace(ivec2(0), p * radius, radius, ivec2(nodes), false, 0.0);
+    GaborPlace place = gabor_place_tiled(p, max(period, vec2(0.0009765625)));
+    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
     return gabor_field(place, kernel, seed).value.y;
 }
 

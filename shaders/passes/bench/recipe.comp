@@ -3,9 +3,10 @@
 
 // The drop-in of any recipe, as one would call it.
 
-#define GABOR_LOBES 16
-
 #include "../recipe.glsl"
+#if GABOR_TAPS == 3
+#include "gabor_spectrum.glsl"
+#endif
 #include "bench.glsl"
 
 layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
@@ -20,23 +21,24 @@ float value(vec2 p, uint instance)
         vec2 phasor = gabor_phasor(gabor_noise_complex(p, frequency, orientation, instance));
         return phasor.x + phasor.y;
     case 3:
+        return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);
+    case 4:
+        return gabor_noise_animated(p, 0.3, frequency, orientation, instance);
+#ifdef GABOR_TAPS
+    case 5:
         vec4 four = gabor_noise_four(p, frequency, orientation, instance);
         return four.x + four.y + four.z + four.w;
-    case 4:
-        return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);
-    case 5:
-        return gabor_noise_animated(p, 0.3, frequency, orientation, instance);
-#ifndef GABOR_TAPS
+#endif
+#if GABOR_TAPS == 3
     case 6:
-        return gabor_noise_spread(p, frequency, orientation, 0.2, 1.5707963, instance);
+        return gabor_noise_spread(p, frequency, orientation, 0.0, 1.5707963, instance);
     case 7:
-    case 8:
         GaborLobes lobes;
-        for (int i = 0; i < GABOR_LOBES; ++i)
-            lobes.lobe[i] = gabor_lobe(frequency + float(i), orientation + float(i), 0.0, 0.0, 1.0);
-        lobes.count = function == 7 ? 3 : 16;
+        for (int i = 0; i < 3; ++i)
+            lobes.lobe[i] = gabor_lobe(frequency + float(i), orientation + float(i), 1.0, 1.0);
+        lobes.count = 3;
         return gabor_noise_lobes(p, lobes, instance);
-    case 9:
+    case 8:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
         return filtered.x + filtered.y;
 #endif

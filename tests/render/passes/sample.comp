@@ -37,7 +37,6 @@ struct Answer {
     vec2 phasor;
     uint word;
     uint padding;
-    vec4 four;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -45,7 +44,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int wanted; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`, 3: `four`
+    int wanted; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`
 };
 
 void main()
@@ -64,8 +63,6 @@ void main()
         answers[i].tiled = gabor_noise_tiled(p, vec2(s.period_x, s.period_y), s.frequency, s.orientation, s.seed);
         answers[i].animated = gabor_noise_animated(p, s.time, s.frequency, s.orientation, s.seed);
     }
-    if (all || wanted == 3)
-        answers[i].four = gabor_noise_four(p, s.frequency, s.orientation, s.seed);
     if (!all)
         return;
 

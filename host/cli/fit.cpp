@@ -1,0 +1,135 @@
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "error.hpp"
+#include "fit/glsl.hpp"
+#include "fit/preset.hpp"
+#include "fit/report.hpp"
+#include "image/output_file.hpp"
+#include "render/parameters.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gabor::cli {
+
+namespace {
+
+constexpr std::uint64_t progress_steps = 1000;
+
+struct FitOptions {
+    std::string image;
+    std::string output;
+    std::string lobes = std::to_string(fit::most_lobes);
+    std::optional<std::string> glsl;
+    std::optional<std::string> report;
+};
+
+void save(image::OutputFile& file, const std::string& text) {
+    file.write(std::as_bytes(std::span(text)));
+    file.commit();
+}
+
+// A share of progress that other work goes on from.
+fit::Advance part_of(Progress& progress, double from, double to) {
+    return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
+        check_interrupt();
+        const auto now = static_cast<std::uint64_t>(progress_steps * (to - from) * share);
+        progress.advance(now - shown);
+        shown = now;
+    };
+}
+
+int lobes_of(const std::string& text) {
+    int lobes = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lobes);
+    if (error != std::errc() || end != text.data() + text.size() || lobes < 1 || lobes > fit::most_lobes)
+        throw RequestError(
+            fmt::format("--lobes '{}': it takes a whole number from 1 to {}", text, fit::most_lobes));
+    return lobes;
+}
+
+void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const fit::Texture& texture) {
+    const fit::Figures& figures = texture.figures;
+    fmt::print("{}: {} lobes for {} x {} pixels, {}\n", options.output, texture.waves.size(), exemplar.width,
+               exemplar.height, exemplar.channels == 1 ? "grey" : "colour");
+    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", figures.l1,
+               figures.l2);
+    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", figures.autocorrelation,
+               fit::furthest_lag);
+    if (exemplar.structure > fit::Structure::limit)
+        fmt::print("  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, "
+                   "where Gaussian "
+                   "textures have 0.\n  Its random-phase noise has lost the edges and the things that it is "
+                   "made of: "
+                   "the fit will too.\n",
+                   exemplar.structure);
+    if (exemplar.alpha)
+        fmt::print("  Its alpha channel was ignored.\n");
+}
+
+void fit_picture(const FitOptions& options) {
+    note_interrupts();
+    const int lobes = lobes_of(options.lobes);
+    const std::optional<std::string> name =
+        options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
+    if (std::filesystem::path(options.output).extension() != ".json")
+        throw RequestError(
+            fmt::format("-o '{}': it takes the name of a file that ends in .json", options.output));
+    image::OutputFile output(options.output);
+    std::optional<image::OutputFile> glsl;
+    if (options.glsl)
+        glsl.emplace(*options.glsl);
+
+    std::optional<Progress> progress(std::in_place, "fitting", progress_steps);
+    const double read = options.report ? 0.2 : 0.3;
+    const double fitted = options.report ? 0.6 : 1;
+    const fit::Exemplar exemplar = fit::read_exemplar(options.image, part_of(*progress, 0, read));
+    const fit::Texture texture = fit::fit(exemplar, lobes, part_of(*progress, read, fitted));
+    const render::Request request = fit::request_of(exemplar, texture);
+    if (options.report)
+        fit::write_report(*options.report, options.image, exemplar, texture, part_of(*progress, fitted, 1));
+    progress.reset();
+    save(output, render::to_json(request) + "\n");
+    if (glsl)
+        save(*glsl, fit::glsl_of(*name, options.image, exemplar, texture));
+    print_fit(options, exemplar, texture);
+}
+
+} // namespace
+
+void add_fit_command(CLI::App& app) {
+    auto options = std::make_shared<FitOptions>();
+    CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
+    command
+        ->add_option("IMAGE", options->image, "The photograph: PNG, JPEG or OpenEXR, at least 128x128 pixels")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "The preset to write, NAME.json: gabor render --preset NAME.json draws it")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option(
+            "--lobes", options->lobes,
+            fmt::format("The most lobes that it may have, 1 to {}: each costs as much as a plain noise [{}]",
+                        fit::most_lobes, options->lobes))
+        ->type_name("NUMBER");
+    command
+        ->add_option("--glsl", options->glsl,
+                     "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to put after "
+                     "gabor_lattice.glsl and gabor_spectrum.glsl")
+        ->type_name("FILE");
+    command
+        ->add_option("--report", options->report,
+                     "Also write a page here that compares the exemplar, its random-phase noise and the fit")
+        ->type_name("FOLDER");
+    command->callback([options] { fit_picture(*options); });
+}
+
+} // namespace gabor::cli

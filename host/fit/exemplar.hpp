@@ -1,0 +1,42 @@
+#pragma once
+
+#include "fit/histogram.hpp"
+#include "fit/spectra.hpp"
+#include "fit/structure.hpp"
+#include "fit/trend.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace gabor::fit {
+
+/// Called with the share of the work that is done, from 0 to 1. What it throws ends the work.
+using Advance = std::function<void(double)>;
+
+/// The least picture that a spectrum can be estimated from.
+constexpr int least_side = 2 * window_side;
+
+/// A photograph as the estimate sees it: without its quadratic trend, in principal components of variance 1.
+struct Exemplar {
+    int width = 0;
+    int height = 0;
+    int channels = 0;     ///< 1 where red, green and blue are the same
+    bool alpha = false;   ///< there is an alpha channel, which was ignored
+    Trend trend;          ///< of each channel
+    Eigen::VectorXd mean; ///< of each channel
+    Eigen::MatrixXd
+        components; ///< a column for each, as long as its deviation: channels = mean + components * values
+    Spectra spectra{1};               ///< of the components
+    std::vector<Quantiles> quantiles; ///< of the components
+    double structure = 0;             ///< of the first component: see Structure
+};
+
+/// Reads the file twice, and holds no more of it than the rows of a window. Throws RequestError where it
+/// cannot be read, is too small or constant, or has a value that is not finite.
+Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);
+
+/// The matrix that takes channels without their trend to components.
+Eigen::MatrixXd to_components(const Exemplar& exemplar);
+
+} // namespace gabor::fit

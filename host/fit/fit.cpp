@@ -1,0 +1,76 @@
+#include "fit/fit.hpp"
+
+#include "fit/colour.hpp"
+#include "fit/greedy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gabor::fit {
+
+namespace {
+
+// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall
+// with the number of windows along a side. Windows of larger pictures are sampled.
+bool is_chance(const Figures& figures, const Exemplar& exemplar) {
+    const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
+    const double windows = std::min(side, 2048.0) / window_side;
+    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows &&
+           figures.autocorrelation < 0.32 / windows;
+}
+
+void drop_empty(std::vector<Wave>& waves) {
+    double all = 0;
+    for (const Wave& wave : waves)
+        all += wave.weight.squaredNorm();
+    std::erase_if(waves, [&](const Wave& wave) { return wave.weight.squaredNorm() < 1e-5 * all; });
+}
+
+} // namespace
+
+Spectra channel_spectra(const Exemplar& exemplar) {
+    return exemplar.spectra.mapped(exemplar.components);
+}
+
+Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
+    const Eigen::VectorXd scales = component_scales(exemplar);
+    const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
+    const Target target(spectra);
+    const Search search(target);
+    std::vector<Wave> waves;
+    for (int i = 0; i < lobes; ++i) {
+        Wave next = search.best(residual(target, waves));
+        if (next.weight.isZero())
+            break;
+        waves.push_back(std::move(next));
+        refine(target, waves, Free::weights, 4);
+        if (i % 2 == 1 || i + 1 == lobes)
+            refine(target, waves, Free::all, 6);
+        drop_empty(waves);
+        advance(0.8 * (i + 1) / lobes);
+        if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
+            break;
+    }
+    refine(target, waves, Free::all, 30);
+    for (Wave& wave : waves)
+        wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
+
+    const auto in_channels = [&] {
+        return model(waves, static_cast<int>(scales.size())).mapped(exemplar.components);
+    };
+    const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
+    std::ranges::sort(waves, std::greater(), power);
+    Texture texture{.waves = {}, .colour = {}, .model = in_channels(), .figures = {}, .variances = {}};
+    texture.figures = compare(channel_spectra(exemplar), texture.model);
+    const Eigen::MatrixXd covariance = model(waves, static_cast<int>(scales.size())).covariance();
+    const Eigen::MatrixXd measured = exemplar.spectra.covariance();
+    for (Eigen::Index c = 0; c < scales.size(); ++c)
+        texture.variances.push_back(covariance(c, c) / measured(c, c));
+    normalize(waves);
+    texture.waves = std::move(waves);
+    texture.colour = colour_of(exemplar, texture.waves);
+    advance(1);
+    return texture;
+}
+
+} // namespace gabor::fit

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "fit/fit.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace gabor::fit {
+
+/// The name of the function for a file NAME.glsl. Throws RequestError where it cannot be one in GLSL.
+std::string function_name(const std::filesystem::path& file);
+
+/// GLSL to put after gabor_lattice.glsl and gabor_spectrum.glsl:
+///     vec3 NAME(vec2 p)                             the colour, p in the exemplar's pixels
+///     vec4 NAME_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it, and the share of the variance
+///     removed
+std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
+                    const Texture& texture);
+
+} // namespace gabor::fit

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gabor::fit {
+
+/// Counts of values of about variance 1, from which their law is read.
+class Quantiles {
+  public:
+    void add(float value);
+
+    /// The monotone polynomial of degree 5 that takes the standard normal law to the law of the values as
+    /// nearly as one of mean 0 and variance 1 can: coefficients of 1, z, ... z^5.
+    ///
+    /// Hermite's polynomials He_n are orthogonal under the normal law, so that the nearest polynomial has the
+    /// coefficients a_n = E[Q(z) He_n(z)] / n! of the quantiles Q(z). Cut off it may fall; a_n t^(n - 1), t
+    /// <= 1, is its smoothing by a normal filter (Mehler's formula), which rises everywhere once t is small
+    /// enough.
+    std::array<double, 6> polynomial() const;
+
+    /// Their excess kurtosis and the like stand in their counts: the values at the middles of bins.
+    const std::vector<std::uint64_t>& counts() const { return counts_; }
+    static double middle(std::size_t bin);
+
+  private:
+    std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(4096);
+};
+
+} // namespace gabor::fit

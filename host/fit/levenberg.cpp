@@ -1,0 +1,289 @@
+#include "fit/levenberg.hpp"
+
+#include "fit/atoms.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace gabor::fit {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double root_2 = std::numbers::sqrt2;
+constexpr int functions =
+    4; // of a wave: its atom, and that by both frequencies and by the radius's logarithm
+
+// An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
+// cross-spectra have their sum, imaginary ones their difference.
+struct Parts {
+    Eigen::MatrixXd sum;
+    Eigen::MatrixXd difference;
+};
+
+void put(Parts& parts, Index column, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, bool added) {
+    Index at = 0;
+    for (int ky = 0; ky < grid_side; ++ky) {
+        const double here = 0.5 * y[ky];
+        const double there = 0.5 * y[(grid_side - ky) % grid_side];
+        for (int kx = 0; kx < grid_columns; ++kx, ++at) {
+            const double a = here * x[kx];
+            const double b = there * x[(grid_side - kx) % grid_side];
+            parts.sum(at, column) = (added ? parts.sum(at, column) : 0) + a + b;
+            parts.difference(at, column) = (added ? parts.difference(at, column) : 0) + a - b;
+        }
+    }
+}
+
+// Of every wave one column, or with derivatives `functions` of them, times the weight of each frequency.
+Parts parts_of(const std::vector<Wave>& waves, bool with_derivatives, const Eigen::ArrayXd& weight) {
+    const Index each = with_derivatives ? functions : 1;
+    Parts parts{Eigen::MatrixXd(grid_size, each * std::ssize(waves)),
+                Eigen::MatrixXd(grid_size, each * std::ssize(waves))};
+    Index column = 0;
+    for (const Wave& wave : waves) {
+        const AxisAtom x = axis_atom(wave.wave.x(), wave.radius);
+        const AxisAtom y = axis_atom(wave.wave.y(), wave.radius);
+        put(parts, column, x.value, y.value, false);
+        if (with_derivatives) {
+            put(parts, column + 1, x.by_frequency, y.value, false);
+            put(parts, column + 2, x.value, y.by_frequency, false);
+            put(parts, column + 3, x.by_log_radius, y.value, false);
+            put(parts, column + 3, x.value, y.by_log_radius, true);
+        }
+        column += each;
+    }
+    parts.sum.array().colwise() *= weight;
+    parts.difference.array().colwise() *= weight;
+    return parts;
+}
+
+// A Hermitian matrix as the entries that are kept of it, those off the diagonal times the root of 2: the sum
+// of their squares is that of the matrix.
+struct Entries {
+    Eigen::RowVectorXd real;
+    Eigen::RowVectorXd imaginary;
+};
+
+Entries entries(const Eigen::MatrixXcd& matrix) {
+    const auto channels = static_cast<int>(matrix.rows());
+    Entries result{Eigen::RowVectorXd(std::ssize(real_pairs(channels))),
+                   Eigen::RowVectorXd(std::ssize(imaginary_pairs(channels)))};
+    Index at = 0;
+    for (const auto& [c, d] : real_pairs(channels))
+        result.real[at++] = (c == d ? 1 : root_2) * matrix(c, d).real();
+    at = 0;
+    for (const auto& [c, d] : imaginary_pairs(channels))
+        result.imaginary[at++] = root_2 * matrix(c, d).imag();
+    return result;
+}
+
+// One parameter: by which function of its wave the model changes with it, and with which cross-spectra.
+struct Parameter {
+    Index wave;
+    Index function;
+    Entries change;
+};
+
+// Weights change in proportion to the length of all of a wave's; a single one is real.
+std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, Free free) {
+    std::vector<Parameter> parameters;
+    for (Index j = 0; j < std::ssize(waves); ++j) {
+        const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
+        for (Index c = 0; c < w.size(); ++c)
+            for (const Complex unit : {Complex(1, 0), Complex(0, 1)}) {
+                if (w.size() == 1 && unit.imag() != 0)
+                    continue;
+                Eigen::VectorXcd change = Eigen::VectorXcd::Zero(w.size());
+                change[c] = w.norm() * unit;
+                parameters.push_back({j, 0, entries(change * w.adjoint() + w * change.adjoint())});
+            }
+        if (free == Free::all)
+            for (Index f = 1; f < functions; ++f)
+                parameters.push_back({j, f, entries(w * w.adjoint())});
+    }
+    return parameters;
+}
+
+// The normal equations of a step.
+struct Normal {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd slope;
+};
+
+Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& parts, const Residual& left) {
+    const auto gram = [](const Eigen::MatrixXd& m) {
+        Eigen::MatrixXd product = Eigen::MatrixXd::Zero(m.cols(), m.cols());
+        product.selfadjointView<Eigen::Lower>().rankUpdate(m.transpose());
+        return Eigen::MatrixXd(product.selfadjointView<Eigen::Lower>());
+    };
+    const bool several = left.imaginary.cols() > 0;
+    const Eigen::MatrixXd sums = gram(parts.sum);
+    const Eigen::MatrixXd sum_products = parts.sum.transpose() * left.real;
+    const Eigen::MatrixXd differences = several ? gram(parts.difference) : Eigen::MatrixXd();
+    const Eigen::MatrixXd difference_products =
+        several ? Eigen::MatrixXd(parts.difference.transpose() * left.imaginary) : Eigen::MatrixXd();
+
+    const Index count = std::ssize(parameters);
+    Normal normal{Eigen::MatrixXd(count, count), Eigen::VectorXd(count)};
+    for (Index i = 0; i < count; ++i) {
+        const Parameter& p = parameters[static_cast<std::size_t>(i)];
+        const Index row = p.wave * functions + p.function;
+        normal.slope[i] = sum_products.row(row).dot(p.change.real);
+        if (several)
+            normal.slope[i] += difference_products.row(row).dot(p.change.imaginary);
+        for (Index k = 0; k <= i; ++k) {
+            const Parameter& q = parameters[static_cast<std::size_t>(k)];
+            const Index column = q.wave * functions + q.function;
+            double entry = sums(row, column) * p.change.real.dot(q.change.real);
+            if (several)
+                entry += differences(row, column) * p.change.imaginary.dot(q.change.imaginary);
+            normal.matrix(i, k) = normal.matrix(k, i) = entry;
+        }
+    }
+    return normal;
+}
+
+// What is added to the diagonal, in proportion. All weights of a wave share one value, for turning them by a
+// common phase changes nothing. A frequency of 0 or a radius that does not matter would have none.
+Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
+                        const Normal& normal) {
+    Eigen::VectorXd power = Eigen::VectorXd::Zero(std::ssize(waves));
+    for (Index i = 0; i < std::ssize(parameters); ++i)
+        if (const Parameter& p = parameters[static_cast<std::size_t>(i)]; p.function == 0)
+            power[p.wave] += normal.matrix(i, i);
+    Eigen::VectorXd result(std::ssize(parameters));
+    for (Index i = 0; i < result.size(); ++i) {
+        const Parameter& p = parameters[static_cast<std::size_t>(i)];
+        const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
+        const double least = p.function == 0   ? power[p.wave]
+                             : p.function == 3 ? 0.01 * power[p.wave]
+                                               : 0.01 * radius * radius * power[p.wave];
+        result[i] = std::max(normal.matrix(i, i), least);
+    }
+    return result;
+}
+
+// Radii that are at a bound and would leave it stay there.
+void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
+                    Normal& normal) {
+    for (Index i = 0; i < std::ssize(parameters); ++i) {
+        const Parameter& p = parameters[static_cast<std::size_t>(i)];
+        const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
+        const double slope = normal.slope[i];
+        if (p.function != 3 ||
+            !((radius <= smallest_radius && slope < 0) || (radius >= largest_radius && slope > 0)))
+            continue;
+        normal.matrix.row(i).setZero();
+        normal.matrix.col(i).setZero();
+        normal.matrix(i, i) = 1;
+        normal.slope[i] = 0;
+    }
+}
+
+// The waves after a step, which is kept within what the equations can know of.
+std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Free free) {
+    Index at = 0;
+    for (Wave& wave : waves) {
+        const Index channels = wave.weight.size();
+        Eigen::VectorXcd change(channels);
+        for (Index c = 0; c < channels; ++c) {
+            const double real = step[at++];
+            change[c] = {real, channels > 1 ? step[at++] : 0};
+        }
+        const double most = 0.5 / std::max(change.norm(), 0.5);
+        wave.weight += most * wave.weight.norm() * change;
+        if (free != Free::all)
+            continue;
+        Eigen::Vector2d turn(step[at], step[at + 1]);
+        const double reach = 0.5 / wave.radius;
+        wave.wave += turn * (reach / std::max(turn.norm(), reach));
+        wave.wave.array() -= (wave.wave.array() + 0.5).floor(); // aliases of one another
+        wave.radius = std::clamp(wave.radius * std::exp(std::clamp(step[at + 2], -0.5, 0.5)), smallest_radius,
+                                 largest_radius);
+        at += 3;
+    }
+    return waves;
+}
+
+Residual subtract(const Target& target, const std::vector<Wave>& waves, const Parts& parts, Index each) {
+    Residual left{target.real, target.imaginary};
+    for (Index j = 0; j < std::ssize(waves); ++j) {
+        const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
+        const Entries of = entries(w * w.adjoint());
+        left.real.noalias() -= parts.sum.col(each * j) * of.real;
+        left.imaginary.noalias() -= parts.difference.col(each * j) * of.imaginary;
+    }
+    return left;
+}
+
+} // namespace
+
+Target::Target(const Spectra& spectra)
+    : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary) {
+    const Eigen::ArrayXd total = spectra.total();
+    const double mean = (total * multiplicities()).sum() / (grid_side * grid_side);
+    weight = (multiplicities() / (total + 0.01 * mean)).sqrt();
+    real.array().colwise() *= weight;
+    imaginary.array().colwise() *= weight;
+    imaginary *= root_2;
+    Index column = 0;
+    for (const auto& [c, d] : real_pairs(channels))
+        real.col(column++) *= c == d ? 1 : root_2;
+}
+
+Residual residual(const Target& target, const std::vector<Wave>& waves) {
+    return subtract(target, waves, parts_of(waves, false, target.weight), 1);
+}
+
+Spectra model(const std::vector<Wave>& waves, int channels) {
+    const Parts parts = parts_of(waves, false, Eigen::ArrayXd::Ones(grid_size));
+    Spectra result(channels);
+    for (Index j = 0; j < std::ssize(waves); ++j) {
+        const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
+        Index column = 0;
+        for (const auto& [c, d] : real_pairs(channels))
+            result.real.col(column++) += (w[c] * std::conj(w[d])).real() * parts.sum.col(j);
+        column = 0;
+        for (const auto& [c, d] : imaginary_pairs(channels))
+            result.imaginary.col(column++) += (w[c] * std::conj(w[d])).imag() * parts.difference.col(j);
+    }
+    return result;
+}
+
+void refine(const Target& target, std::vector<Wave>& waves, Free free, int steps) {
+    constexpr int most_trials = 6;
+    double lambda = 0.01;
+    for (int s = 0; s < steps; ++s) {
+        const Parts parts = parts_of(waves, true, target.weight);
+        const Residual left = subtract(target, waves, parts, functions);
+        const double cost = left.cost();
+        const std::vector<Parameter> parameters = parameters_of(waves, free);
+        Normal normal = normal_equations(parameters, parts, left);
+        const Eigen::VectorXd diagonal = damping(parameters, waves, normal);
+        freeze_bounded(parameters, waves, normal);
+
+        bool better = false;
+        double gain = 0;
+        for (int trial = 0; trial < most_trials && !better; ++trial) {
+            Eigen::MatrixXd damped = normal.matrix;
+            damped.diagonal() += lambda * diagonal;
+            std::vector<Wave> next = moved(waves, damped.ldlt().solve(normal.slope), free);
+            gain = cost - residual(target, next).cost();
+            better = gain > 0;
+            if (better)
+                waves = std::move(next);
+            lambda = better ? std::max(0.3 * lambda, 1e-7) : 4 * lambda;
+        }
+        if (gain < 1e-4 * cost)
+            return;
+    }
+}
+
+} // namespace gabor::fit

@@ -1,0 +1,36 @@
+#include "fit/preset.hpp"
+
+#include "noise/lobe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gabor::fit {
+
+namespace {
+
+// The least frequency that a lobe may have: of one around 0 it can be said of any.
+constexpr double least_frequency = 0.001;
+
+} // namespace
+
+render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
+    render::Request request;
+    request.width = exemplar.width;
+    request.height = exemplar.height;
+    request.scale = texture.waves.front().radius; // the unit is that of the strongest lobe
+    request.lobes.clear();
+    for (const Wave& wave : texture.waves) {
+        noise::Lobe lobe;
+        lobe.frequency = std::max(wave.wave.norm() * request.scale, least_frequency);
+        lobe.orientation = noise::degrees(std::atan2(wave.wave.y(), wave.wave.x()));
+        lobe.radius = wave.radius / request.scale;
+        lobe.power = wave.weight.squaredNorm();
+        request.lobes.push_back(lobe);
+    }
+    if (exemplar.channels > 1)
+        request.colour = texture.colour;
+    return request;
+}
+
+} // namespace gabor::fit

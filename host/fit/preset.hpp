@@ -1,0 +1,11 @@
+#pragma once
+
+#include "fit/fit.hpp"
+#include "render/request.hpp"
+
+namespace gabor::fit {
+
+/// The texture as a picture of the exemplar's size and scale. In grey it is a noise of variance 1 alone.
+render::Request request_of(const Exemplar& exemplar, const Texture& texture);
+
+} // namespace gabor::fit

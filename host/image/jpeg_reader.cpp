@@ -1,0 +1,107 @@
+#include "error.hpp"
+#include "image/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <jpeglib.h> // needs FILE
+
+namespace gabor::image {
+
+namespace {
+
+class JpegPicture : public PictureReader {
+  public:
+    explicit JpegPicture(const std::filesystem::path& path);
+    ~JpegPicture() override { jpeg_destroy_decompress(&jpeg_); }
+    JpegPicture(const JpegPicture&) = delete;
+    JpegPicture& operator=(const JpegPicture&) = delete;
+
+    void read_row(std::span<float> row) override;
+
+  private:
+    struct Errors : jpeg_error_mgr {
+        std::jmp_buf jump;
+    };
+
+    /// libjpeg's errors, and its warnings of damaged data, arrive here by a longjmp: `calls` must own nothing
+    /// that has a destructor.
+    template <class Calls>
+    void guarded(Calls calls) {
+        if (setjmp(errors_.jump) == 0) {
+            calls();
+            return;
+        }
+        std::string text(JMSG_LENGTH_MAX, '\0');
+        errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
+        refuse(text.c_str());
+    }
+    [[noreturn]] void refuse(const std::string& reason) const {
+        throw RequestError(fmt::format("cannot read '{}': {}", path_.string(), reason));
+    }
+    static void on_error(j_common_ptr jpeg) { std::longjmp(static_cast<Errors*>(jpeg->err)->jump, 1); }
+    static void on_message(j_common_ptr jpeg, int level) {
+        if (level < 0) // damaged, which libjpeg would read on from
+            on_error(jpeg);
+    }
+    void read_header();
+
+    std::filesystem::path path_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    Errors errors_{};
+    jpeg_decompress_struct jpeg_{};
+    std::vector<JSAMPLE> bytes_;
+};
+
+JpegPicture::JpegPicture(const std::filesystem::path& path)
+    : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+    if (!file_)
+        refuse("it cannot be opened");
+    jpeg_.err = jpeg_std_error(&errors_);
+    errors_.error_exit = on_error;
+    errors_.emit_message = on_message;
+    try {
+        read_header();
+    } catch (...) {
+        jpeg_destroy_decompress(&jpeg_);
+        throw;
+    }
+}
+
+void JpegPicture::read_header() {
+    guarded([this] {
+        jpeg_create_decompress(&jpeg_);
+        jpeg_stdio_src(&jpeg_, file_.get());
+        jpeg_read_header(&jpeg_, TRUE);
+    });
+    const int colours = jpeg_.num_components;
+    if (colours != 1 && colours != 3)
+        refuse(
+            fmt::format("it has {} colours{}: it takes grey or RGB", colours, colours == 4 ? ", CMYK" : ""));
+    jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    guarded([this] { jpeg_start_decompress(&jpeg_); });
+    format_ = {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false};
+    bytes_.resize(static_cast<std::size_t>(format_.width) * static_cast<std::size_t>(colours));
+}
+
+void JpegPicture::read_row(std::span<float> row) {
+    guarded([this] {
+        JSAMPROW into = bytes_.data();
+        jpeg_read_scanlines(&jpeg_, &into, 1);
+    });
+    for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] = static_cast<float>(bytes_[i]) / 255.0f;
+}
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path) {
+    return std::make_unique<JpegPicture>(path);
+}
+
+} // namespace gabor::image

@@ -1,0 +1,131 @@
+#include "error.hpp"
+#include "image/picture.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gabor::image {
+
+namespace {
+
+constexpr png_uint_32 widest = 65536;
+constexpr std::size_t most_interlaced = std::size_t{1} << 28; ///< bytes: such a picture must be held whole
+
+class PngPicture : public PictureReader {
+  public:
+    explicit PngPicture(const std::filesystem::path& path);
+    ~PngPicture() override { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngPicture(const PngPicture&) = delete;
+    PngPicture& operator=(const PngPicture&) = delete;
+
+    void read_row(std::span<float> row) override;
+
+  private:
+    /// libpng reports an error by a longjmp to here, so that `calls` must own nothing that has a destructor.
+    template <class Calls>
+    void guarded(Calls calls) {
+        if (setjmp(png_jmpbuf(png_)) == 0)
+            calls();
+        else
+            refuse(message_);
+    }
+    [[noreturn]] void refuse(const std::string& reason) const {
+        throw RequestError(fmt::format("cannot read '{}': {}", path_.string(), reason));
+    }
+    static void on_error(png_structp png, png_const_charp text) {
+        static_cast<PngPicture*>(png_get_error_ptr(png))->message_ = text;
+        png_longjmp(png, 1);
+    }
+    void read_header();
+    void read_interlaced();
+
+    std::filesystem::path path_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    std::string message_;
+    bool interlaced_ = false;
+    std::vector<png_byte> bytes_; ///< of one row, or of all where it is interlaced
+    std::size_t row_ = 0;
+};
+
+PngPicture::PngPicture(const std::filesystem::path& path)
+    : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+    if (!file_)
+        refuse("it cannot be opened");
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+    if (!info_) {
+        png_destroy_read_struct(&png_, nullptr, nullptr);
+        throw std::bad_alloc();
+    }
+    try {
+        read_header();
+        const std::size_t row = png_get_rowbytes(png_, info_);
+        const std::size_t all = row * static_cast<std::size_t>(format_.height);
+        if (interlaced_ && all > most_interlaced)
+            refuse(fmt::format("it is interlaced and larger than {} MiB: save it without",
+                               most_interlaced >> 20));
+        bytes_.resize(interlaced_ ? all : row);
+        if (interlaced_)
+            read_interlaced();
+    } catch (...) {
+        png_destroy_read_struct(&png_, &info_, nullptr);
+        throw;
+    }
+}
+
+// Every format becomes 16 bits of grey or of RGB.
+void PngPicture::read_header() {
+    guarded([this] {
+        png_set_user_limits(png_, widest, widest);
+        png_init_io(png_, file_.get());
+        png_read_info(png_, info_);
+        const int type = png_get_color_type(png_, info_);
+        format_.alpha = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
+        interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
+        png_set_expand_16(png_);
+        png_set_strip_alpha(png_);
+        png_set_interlace_handling(png_);
+        png_read_update_info(png_, info_);
+    });
+    format_.width = static_cast<int>(png_get_image_width(png_, info_));
+    format_.height = static_cast<int>(png_get_image_height(png_, info_));
+    format_.channels = png_get_channels(png_, info_);
+}
+
+void PngPicture::read_interlaced() {
+    const std::size_t row = png_get_rowbytes(png_, info_);
+    std::vector<png_bytep> rows;
+    for (std::size_t at = 0; at < bytes_.size(); at += row)
+        rows.push_back(&bytes_[at]);
+    png_bytepp begin = rows.data();
+    guarded([this, begin] { png_read_image(png_, begin); });
+}
+
+void PngPicture::read_row(std::span<float> row) {
+    const png_byte* at = bytes_.data();
+    if (interlaced_)
+        at += row_ * 2 * row.size();
+    else
+        guarded([this] { png_read_row(png_, bytes_.data(), nullptr); });
+    ++row_;
+    for (float& value : row) {
+        value = static_cast<float>(256 * at[0] + at[1]) / 65535.0f;
+        at += 2;
+    }
+}
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path) {
+    return std::make_unique<PngPicture>(path);
+}
+
+} // namespace gabor::image

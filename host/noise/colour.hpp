@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace gabor::noise {
+
+/// How the complex noises of lobes become colours. Three components are normal noises of variance 1,
+/// independent at each place: component c is the sum over lobes of weights[lobe][c] . (quadrature, noise). A
+/// rising polynomial takes each to its own law, of mean 0 and variance 1, and
+///     colour = mean + mixing * (histogram_0(component_0), histogram_1(component_1),
+///     histogram_2(component_2)).
+struct Colour {
+    struct Weight {
+        double quadrature = 0;
+        double noise = 0;
+        bool operator==(const Weight&) const = default;
+    };
+    std::vector<std::array<Weight, 3>> weights; ///< of each lobe
+    std::array<std::array<double, 6>, 3> histogram =
+        {};                                           ///< coefficients of 1, z, ... z^5; z stays within +-4
+    std::array<double, 3> mean = {};                  ///< red, green, blue
+    std::array<std::array<double, 3>, 3> mixing = {}; ///< a row for each of red, green, blue
+
+    bool operator==(const Colour&) const = default;
+};
+
+} // namespace gabor::noise

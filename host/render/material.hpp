@@ -1,0 +1,40 @@
+#pragma once
+
+#include "render/renderer.hpp"
+
+#include "passes/material_interface.h"
+
+#include <array>
+#include <string_view>
+
+namespace gabor::render {
+
+/// The materials of gabor_materials.glsl, as its functions are called after their prefix, with - for _.
+constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leather",       "marble",
+                                                     "sand",  "ripples", "brushed-metal", "scratches",
+                                                     "zebra", "bark",    "carbon-fibre",  "strata"};
+
+/// In place of a material's name: the noise itself.
+constexpr std::string_view no_material = "none";
+
+/// Of a material's pixels: base colour, height and so on as in GaborMaterial, and its look under a lamp.
+constexpr std::array<std::string_view, 9> material_channels{
+    "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"};
+
+/// Fills a picture of a material with passes/material.comp.
+class Material : public RegionRenderer {
+  public:
+    /// `request` must have passed `check`, and `region` lie within it.
+    Material(const vulkan::Device& device, const Request& request, const image::Window& region);
+
+    std::vector<Band> bands(int most_rows) const override;
+    vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
+    void submit(vulkan::Job& job, const Band& band,
+                const std::optional<vulkan::Job::Copy>& copy = {}) const override;
+
+  private:
+    vulkan::Pass pass_;
+    passes::MaterialPush push_{};
+};
+
+} // namespace gabor::render

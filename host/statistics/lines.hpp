@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace gabor::statistics {
+
+/// Spectral lines: what repeats from cell to cell of a grid has power at whole numbers of cycles per cell
+/// alone, where the power spectrum of a picture that covers whole cells then stands out from its
+/// surroundings.
+class Lines {
+  public:
+    static constexpr int pixels_per_cell = 4;
+
+    /// Of pictures of `side` * `side` pixels, the first at a corner of a cell. Throws std::invalid_argument
+    /// unless `side` is a multiple of four, and at least 32.
+    explicit Lines(int side);
+
+    /// The next row; after `side` of them comes the first of another picture.
+    void add_row(std::span<const float> row);
+
+    /// The largest ratio, over the frequencies (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) and (2, 1) cycles per
+    /// cell, of the power there to that of the 24 frequencies around it, both averaged over the pictures: 1
+    /// without lines, but for chance, which makes K times the ratio of K pictures exceed x as a gamma
+    /// variable of shape K does. NaN without a picture.
+    double largest() const;
+
+  private:
+    using Complex = std::complex<double>;
+    static constexpr int reach = 2; ///< of the surroundings, in steps of 1 / side cycles per pixel
+    static constexpr int steps = 2 * reach + 1;
+
+    void end_picture();
+
+    int side_;
+    int row_ = 0;
+    std::vector<float> cosine_; ///< of the steps 0 to `reach`, pixel by pixel
+    std::vector<float> sine_;
+    std::vector<Complex>
+        sums_; ///< by step along x and y and pixel within a cell: the transform but for the cell
+    std::vector<double> powers_; ///< by frequency, then by step along y and x
+    int pictures_ = 0;
+};
+
+/// The lines of functions of a noise: where its mean or variance, the kurtosis or the tails of its law depend
+/// on the place within a cell, one of these has them.
+class NoiseLines {
+  public:
+    enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };
+    /// What each function is of a value n.
+    static constexpr std::array<std::string_view, count> names{"n", "n^2", "|n|", "n^4", "|n| > 2.5"};
+
+    /// As Lines, of values with variance 1.
+    explicit NoiseLines(int side) : lines_(count, Lines(side)) {}
+    void add_row(std::span<const float> row);
+
+    /// Of each function, in the order of the names.
+    std::array<double, count> largest() const;
+
+  private:
+    std::vector<Lines> lines_;
+    std::vector<float> of_row_;
+};
+
+} // namespace gabor::statistics

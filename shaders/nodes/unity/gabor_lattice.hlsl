@@ -1,0 +1,486 @@
+// gabor_lattice.hlsl: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice: for HLSL, shader model 5.0 and up.
+//
+// Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+//
+// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
+// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
+// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
+// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+// and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
+// derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
+// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
+// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifdef GABOR_NOISE_HLSL
+#error Include gabor_noise.hlsl or gabor_lattice.hlsl, not both: they define the same functions
+#endif
+#ifndef GABOR_LATTICE_HLSL
+#define GABOR_LATTICE_HLSL
+
+// Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
+// function costs as many amplitudes as their square, and four and animated noise four and three times as many.
+#ifndef GABOR_TAPS
+#define GABOR_TAPS 3
+#endif
+#if GABOR_TAPS < 2 || GABOR_TAPS > 4
+#error GABOR_TAPS is 2, 3 or 4
+#endif
+#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // R, nodes per kernel radius
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
+// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
+// the hash-prospector project).
+uint gabor_impl_mix(uint word, uint salt)
+{
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// The seed of noise `index` of a sum: those of different indices are independent.
+uint gabor_lobe_seed(uint seed, int index)
+{
+    return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+}
+
+// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
+// would have squares for words.
+#define GABOR_IMPL_ROWS 0x5bd1e995u
+uint gabor_impl_salt(uint seed)
+{
+    return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
+}
+
+// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
+// 32 bits; GPUs multiply 24 bits at a quarter of the cost.
+uint gabor_impl_line_word(int index, uint salt)
+{
+    uint word = uint(index) * 0x9e3779b1u + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return (word >> 8u) | 0x800001u;
+}
+
+uint gabor_impl_node_word(uint column, uint row)
+{
+    return column * row;
+}
+
+// Another word of the same node.
+uint gabor_impl_next_word(uint word)
+{
+    return (word ^ (word >> 15u)) * 0xd35a2d97u;
+}
+
+// The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
+// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
+// the normal law. The cvm [TNVT19] of the noise is 0.03 at the worst place, a node, where its amplitude has 63 % of the
+// power, and 0.001 on average. The deviation of a part in units of 2^-93 / 0.623:
+#define GABOR_IMPL_DEVIATION 1.4599553e27
+float2 gabor_impl_amplitude(uint word)
+{
+    float2 u = float2(float(int(word)), float(int(word << 16u)));
+    return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
+}
+
+// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
+// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
+float2 gabor_impl_amplitude_at(float2 time, float2 a, float2 b, float2 c)
+{
+    return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+}
+
+// ---- Waves ---------------------------------------------------------------------------------------------------------
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+float2 gabor_impl_wave(float t)
+{
+    t -= floor(t + 0.5);
+    float y = abs(t) - 0.25;
+    float s = y * y;
+    float r = s * s;
+    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
+    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
+    return float2(y * cosine, t < 0.0 ? -sine : sine);
+}
+
+// Product of complex numbers.
+float2 gabor_impl_product(float2 a, float2 b)
+{
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// ---- Windows -------------------------------------------------------------------------------------------------------
+
+// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
+// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
+struct GaborWindows {
+    float4 value;
+    float4 slope;
+};
+
+GaborWindows GaborWindows_of(float4 value, float4 slope)
+{
+    GaborWindows made;
+    made.value = value;
+    made.slope = slope;
+    return made;
+}
+
+#if GABOR_TAPS == 2
+// The squares of two shifts of Hann's window do not sum to a constant. Those of 1 - s and s over the root of the sum of
+// their squares, with s = x^2 (3 - 2 x), do; but the variances of their derivatives vary.
+//   x   offset from the first node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.0
+GaborWindows gabor_impl_windows(float x)
+{
+    float s = x * x * (3.0 - 2.0 * x);
+    float2 pair = float2(1.0 - s, s);
+    float scale = rsqrt(dot(pair, pair));
+    float2 slope = (6.0 * x * (1.0 - x) * scale * scale * scale) * pair.yx;
+    return GaborWindows_of(float4(scale * pair, 0.0, 0.0), float4(-slope.x, slope.y, 0.0, 0.0));
+}
+#elif GABOR_TAPS == 3
+//   x   offset from the second node, in [-1/2, 1/2) node spacings
+#define GABOR_IMPL_ENERGY 1.125
+GaborWindows gabor_impl_windows(float x)
+{
+    float s = x * x;
+    float c = 0.5 + s * (-1.0966099 + s * (0.40054826 - s * 0.05644487));              // cos(2 pi x / 3) / 2
+    float b = x * (0.90689956 + s * (-0.66301124 + s * (0.14532053 - s * 0.01467483))); // sqrt(3)/4 sin(2 pi x / 3)
+    float a = 0.5 - 0.5 * c;
+    float slope = 1.8137994 * b; // pi/4 sin(2 pi x / 3)
+    return GaborWindows_of(float4(a - b, 0.5 + c, a + b, 0.0),
+                        float4(slope - 2.7206991 * c, -2.0 * slope, slope + 2.7206991 * c, 0.0));
+}
+#else
+//   x   offset from the second node, in [0, 1) node spacings
+#define GABOR_IMPL_ENERGY 1.5
+GaborWindows gabor_impl_windows(float x)
+{
+    x -= 0.5;
+    float s = x * x;
+    float cosine = 0.35355338 + s * (-0.43617776 + s * (0.089660662 - s * 0.0072154454));
+    float sine = x * (0.55536036 + s * (-0.22838239 + s * (0.028169686 - s * 0.0016236194)));
+    float2 c = float2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
+    return GaborWindows_of(0.5 + float4(-c.y, c.x, c.y, -c.x), 3.1415927 * float4(-c.x, -c.y, c.x, c.y));
+}
+#endif
+
+// ---- The sum -------------------------------------------------------------------------------------------------------
+
+// A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
+struct GaborKernel {
+    float2 wave;   // F, cycles per kernel radius
+    float2 step_x; // e^(2 pi i F.x / R): what a wave turns from one node to the next along x
+    float2 step_y; // along y
+};
+
+GaborKernel GaborKernel_of(float2 wave, float2 step_x, float2 step_y)
+{
+    GaborKernel made;
+    made.wave = wave;
+    made.step_x = step_x;
+    made.step_y = step_y;
+    return made;
+}
+
+// Where to evaluate, and how space and time close upon themselves.
+struct GaborPlace {
+    int2 cell;    // any integers, but for the last few before the world wraps around at 2^31
+    float2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
+    float2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
+    int2 period;  // in nodes, 0 for none
+    bool animated; // whether time counts
+    float time;    // in periods of time
+};
+
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, bool animated, float time)
+{
+    GaborPlace made;
+    made.cell = cell;
+    made.local = local;
+    made.radius = radius;
+    made.period = period;
+    made.animated = animated;
+    made.time = time;
+    return made;
+}
+
+// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
+// derivatives per kernel radius. Compilers leave out what is not used.
+struct GaborField {
+    float2 value;
+    float2 slope_x;
+    float2 slope_y;
+    float4 four; // four independent noises, the first the noise itself
+};
+
+GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y, float4 four)
+{
+    GaborField made;
+    made.value = value;
+    made.slope_x = slope_x;
+    made.slope_y = slope_y;
+    made.four = four;
+    return made;
+}
+
+// An index within a period.
+int gabor_impl_wrap(int index, int period)
+{
+    if (period == 0)
+        return index;
+    int within = index - index / period * period;
+    return within < 0 ? within + period : within;
+}
+
+// The nodes of an axis that reach a point: their words, and what their amplitudes are multiplied with along it, h e and
+// h' e with e = exp(2 pi i F (x - x_i)), relative to the second node (for two taps, to the first).
+struct GaborAxis {
+    uint4 word;
+    float4 real;
+    float4 imaginary;
+    float4 slope_real;
+    float4 slope_imaginary;
+};
+
+GaborAxis GaborAxis_of(uint4 word, float4 real, float4 imaginary, float4 slope_real, float4 slope_imaginary)
+{
+    GaborAxis made;
+    made.word = word;
+    made.real = real;
+    made.imaginary = imaginary;
+    made.slope_real = slope_real;
+    made.slope_imaginary = slope_imaginary;
+    return made;
+}
+
+//   offset  from the node that waves are relative to, in node spacings
+//   step    e^(2 pi i F / R): what the wave turns from one node to the next
+GaborAxis gabor_impl_axis(int first, float offset, int period, uint salt, float2 step)
+{
+#if GABOR_TAPS == 2
+    float4 cosine = float4(1.0, step.x, 0.0, 0.0);
+    float4 sine = float4(0.0, -step.y, 0.0, 0.0);
+#else
+    float2 two = gabor_impl_product(step, step);
+    float4 cosine = float4(step.x, 1.0, step.x, two.x);
+    float4 sine = float4(step.y, 0.0, -step.y, -two.y);
+#endif
+    GaborWindows window = gabor_impl_windows(offset);
+    uint4 word = uint4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
+                       gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
+    return GaborAxis_of(word, window.value * cosine, window.value * sine, window.slope * cosine, window.slope * sine);
+}
+
+// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+struct GaborSum {
+    float4 real;
+    float4 imaginary;
+    float2 slope_x;
+    float2 slope_y;
+};
+
+GaborSum GaborSum_of(float4 real, float4 imaginary, float2 slope_x, float2 slope_y)
+{
+    GaborSum made;
+    made.real = real;
+    made.imaginary = imaginary;
+    made.slope_x = slope_x;
+    made.slope_y = slope_y;
+    return made;
+}
+
+// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
+//   time  cosine and sine of time
+void gabor_impl_add_node(inout GaborSum row, GaborAxis columns, int k, uint row_word, bool animated, float2 time)
+{
+    uint word = gabor_impl_node_word(columns.word[k], row_word);
+    uint second = gabor_impl_next_word(word);
+    uint third = gabor_impl_next_word(second);
+    float2 a = gabor_impl_amplitude(word);
+    float2 b = gabor_impl_amplitude(second);
+    float2 c = gabor_impl_amplitude(third);
+    float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
+    if (animated)
+        a = gabor_impl_amplitude_at(time, a, b, c);
+    float4 real = float4(a.x, b.x, c.x, d.x);
+    float4 imaginary = float4(a.y, b.y, c.y, d.y);
+    row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
+    row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
+    row.slope_x += gabor_impl_product(a, float2(columns.slope_real[k], columns.slope_imaginary[k]));
+}
+
+// Adds row k.
+void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, int k, bool animated, float2 time)
+{
+    GaborSum row = GaborSum_of((float4)(0.0), (float4)(0.0), (float2)(0.0), (float2)(0.0));
+    gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
+    gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_node(row, columns, 2, rows.word[k], animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
+    float2 factor = float2(rows.real[k], rows.imaginary[k]);
+    if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
+        sum.real += factor.x * row.real - factor.y * row.imaginary;
+        sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
+        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_y += gabor_impl_product(float2(row.real.x, row.imaginary.x),
+                                          float2(rows.slope_real[k], rows.slope_imaginary[k]));
+    }
+}
+
+// The noise at a place: what the functions below call.
+GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
+{
+    float2 first = floor(place.local - GABOR_RADIUS) + 1.0;
+    float2 offset = place.local - first - (GABOR_TAPS == 2 ? 0.0 : 1.0);
+    int2 node = place.cell + (int2)(first);
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis columns = gabor_impl_axis(node.x, offset.x, place.period.x, salt, kernel_.step_x);
+    GaborAxis rows = gabor_impl_axis(node.y, offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y);
+    float2 base = gabor_impl_wave(dot(kernel_.wave, offset * (1.0 / place.radius)));
+    float2 time = gabor_impl_wave(place.time);
+    GaborSum sum = GaborSum_of((float4)(0.0), (float4)(0.0), (float2)(0.0), (float2)(0.0));
+    gabor_impl_add_row(sum, columns, rows, 0, place.animated, time);
+    gabor_impl_add_row(sum, columns, rows, 1, place.animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_row(sum, columns, rows, 2, place.animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_row(sum, columns, rows, 3, place.animated, time);
+
+    // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
+    base *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x), base);
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    float2 stretch = place.radius / GABOR_RADIUS;
+    return GaborField_of(value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel_.wave.x * turned,
+                      stretch.y * gabor_impl_product(sum.slope_y, base) + kernel_.wave.y * turned,
+                      base.x * sum.imaginary + base.y * sum.real);
+}
+
+// ---- The functions to call -----------------------------------------------------------------------------------------
+
+// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
+GaborPlace gabor_place(int2 cell, float2 local)
+{
+    return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), false, 0.0);
+}
+
+// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+GaborPlace gabor_place_tiled(float2 p, float2 period)
+{
+    float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), (float2)(float(GABOR_TAPS)));
+    GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
+    if (period.x > 0.0) {
+        place.period.x = int(nodes.x);
+        place.radius.x = nodes.x / period.x;
+    }
+    if (period.y > 0.0) {
+        place.period.y = int(nodes.y);
+        place.radius.y = nodes.y / period.y;
+    }
+    place.local = p * place.radius;
+    return place;
+}
+
+// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
+GaborKernel gabor_kernel_stretched(GaborKernel kernel_, float2 radius)
+{
+    float2 step = kernel_.wave / radius;
+    return GaborKernel_of(kernel_.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y));
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+GaborKernel gabor_kernel(float frequency, float orientation)
+{
+    float2 wave = min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation);
+    return gabor_kernel_stretched(GaborKernel_of(wave, (float2)(0.0), (float2)(0.0)), (float2)(GABOR_RADIUS));
+}
+
+// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
+float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed)
+{
+    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
+}
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
+//                steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude is used, up to 10^6
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; each seed is another instance, independent of the others
+// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
+// turns about its own node. A slope of theirs adds to that of the noise.
+float gabor_noise(float2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
+{
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return float3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
+// have mean 0 and variance 1, and at one place are independent.
+float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
+float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
+{
+    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
+}
+
+// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
+// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
+// step(phase, width). The phase of 0 is 0.
+float2 gabor_phasor(float2 value)
+{
+    float intensity = length(value);
+    float phase = intensity > 0.0 ? atan2(value.y, value.x) * 0.15915494 : 0.0;
+    return float2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
+}
+
+// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
+// with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
+// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
+{
+    GaborPlace place = gabor_place_tiled(p, max(period, (float2)(0.0009765625)));
+    GaborKernel kernel_ = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
+    return gabor_field(place, kernel_, seed).value.y;
+}
+
+// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
+// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
+// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
+float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
+{
+    GaborPlace place = GaborPlace_of((int2)(0), p * GABOR_RADIUS, (float2)(GABOR_RADIUS), (int2)(0), true, time);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
+// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
+float gabor_unorm(float noise)
+{
+    return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
+}
+
+#endif // GABOR_LATTICE_HLSL

@@ -1,0 +1,1 @@
+return gabor_noise(Place, Frequency, Orientation, (uint)(int)Seed);

@@ -1,0 +1,22 @@
+// As Unreal's material compiler writes a Custom node with an include file, out of the node's text.
+#define MaterialFloat float
+#define MaterialFloat2 float2
+#include "shaders/nodes/unreal/gabor_lattice.ush"
+
+struct FMaterialPixelParameters {
+    float4 SvPosition;
+};
+
+MaterialFloat CustomExpression0(FMaterialPixelParameters Parameters, MaterialFloat2 Place, MaterialFloat Frequency, MaterialFloat Orientation, MaterialFloat Seed)
+{
+#include "shaders/nodes/unreal/custom.hlsl"
+}
+
+RWStructuredBuffer<float> values : register(u0);
+
+[numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
+{
+    FMaterialPixelParameters Parameters;
+    Parameters.SvPosition = float4(float2(pixel.xy) + 0.5, 0.0, 1.0);
+    values[pixel.y * 256 + pixel.x] = CustomExpression0(Parameters, Parameters.SvPosition.xy / 32.0, 4.0, 0.7854, 7.0);
+}

@@ -1,0 +1,89 @@
+"""Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd for as long as it is asked
+for. Takes root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without a Slurm of its own, for
+clients look for /etc/slurm/slurm.conf and nowhere else."""
+
+import contextlib
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import time
+
+CONFIGURATION = pathlib.Path("/etc/slurm/slurm.conf")
+TEXT = """ClusterName=gabor
+SlurmctldHost={host}
+SlurmUser=root
+AuthType=auth/munge
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+MpiDefault=none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+AccountingStorageType=accounting_storage/none
+JobAcctGatherType=jobacct_gather/none
+SchedulerParameters=batch_sched_delay=0,sched_min_interval=0
+MinJobAge=3600
+ReturnToService=2
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/spool
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmdPidFile={folder}/slurmd.pid
+NodeName={host} CPUs={cores} State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+"""
+
+
+def missing():
+    """Why there can be no Slurm here; empty where there can."""
+    if os.getuid() != 0:
+        return "needs root"
+    if absent := [name for name in ("munged", "slurmctld", "slurmd", "squeue") if not shutil.which(name)]:
+        return f"needs {', '.join(absent)}"
+    if CONFIGURATION.exists():
+        return f"{CONFIGURATION} is there already"
+    return ""
+
+
+@contextlib.contextmanager
+def cluster(folder, cores=2):
+    """A queue of one node with so many cores."""
+    host = socket.gethostname().split(".")[0]
+    for name in ("state", "spool"):
+        (folder / name).mkdir(parents=True)
+    with contextlib.ExitStack() as stack:
+        def daemon(*command):
+            log = stack.enter_context(open(folder / f"{command[-1].split('/')[-1]}.log", "w"))
+            process = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
+            stack.callback(process.wait, 30)
+            stack.callback(process.terminate)
+
+        os.makedirs("/run/munge", exist_ok=True)
+        shutil.chown("/run/munge", "munge", "munge")
+        daemon("runuser", "-u", "munge", "--", "munged", "--foreground")
+        CONFIGURATION.write_text(TEXT.format(host=host, folder=folder, cores=cores))
+        stack.callback(CONFIGURATION.unlink)
+        daemon("slurmctld", "-D")
+        daemon("slurmd", "-D")
+        wait_for(lambda: "idle" in output("sinfo", "--noheader", "--format=%T"), 60)
+        yield
+        if left := jobs():
+            subprocess.run(["scancel", "--full", *left], check=True)
+        wait_for(lambda: not jobs(), 60)
+
+
+def output(*command):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+
+
+def jobs(*states):
+    """The numbers of jobs in these states, or in any in which they are still in the queue."""
+    return output("squeue", "--noheader", "--format=%i", *(["--states=" + ",".join(states)] if states else [])).split()
+
+
+def wait_for(condition, seconds):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise TimeoutError(f"not within {seconds} s")
+        time.sleep(0.2)

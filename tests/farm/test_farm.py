@@ -1,0 +1,173 @@
+"""tools/farm on this machine and on a real Slurm: the same bytes as one machine makes, nothing run twice, no job left.
+
+tools/test-long farm runs it; GABOR_PROGRAM is the program. What it measures it prints.
+"""
+
+import collections
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import slurm
+
+ROOT = pathlib.Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "cli"))
+from program import PROGRAM, ProgramTest  # noqa: E402
+
+FARM = ROOT / "tools" / "farm"
+OPENJD = ROOT / "build" / "farm" / "bin" / "openjd"
+SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_partition=all", "mem_mb=200", "runtime=30",
+         "--slurm-status-command", "squeue", "--slurm-init-seconds-before-status-checks", "5", "--latency-wait", "30",
+         "--retries", "2"]
+OPTIONS = "--scale=8 --frequency=1.5 --orientation-spread=90 --seed=7"
+CONFIGURATION = f"""
+gabor: {{gabor}}
+pictures: {{{{grain: {{{{size: 600x500, strips: 4, options: {OPTIONS} --compression=zip}}}}}}}}
+levels: {{{{bark: {{{{size: 128x128, scale: 8, levels: 2, strips: 2, options: --tileable}}}}}}}}
+frames: {{{{water: {{{{size: 64x64, frames: 3, options: {OPTIONS}}}}}}}}}
+udims: {{{{skin: {{{{size: 64x64, across: 2, down: 1, options: {OPTIONS}}}}}}}}}
+studies: {{{{paper: {{{{study: figure1, parts: 2, quick: true}}}}}}}}
+"""
+TASKS = 4 + 1 + (2 + 1) + (1 + 1) + 3 + 2 + 2 + 1
+
+
+class FarmTest(ProgramTest):
+    """The program is one that keeps a list of what it is asked to do and what it has done."""
+
+    def setUp(self):
+        super().setUp()
+        self.list = self.folder / "list.txt"
+        self.list.touch()
+        self.gabor = self.folder / "gabor"
+        self.gabor.write_text(f"#!/bin/sh\necho \"begin $*\" >>{self.list}\nsleep ${{DELAY:-0}}\n{PROGRAM} \"$@\" || exit $?\n"
+                              f"echo \"end $*\" >>{self.list}\n")
+        self.gabor.chmod(0o755)
+        (self.folder / "farm.yaml").write_text(CONFIGURATION.format(gabor=self.gabor))
+
+    def begun(self, word="begin"):
+        return [line.split(" ", 1)[1] for line in self.list.read_text().splitlines() if line.startswith(word)]
+
+    def ended(self):
+        return self.begun("end")
+
+    def start(self, *options, delay=0):
+        self.log = open(self.folder / "run.log", "a")
+        self.addCleanup(self.log.close)
+        return subprocess.Popen([FARM / "run", "farm.yaml", *options], cwd=self.folder, stdout=self.log, stderr=self.log,
+                                start_new_session=True, env=os.environ | {"DELAY": str(delay)})
+
+    def finish(self, run):
+        self.assertEqual(run.wait(1800), 0, (self.folder / "run.log").read_text()[-5000:])
+
+    def assert_as_on_one_machine(self):
+        options = OPTIONS.split()
+        self.succeed("render", "--size=600x500", *options, "--compression=zip", "-o", "one/grain.exr")
+        for level in range(2):
+            self.succeed("render", f"--size={128 >> level}x{128 >> level}", f"--scale={8 / 2**level}", "--filter", "--tileable",
+                         "-o", f"one/bark.{level}.exr")
+        self.succeed("render", "--size=64x64", *options, "--frames=3", "-o", "one/water.exr")
+        for x, number in enumerate((1001, 1002)):
+            self.succeed("render", "--texture", "--size=128x64", *options, f"--region={64 * x},0,64,64", "-o",
+                         f"one/skin.{number}.exr")
+        self.succeed("study", "figure1", "--quick", "-o", "one/paper")
+        files = self.files()
+        whole = [name for name, content in files.items() if name.startswith("one/") and content is not None]
+        self.assertEqual(len(whole), 1 + 2 + 3 + 2 + 1)
+        for name in whole:
+            self.assertEqual(files[name.removeprefix("one/")], files[name], name)
+        self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")
+
+    def assert_nothing_done_twice(self):
+        counts = collections.Counter(self.ended())
+        self.assertEqual([task for task, count in counts.items() if count > 1], [])
+        self.assertEqual(len(counts), TASKS)
+
+    def setUpFolders(self):
+        (self.folder / "one").mkdir()
+
+
+class Local(FarmTest):
+    def test_one_machine_killed_and_resumed(self):
+        run = self.start("--cores", "2", delay=0.5)
+        slurm.wait_for(lambda: len(self.ended()) >= 5, 300)
+        second = subprocess.run([FARM / "run", "farm.yaml"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((second.returncode, second.stderr), (1, "run: another run is under way in this folder\n"))
+        os.killpg(run.pid, signal.SIGKILL)
+        run.wait()
+        self.finish(self.start("--cores", "2"))
+        self.setUpFolders()
+        self.assert_as_on_one_machine()
+        self.assert_nothing_done_twice()
+        before = self.begun()
+        self.finish(self.start("--cores", "2"))
+        self.assertEqual(self.begun(), before, "a second run has nothing to do")
+
+
+@unittest.skipIf(slurm.missing(), slurm.missing())
+class Slurm(FarmTest):
+    def setUp(self):
+        super().setUp()
+        cluster = slurm.cluster(self.folder / "slurm")
+        cluster.__enter__()
+        self.addCleanup(cluster.__exit__, None, None, None)
+
+    def test_a_job_cancelled_and_snakemake_killed(self):
+        run = self.start(*SLURM, delay=2)
+        slurm.wait_for(lambda: len(self.ended()) >= 2 and slurm.jobs("RUNNING"), 900)
+        cancelled = slurm.jobs("RUNNING")[0]
+        subprocess.run(["scancel", cancelled], check=True)
+        ended = len(self.ended())
+        slurm.wait_for(lambda: len(self.ended()) >= ended + 3 and len(slurm.jobs()) > 1, 900)
+        run.kill()
+        run.wait()
+        left = slurm.jobs()
+        self.assertGreater(len(left), 0, "jobs outlive Snakemake")
+        began = time.monotonic()
+        self.finish(self.start(*SLURM))
+        print(f"Slurm: {len(left)} jobs were left by the killed run; the rest took {time.monotonic() - began:.0f} s")
+        self.assertEqual(slurm.jobs(), [])
+        self.assertIn("cancelling", (self.folder / "run.log").read_text())
+        self.setUpFolders()
+        self.assert_as_on_one_machine()
+        self.assert_nothing_done_twice()
+
+    def test_a_plain_array(self):
+        began = time.monotonic()
+        subprocess.run([FARM / "array", "512x800", "16", "grain.exr", "--scale=8", "--seed=3"], cwd=self.folder, check=True,
+                       env=os.environ | {"GABOR": str(self.gabor)}, timeout=900)
+        print(f"Slurm: an array of 16 strips and the join took {time.monotonic() - began:.1f} s")
+        self.assertEqual(len(self.ended()), 17)
+        self.succeed("render", "--size=512x800", "--scale=8", "--seed=3", "-o", "one.exr")
+        files = self.files()
+        self.assertEqual(files["grain.exr"], files["one.exr"])
+        self.assertEqual([name for name in files if "strips." in name], [])
+
+    def test_a_plain_array_that_fails(self):
+        failed = subprocess.run([FARM / "array", "512x800", "2", "grain.exr", "--scale=1"], cwd=self.folder,
+                                stderr=subprocess.PIPE, text=True, env=os.environ | {"GABOR": str(self.gabor)}, timeout=900)
+        self.assertEqual(failed.returncode, 1)
+        self.assertIn("scale", failed.stderr)
+        self.assertFalse((self.folder / "grain.exr").exists())
+        self.assertEqual(slurm.jobs(), [])
+
+
+@unittest.skipUnless(OPENJD.exists(), "needs openjd in build/farm: pip install openjd-cli")
+class OpenJobDescription(FarmTest):
+    def test_a_template(self):
+        subprocess.run([OPENJD, "check", FARM / "picture.openjd.yaml"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([OPENJD, "run", FARM / "picture.openjd.yaml", "-p", "Size=512x800", "-p", "Output=grain.exr", "-p",
+                        "Options=--scale=8 --seed=3", "-p", "Strips=4", "-p", f"Gabor={self.gabor}", "-p",
+                        f"Folder={self.folder}"], check=True, stdout=subprocess.DEVNULL, timeout=900)
+        self.assertEqual(len(self.ended()), 5)
+        self.succeed("render", "--size=512x800", "--scale=8", "--seed=3", "-o", "one.exr")
+        files = self.files()
+        self.assertEqual(files["grain.exr"], files["one.exr"])
+        self.assertEqual([name for name in files if name.startswith("grain.exr.")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

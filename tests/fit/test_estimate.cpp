@@ -1,0 +1,321 @@
+// The estimate, from spectra and values whose answers are known.
+
+#include "fit/atoms.hpp"
+#include "fit/colour.hpp"
+#include "fit/fit.hpp"
+#include "fit/random_phase.hpp"
+#include "fit/structure.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <numbers>
+#include <random>
+
+using namespace gabor::fit;
+using std::numbers::pi;
+
+namespace {
+
+// Hann's window, by its definition.
+double hann(double x) {
+    return std::abs(x) < 1 ? (1 + std::cos(pi * x)) / 2 : 0;
+}
+
+// Its autocorrelation, by the midpoint rule.
+double integrated_correlation(double t) {
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double x = (i + 0.5) / 2000 - 1;
+        sum += hann(x) * hann(x + t);
+        squares += hann(x) * hann(x);
+    }
+    return sum / squares;
+}
+
+// E |sum_p w(p) n(p) e^(-2 pi i k p)|^2 of a noise with autocovariance g(t / radius) e^(2 pi i frequency t).
+double expected_power(double k, double frequency, double radius) {
+    std::complex<double> sum = 0;
+    double squares = 0;
+    for (int p = 0; p < 64; ++p) {
+        const double w = 0.5 - 0.5 * std::cos(2 * pi * p / 64);
+        squares += w * w;
+        for (int q = 0; q < 64; ++q) {
+            const double v = 0.5 - 0.5 * std::cos(2 * pi * q / 64);
+            sum += w * v * integrated_correlation((p - q) / radius) *
+                   std::exp(std::complex<double>(0, 2 * pi * (frequency - k) * (p - q)));
+        }
+    }
+    return sum.real() / squares;
+}
+
+// An exemplar of components of variance 1 whose spectra are exactly those of the waves.
+Exemplar exemplar_of(const std::vector<Wave>& waves, int side) {
+    Exemplar exemplar;
+    exemplar.width = exemplar.height = side;
+    const Eigen::Index components = waves.front().weight.size();
+    exemplar.channels = components == 1 ? 1 : 3;
+    exemplar.mean = Eigen::VectorXd::Constant(exemplar.channels, 0.5);
+    exemplar.components = Eigen::MatrixXd::Identity(exemplar.channels, components);
+    for (Eigen::Index c = 0; c < components; ++c)
+        exemplar.components.col(c) *= 0.2 / static_cast<double>(c + 1);
+    exemplar.spectra = model(waves, static_cast<int>(components));
+    exemplar.quantiles.resize(static_cast<std::size_t>(components));
+    for (Quantiles& quantiles : exemplar.quantiles)
+        for (int i = -100; i <= 100; ++i)
+            quantiles.add(static_cast<float>(i / 50.0));
+    return exemplar;
+}
+
+Eigen::VectorXcd weights(std::initializer_list<std::complex<double>> values) {
+    Eigen::VectorXcd result(std::ssize(values));
+    std::copy(values.begin(), values.end(), result.begin());
+    return result;
+}
+
+// A wave that was found, or its mirror image, which is the same.
+const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
+    const auto distance = [&](const Wave& wave) {
+        return std::min((wave.wave - to.wave).norm(), (wave.wave + to.wave).norm());
+    };
+    return *std::min_element(waves.begin(), waves.end(),
+                             [&](const Wave& a, const Wave& b) { return distance(a) < distance(b); });
+}
+
+} // namespace
+
+TEST_CASE("kernels correlate as the integral of their windows says") {
+    double largest = 0;
+    for (double t = -2.5; t <= 2.5; t += 0.05)
+        largest = std::max(largest, std::abs(kernel_correlation(t) - integrated_correlation(t)));
+    INFO("largest difference " << largest);
+    CHECK(largest < 1e-6);
+}
+
+TEST_CASE("atoms are what windows expect of a wave") {
+    for (const auto& [frequency, radius] :
+         {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
+        const AxisAtom atom = axis_atom(frequency, radius);
+        double largest = 0;
+        for (int k = 0; k < 128; k += 9)
+            largest =
+                std::max(largest, std::abs(atom.value[k] - expected_power(k / 128.0, frequency, radius)));
+        INFO("frequency " << frequency << ", radius " << radius << ": largest difference " << largest);
+        CHECK(largest < 1e-5);
+
+        constexpr double h = 1e-6;
+        const Eigen::ArrayXd by_frequency =
+            (axis_atom(frequency + h, radius).value - axis_atom(frequency - h, radius).value) / (2 * h);
+        CHECK((by_frequency - atom.by_frequency).abs().maxCoeff() <
+              1e-4 * atom.by_frequency.abs().maxCoeff());
+        const Eigen::ArrayXd by_radius = (axis_atom(frequency, radius * std::exp(h)).value -
+                                          axis_atom(frequency, radius * std::exp(-h)).value) /
+                                         (2 * h);
+        CHECK((by_radius - atom.by_log_radius).abs().maxCoeff() < 1e-4 * atom.by_log_radius.abs().maxCoeff());
+    }
+}
+
+TEST_CASE("a grey texture's lobes are found from its spectrum") {
+    const std::vector<Wave> waves{{{0.11, 0.07}, 12, weights({0.8})},
+                                  {{-0.21, 0.173}, 6, weights({0.5})},
+                                  {{0.0, 0.0}, 25, weights({0.33})}};
+    const Texture texture = fit(exemplar_of(waves, 1 << 14), 16, [](double) {});
+    for (const Wave& known : waves) {
+        const Wave& found = nearest(texture.waves, known);
+        const double apart = std::min((found.wave - known.wave).norm(), (found.wave + known.wave).norm());
+        INFO("frequency " << known.wave.transpose() << ": off by " << apart << ", radius " << found.radius
+                          << " for " << known.radius << ", power " << found.weight.squaredNorm() << " for "
+                          << known.weight.squaredNorm());
+        CHECK(apart < 0.0005);
+        CHECK(found.radius == Approx(known.radius).epsilon(0.03));
+        CHECK(found.weight.squaredNorm() == Approx(known.weight.squaredNorm()).epsilon(0.1));
+    }
+    CHECK(texture.figures.l1 < 0.02);
+    CHECK(texture.figures.autocorrelation < 0.01);
+}
+
+TEST_CASE("phases between channels are found from cross-spectra") {
+    using namespace std::complex_literals;
+    const std::vector<Wave> waves{{{0.12, 0.05}, 10, weights({0.7, 0.5i, -0.3 + 0.4i})},
+                                  {{-0.09, 0.2}, 8, weights({0.5, -0.6, 0.5})},
+                                  {{0.27, -0.11}, 14, weights({0.4i, 0.5 + 0.2i, 0.5})}};
+    const Exemplar exemplar = exemplar_of(waves, 1 << 14);
+    const Texture texture = fit(exemplar, 16, [](double) {});
+    CAPTURE(texture.figures.l1, texture.figures.l2, texture.waves.size());
+    CHECK(texture.figures.l2 < 0.02);
+    for (const double variance : texture.variances)
+        CHECK(variance == Approx(1).epsilon(0.03));
+
+    // Colours as they are drawn have the unit matrix for a covariance, whatever the fit.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const auto& w : texture.colour.weights)
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t d = 0; d < 3; ++d)
+                covariance(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(d)) +=
+                    w[c].quadrature * w[d].quadrature + w[c].noise * w[d].noise;
+    CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("spectra under a linear map are those of the mapped channels") {
+    using namespace std::complex_literals;
+    const std::vector<Wave> waves{{{0.12, 0.05}, 10, weights({0.7, 0.5i, -0.3 + 0.4i})}};
+    Eigen::Matrix3d map;
+    map << 1, 2, -1, 0.5, -3, 0.25, 2, 0, 1;
+    std::vector<Wave> mapped = waves;
+    mapped.front().weight = map * mapped.front().weight;
+    const Spectra direct = model(mapped, 3);
+    const Spectra through = model(waves, 3).mapped(map);
+    CHECK((direct.real - through.real).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.imaginary - through.imaginary).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.covariance() - map * model(waves, 3).covariance() * map.transpose()).cwiseAbs().maxCoeff() <
+          1e-9);
+}
+
+TEST_CASE("the estimate of white noise is flat and of its variance") {
+    constexpr int side = 512;
+    std::mt19937 generator(5);
+    std::normal_distribution<float> normal;
+    SpectraEstimate estimate(side, side, 2);
+    std::vector<float> row(2 * side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            row[static_cast<std::size_t>(2 * x)] = normal(generator);
+            row[static_cast<std::size_t>(2 * x + 1)] =
+                0.5f * row[static_cast<std::size_t>(2 * x)] + normal(generator);
+        }
+        estimate.add_row(row);
+    }
+    const Spectra spectra = estimate.spectra();
+    Eigen::Matrix2d expected;
+    expected << 1, 0.5, 0.5, 1.25;
+    const Eigen::MatrixXd covariance = spectra.covariance();
+    INFO(covariance);
+    CHECK((covariance - expected).cwiseAbs().maxCoeff() < 0.01);
+    CHECK(spectra.real.col(0).maxCoeff() < 1.6); // 1 everywhere, but for chance
+    CHECK(spectra.real.col(0).minCoeff() > 0.5);
+}
+
+TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and variance 1") {
+    const auto check = [](const std::array<double, 6>& c, auto law) {
+        const auto value = [&](double z) {
+            double sum = 0;
+            for (std::size_t n = c.size(); n-- > 0;)
+                sum = sum * z + c[n];
+            return sum;
+        };
+        double mean = 0;
+        double square = 0;
+        double largest = 0;
+        for (double z = -8; z <= 8; z += 1.0 / 256) {
+            const double p = std::exp(-z * z / 2) / std::sqrt(2 * pi) / 256;
+            mean += p * value(z);
+            square += p * value(z) * value(z);
+            if (std::abs(z) < 2)
+                largest = std::max(largest, std::abs(value(z) - law(z)));
+            if (std::abs(z) < 4)
+                REQUIRE(value(z + 1.0 / 256) >= value(z));
+        }
+        INFO("mean " << mean << ", mean square " << square << ", largest difference " << largest);
+        CHECK(std::abs(mean) < 1e-9);
+        CHECK(square == Approx(1).epsilon(1e-9));
+        return largest;
+    };
+    std::mt19937 generator(7);
+    std::normal_distribution<double> normal;
+    Quantiles cubic; // one that a polynomial is exactly
+    const auto cube = [](double z) {
+        return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025);
+    };
+    Quantiles uniform; // and one that it is not
+    Quantiles two;     // or two values
+    for (int i = 0; i < 200000; ++i) {
+        const double z = normal(generator);
+        cubic.add(static_cast<float>(cube(z)));
+        uniform.add(static_cast<float>(std::sqrt(3) * std::erf(z / std::numbers::sqrt2)));
+        two.add(z > 0 ? 1.0f : -1.0f);
+    }
+    CHECK(check(cubic.polynomial(), cube) < 0.02);
+    CHECK(check(uniform.polynomial(),
+                [](double z) { return std::sqrt(3) * std::erf(z / std::numbers::sqrt2); }) < 0.1);
+    check(two.polynomial(), [](double z) { return z; });
+}
+
+TEST_CASE("a quadratic trend is removed, and nothing else") {
+    constexpr int width = 96;
+    constexpr int height = 64;
+    const auto trend = [](double u, double v) {
+        return 0.3 + 0.1 * u - 0.2 * v + 0.05 * u * u + 0.07 * u * v - 0.1 * v * v;
+    };
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
+    std::vector<std::vector<float>> rows;
+    MomentSums with(width, height, 1);
+    MomentSums without(width, height, 1);
+    for (int y = 0; y < height; ++y) {
+        std::vector<float> noise(width);
+        std::vector<float> row(width);
+        for (std::size_t x = 0; x < width; ++x) {
+            noise[x] = uniform(generator);
+            row[x] = noise[x] + static_cast<float>(trend((2.0 * static_cast<double>(x) + 1) / width - 1,
+                                                         (2.0 * y + 1) / height - 1));
+        }
+        with.add_row(row);
+        without.add_row(noise);
+        rows.push_back(row);
+        rows.push_back(noise);
+    }
+    const Moments a = with.moments();
+    const Moments b = without.moments();
+    CHECK(a.covariance(0, 0) == Approx(b.covariance(0, 0)).epsilon(1e-4));
+    CHECK(a.covariance(0, 0) == Approx(0.04 / 12).epsilon(0.03));
+    double largest = 0;
+    for (int y = 0; y < height; ++y) {
+        std::vector<float>& left = rows[static_cast<std::size_t>(2 * y)];
+        std::vector<float>& right = rows[static_cast<std::size_t>(2 * y + 1)];
+        a.trend.subtract(y, left);
+        b.trend.subtract(y, right);
+        for (std::size_t x = 0; x < width; ++x)
+            largest = std::max<double>(largest, std::abs(left[x] - right[x]));
+    }
+    INFO("largest difference " << largest);
+    CHECK(largest < 1e-5);
+}
+
+TEST_CASE("random-phase noise keeps the power spectrum and loses the structure") {
+    constexpr int side = 128;
+    std::vector<float> stripes; // periodic: its own periodic component
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            stripes.push_back((x / 8 + y / 16) % 2 == 0 ? 1.0f : 0.0f);
+    const std::vector<float> noise = random_phase(stripes, side, 1);
+    gabor::statistics::Transform transform(side);
+    const auto power = [&](const std::vector<float>& picture) {
+        std::vector<double> result;
+        for (const std::complex<float>& value : transform(picture))
+            result.push_back(std::abs(std::complex<double>(value)));
+        return result;
+    };
+    const std::vector<double> before = power(stripes);
+    const std::vector<double> after = power(noise);
+    double sum = 0;
+    double difference = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        sum += before[i];
+        difference += std::abs(before[i] - after[i]);
+    }
+    // The jumps at the edges are in the smooth component.
+    INFO("sum of differences " << difference << " of " << sum);
+    CHECK(after[0] == Approx(before[0]).epsilon(1e-5));
+    CHECK(difference < 0.05 * sum);
+    const auto structure = [&](const std::vector<float>& picture) {
+        Structure result(side);
+        for (std::size_t y = 0; y < side; ++y)
+            result.add_row(std::span(picture).subspan(y * side, side));
+        return result.excess_kurtosis();
+    };
+    CHECK(structure(stripes) > 0.5);
+    CHECK(std::abs(structure(noise)) < 0.5);
+}

@@ -1,0 +1,178 @@
+// Pictures of materials: what a pixel's filter shows of each against the average of many sharp samples.
+
+#include "error.hpp"
+#include "render/load.hpp"
+#include "render/material.hpp"
+#include "render/parameters.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace gabor;
+using render::Request;
+
+namespace {
+
+constexpr std::size_t channels = render::material_channels.size();
+constexpr std::size_t height_channel = 3;
+constexpr std::size_t means = 4; // colour and height
+
+// A square picture of a material with `side` pixels that show `units` of it.
+std::vector<float> rendered(const vulkan::Device& device, std::string_view material, int side, double units,
+                            bool filter) {
+    const Request request{.width = side,
+                          .height = side,
+                          .scale = side / units,
+                          .seed = 7,
+                          .material = std::string(material),
+                          .filter = filter};
+    render::check(request);
+    std::vector<float> pixels;
+    render::render_region(device, request, {0, 0, side, side}, [&](std::span<const float> rows) {
+        pixels.insert(pixels.end(), rows.begin(), rows.end());
+    });
+    return pixels;
+}
+
+// One channel of a picture blurred by a normal filter of half a pixel, for pixels `block` times as large.
+class Blurred {
+  public:
+    Blurred(const std::vector<float>& picture, int side, int block, std::size_t channel)
+        : side_(side), block_(block), reach_(2 * block), rows_(picture.size() / channels) {
+        std::vector<double> values(rows_.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<double>(picture[i * channels + channel]);
+        for (int y = 0; y < side; ++y)
+            for (int x = reach_; x < side - reach_; ++x)
+                rows_[at(x, y)] = weighted([&](int i) { return values[at(x + i, y)]; });
+    }
+
+    // At the middle of large pixel (x, y), between samples.
+    double operator()(int x, int y) const {
+        const auto column = [&](int i) {
+            return weighted([&](int j) { return rows_[at(i, y * block_ + block_ / 2 + j)]; });
+        };
+        return (column(x * block_ + block_ / 2 - 1) + column(x * block_ + block_ / 2)) / 2;
+    }
+
+  private:
+    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
+
+    template <typename Value>
+    double weighted(Value value) const {
+        double sum = 0;
+        double weights = 0;
+        for (int i = -reach_; i <= reach_; ++i) {
+            const double weight = std::exp(-0.5 * std::pow(2.0 * i / block_, 2));
+            sum += weight * value(i);
+            weights += weight;
+        }
+        return sum / weights;
+    }
+
+    int side_, block_, reach_;
+    std::vector<double> rows_;
+};
+
+double mean_of(const std::vector<float>& picture, std::size_t channel) {
+    double sum = 0;
+    for (std::size_t i = channel; i < picture.size(); i += channels)
+        sum += static_cast<double>(picture[i]);
+    return sum * static_cast<double>(channels) / static_cast<double>(picture.size());
+}
+
+double deviation_of(const std::vector<float>& picture, std::size_t channel) {
+    const double mean = mean_of(picture, channel);
+    double sum = 0;
+    for (std::size_t i = channel; i < picture.size(); i += channels)
+        sum += std::pow(static_cast<double>(picture[i]) - mean, 2);
+    return std::sqrt(sum * static_cast<double>(channels) / static_cast<double>(picture.size()));
+}
+
+void compare(const vulkan::Device& device, std::string_view material) {
+    INFO(material);
+    // Pixels of 1/64 unit, each from 16 x 16 samples to a side.
+    constexpr int side = 256;
+    constexpr int block = 16;
+    constexpr int large = side / block;
+    const std::vector<float> sharp = rendered(device, material, side, 0.25, false);
+    const std::vector<float> filtered = rendered(device, material, large, 0.25, true);
+    for (const std::vector<float>& picture : {sharp, filtered})
+        for (std::size_t i = 0; i < picture.size(); i += channels) {
+            for (std::size_t k = 0; k < channels; ++k)
+                REQUIRE(std::isfinite(picture[i + k]));
+            for (const std::size_t k : {0, 1, 2, 4, 5})
+                REQUIRE((picture[i + k] >= 0 && picture[i + k] <= 1));
+        }
+
+    // Far away: pixels of half a unit against sharp samples over the same 16 x 16 units.
+    const std::vector<float> samples = rendered(device, material, side, 16, false);
+    const std::vector<float> far = rendered(device, material, 32, 16, true);
+    for (const std::size_t channel : {std::size_t{0}, std::size_t{1}, std::size_t{2}, height_channel}) {
+        const double contrast = deviation_of(samples, channel);
+        if (contrast == 0)
+            continue;
+        const Blurred brute(sharp, side, block, channel);
+        double square = 0;
+        int points = 0;
+        for (int y = 2; y < large - 2; ++y)
+            for (int x = 2; x < large - 2; ++x, ++points)
+                square +=
+                    std::pow(static_cast<double>(
+                                 filtered[static_cast<std::size_t>(y * large + x) * channels + channel]) -
+                                 brute(x, y),
+                             2);
+        const double error = std::sqrt(square / points) / contrast;
+        const double mean = (mean_of(far, channel) - mean_of(samples, channel)) / contrast;
+        fmt::print("  {:<14} {:<7} contrast {:.4f}, in it: error {:.3f} in {} pixels, far mean {:+.4f}, left "
+                   "far {:.3f}\n",
+                   material, render::material_channels[channel], contrast, error, points, mean,
+                   deviation_of(far, channel) / contrast);
+        CHECK(error < 0.3);
+        CHECK((channel == height_channel || error * contrast < 0.03));
+        CHECK(std::abs(mean) < 0.05);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a material as a pixel sees it is the mean of what it covers", "[material]") {
+    const vulkan::Device device;
+    for (const std::string_view material : {"leather", "sand"})
+        compare(device, material);
+}
+
+TEST_CASE("every material as a pixel sees it is the mean of what it covers", "[all]") {
+    const vulkan::Device device;
+    for (const std::string_view material : render::materials)
+        compare(device, material);
+}
+
+TEST_CASE("materials have presets of their names", "[material]") {
+    for (const std::string_view material : render::materials) {
+        const Request request = render::preset(material);
+        CHECK(request.material == material);
+        CHECK(request.filter);
+    }
+}
+
+TEST_CASE("beside a material there is no noise", "[material]") {
+    const auto refused = [](Request request, const char* words) {
+        CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
+    };
+    refused({.material = "plastic"}, "material 'plastic': it takes none, wood, fabric");
+    refused({.lobes = {{.frequency = 3}}, .material = "wood"},
+            "frequency and material wood exclude each other");
+    refused({.material = "wood", .gradient = true}, "gradient and material wood");
+    refused({.view = render::Slice{}, .material = "wood"}, "a material lies in the views flat and horizon");
+    Request request{.time = 0.5, .material = "sand"};
+    render::give_way(request, "material");
+    CHECK(request == Request{.material = "sand"});
+    request.phasor = true;
+    render::give_way(request, "phasor");
+    CHECK(request == Request{.phasor = true});
+}

@@ -1,0 +1,272 @@
+// What `gabor render` makes of a spectrum, block by block and pixel by pixel: the sum of the noises of its
+// lobes, each the double-precision reference of its recipe.
+
+#include "error.hpp"
+#include "reference/lattice.hpp"
+#include "reference/reference.hpp"
+#include "reference/spectrum.hpp"
+#include "render/bake.hpp"
+#include "render/parameters.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace gabor;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<float> rendered(const vulkan::Device& device, const render::Request& request,
+                            const image::Window& region) {
+    render::check(request);
+    std::vector<float> pixels;
+    render::render_region(device, request, region, [&](std::span<const float> rows) {
+        pixels.insert(pixels.end(), rows.begin(), rows.end());
+    });
+    return pixels;
+}
+
+// The noises of a request's lobes, in its kernel radii, from the rule that gabor_noise_lobes and
+// gabor_noise_spread state.
+std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
+    std::vector<noise::SpectrumLobe> terms;
+    for (std::size_t i = 0; i < request.lobes.size(); ++i) {
+        const noise::Lobe& lobe = request.lobes[i];
+        const std::uint32_t seed = request.lobes.size() == 1
+                                       ? request.seed
+                                       : noise::lattice_lobe_seed(request.seed, static_cast<int>(i));
+        const double angle = noise::radians(lobe.orientation);
+        if (lobe.is_one_wave()) {
+            terms.push_back({lobe.frequency, angle, lobe.radius, lobe.power, seed});
+            continue;
+        }
+        // A spread is in units of the lobe's own kernel radius.
+        for (noise::SpectrumLobe term :
+             noise::spread_lobes(lobe.frequency * lobe.radius, angle, lobe.frequency_spread,
+                                 noise::radians(lobe.orientation_spread), seed)) {
+            term.frequency /= lobe.radius;
+            term.radius = lobe.radius;
+            term.power *= lobe.power;
+            terms.push_back(term);
+        }
+    }
+    return terms;
+}
+
+struct Field {
+    std::complex<double> value;
+    std::complex<double> slope_x;
+    std::complex<double> slope_y;
+};
+
+// One axis of a picture: nodes or cells per own kernel radius, how many in a period, and which one a place is
+// in.
+struct Nodes {
+    double per_radius;
+    std::int32_t period = 0;
+    std::int32_t cell = 0;
+    double local = 0;
+
+    Nodes(const render::Request& request, int side, double pixel, double radius) {
+        const double standard = request.recipe.radius;
+        const double units = side / request.scale / radius; // of the picture
+        const bool tileable = std::get<render::Plane>(request.view).tileable;
+        period = tileable ? static_cast<std::int32_t>(units * standard) : 0;
+        per_radius = tileable ? period / units : standard;
+        const double at = (pixel + 0.5) / request.scale / radius * per_radius;
+        cell = static_cast<std::int32_t>(std::floor(at));
+        local = at - std::floor(at);
+    }
+};
+
+Field expected(const render::Request& request, const std::vector<noise::SpectrumLobe>& terms, int x, int y) {
+    const double time = request.time - std::floor(request.time);
+    double power = 0;
+    for (const noise::SpectrumLobe& term : terms)
+        power += term.power;
+    Field sum{};
+    for (const noise::SpectrumLobe& term : terms) {
+        const Nodes across(request, request.width, x, term.radius);
+        const Nodes down(request, request.height, y, term.radius);
+        const double frequency = term.frequency * term.radius;
+        const double scale = std::sqrt(term.power / power);
+        const auto add = [&](const auto& field) {
+            sum.value += scale * field.value;
+            sum.slope_x += scale / term.radius * field.slope_x;
+            sum.slope_y += scale / term.radius * field.slope_y;
+        };
+        if (request.recipe.is_lattice())
+            add(noise::Lattice(request.recipe.taps, frequency, term.orientation, term.seed)
+                    .field({across.cell, down.cell, across.local, down.local, across.per_radius,
+                            down.per_radius, across.period, down.period, time != 0, time}));
+        else
+            add(noise::Reference(request.recipe, frequency, term.orientation, term.seed)
+                    .field({across.cell, down.cell, static_cast<float>(across.local),
+                            static_cast<float>(down.local), static_cast<float>(across.per_radius),
+                            static_cast<float>(down.per_radius), across.period, down.period,
+                            static_cast<float>(time)}));
+    }
+    return sum;
+}
+
+// The largest difference over a region, in units of what single precision carries.
+double largest_difference(const vulkan::Device& device, const render::Request& request,
+                          const image::Window& region, std::string& where) {
+    const std::vector<noise::SpectrumLobe> terms = terms_of(request);
+    const std::vector<float> pixels = rendered(device, request, region);
+    const std::size_t channels = render::channels(request).size();
+    REQUIRE(pixels.size() == channels * static_cast<std::size_t>(region.width * region.height));
+    double highest = 1;
+    for (const noise::SpectrumLobe& term : terms)
+        highest = std::max(highest, term.frequency * term.radius);
+    const double tolerance = 1e-5 * (1 + highest / 4);
+    double largest = 0;
+    for (int i = 0; i < region.width * region.height; ++i) {
+        const int x = region.x + i % region.width;
+        const int y = region.y + i / region.width;
+        const Field field = expected(request, terms, x, y);
+        const float* pixel = &pixels[static_cast<std::size_t>(i) * channels];
+        const auto see = [&](double difference, const char* channel) {
+            if (!(difference <= largest)) {
+                largest = difference;
+                where = fmt::format("{} of pixel {}, {}", channel, x, y);
+            }
+        };
+        see(std::abs(pixel[0] - field.value.imag()) / tolerance, "value");
+        see(std::abs(pixel[1] - field.value.real()) / tolerance, "quadrature");
+        const double of_slopes = tolerance * (2 * pi * highest + 2);
+        see(std::abs(pixel[2] - field.slope_x.imag()) / of_slopes, "slope along x");
+        see(std::abs(pixel[3] - field.slope_y.imag()) / of_slopes, "slope along y");
+        if (request.phasor)
+            see(std::abs(pixel[5] - std::abs(field.value)) / tolerance, "intensity");
+    }
+    return largest;
+}
+
+const std::vector<noise::Lobe> one_spread{{2.5, 20, 0.4, 60}};
+const std::vector<noise::Lobe> several{
+    {.frequency = 3, .orientation = 20, .power = 2},
+    {.frequency = 5, .orientation = -70, .power = 1, .radius = 0.6},
+    {.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7},
+    {.frequency = 9, .power = 0, .radius = 0.9}};
+
+} // namespace
+
+TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]") {
+    const vulkan::Device device;
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        double largest = 0;
+        std::string which, where;
+        for (const std::vector<noise::Lobe>& lobes : {one_spread, several}) {
+            render::Request request{.width = 101,
+                                    .height = 94,
+                                    .scale = 17.3,
+                                    .recipe = recipe,
+                                    .lobes = lobes,
+                                    .seed = 77,
+                                    .quadrature = true,
+                                    .gradient = true};
+            render::Request far = request;
+            far.width = far.height = 65536;
+            render::Request tile = request;
+            tile.time = 0.3;
+            tile.view = render::Plane{.tileable = true};
+            for (const bool phasor : {false, true}) { // which Bake cannot fill
+                for (render::Request* each : {&request, &far, &tile}) {
+                    if (each != &tile && recipe != noise::recipes().front())
+                        continue;
+                    each->phasor = phasor;
+                    CHECK(render::Bake::can_fill(*each) == !phasor);
+                    const image::Window region = each == &far ? image::Window{65536 - 17, 65536 - 12, 17, 12}
+                                                              : image::Window{43, 50, 17, 12};
+                    std::string here;
+                    const double difference = largest_difference(device, *each, region, here);
+                    if (!(difference <= largest)) {
+                        largest = difference;
+                        where = fmt::format("{}, {}, {} lobes, {}",
+                                            each == &far    ? "far"
+                                            : each == &tile ? "tile"
+                                                            : "near",
+                                            phasor ? "pixels" : "blocks", lobes.size(), here);
+                    }
+                }
+            }
+        }
+        fmt::print("{}: largest difference {:.2g} of the tolerance, {}\n", recipe.name, largest, where);
+        CHECK(largest > 0);
+        CHECK(largest < 1);
+    }
+}
+
+TEST_CASE("a region of a spectrum has the bits of the whole, whatever the bands", "[render]") {
+    const vulkan::Device device;
+    const render::Request request{.width = 1500, .height = 4000, .scale = 20, .lobes = several, .seed = 1};
+    const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
+    for (const image::Window& region : {image::Window{1, 1700, 1499, 333}, image::Window{777, 13, 9, 3987},
+                                        image::Window{3, 2790, 400, 20}}) {
+        const std::vector<float> part = rendered(device, request, region);
+        bool same = part.size() == static_cast<std::size_t>(region.width * region.height);
+        for (int i = 0; i < region.width * region.height; ++i)
+            same &= part[static_cast<std::size_t>(i)] ==
+                    whole[static_cast<std::size_t>((region.y + i / region.width) * 1500 + region.x +
+                                                   i % region.width)];
+        CHECK(same);
+    }
+}
+
+TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[render]") {
+    const vulkan::Device device;
+    for (const bool horizon : {false, true}) {
+        render::Request request{
+            .width = 40, .height = 40, .scale = 5, .lobes = several, .seed = 3, .filter = true};
+        request.lobes.resize(2);
+        request.lobes.push_back({.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7});
+        if (horizon)
+            request.view = render::Horizon();
+        const std::vector<float> pixels = rendered(device, request, {0, 0, 40, 40});
+        const noise::Spectrum spectrum(terms_of(request));
+        double squares = 0;
+        double worst = 0;
+        int count = 0;
+        for (int y = horizon ? 20 : 1; y < 40; y += 6) {
+            for (int x = 2; x < 40; x += 7) {
+                noise::Spectrum::Vector at{(x + 0.5) / 5, (y + 0.5) / 5}, dx{0.2, 0}, dy{0, 0.2};
+                if (horizon) { // a camera 20 pixels wide each way, over a horizon in row 10
+                    const double rows = y + 0.5 - 10;
+                    const double near = (40 - 0.5 - 10) / 5.0 / rows;
+                    at = {near * (x + 0.5 - 20), -near * 40};
+                    dx = {near, 0};
+                    dy = {-near / rows * (x + 0.5 - 20), near / rows * 40};
+                }
+                const float* pixel = &pixels[static_cast<std::size_t>(y * 40 + x) * 2];
+                squares += std::pow(pixel[0] - spectrum.filtered(at[0], at[1], dx, dy), 2);
+                worst = std::max(worst, std::abs(pixel[1] - spectrum.removed(dx, dy)));
+                ++count;
+            }
+        }
+        const double error = std::sqrt(squares / count);
+        fmt::print("filtered{}: RMSE {:.4f} over {} pixels, removed variance off by {:.4f} at most\n",
+                   horizon ? ", horizon" : "", error, count, worst);
+        CHECK(count > 10);
+        CHECK(error < 0.02);
+        CHECK(worst < 0.01);
+    }
+}
+
+TEST_CASE("the filter in a plane takes one recipe, and tiles two of the widest kernel radii", "[request]") {
+    render::Request request{.recipe = noise::find_recipe("one"), .filter = true};
+    CHECK_THROWS_WITH(render::check(request), Catch::Contains("recipe lattice"));
+    request.view = render::Slice();
+    CHECK_NOTHROW(render::check(request));
+    render::Request tile{
+        .width = 95, .height = 95, .scale = 16, .lobes = several, .view = render::Plane{true}};
+    CHECK_THROWS_WITH(render::check(tile), Catch::Contains("widest lobe"));
+    tile.width = tile.height = 96;
+    CHECK_NOTHROW(render::check(tile));
+}
