@@ -156,6 +156,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
+    request.colour.reset(); // the window shows the noise
     request = with_output(request, document.output);
     std::vector<NoisePass> passes{of_drop_in(request)};
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone
