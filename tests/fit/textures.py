@@ -61,7 +61,7 @@ def colour_noise(side, seed=1):
     return picture + (0.5, 0.45, 0.4)
 
 
-def welch(channels, side=64, hop=16):
+def welch(channels, side=64, hop=32):
     """Cross-spectra of channels, height x width x count, under Hann windows: side x side x count x count."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(side) / side)
     window = np.outer(window, window)
