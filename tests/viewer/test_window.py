@@ -218,10 +218,10 @@ class Window(ViewerTest):
 
         noise = shaders / "passes/pixels.comp"
         pass_text = noise.read_text()
-        after("before.png", drop_in, good.replace("vec2 gabor_impl_position_plus_one", "vec2 spoilt("))
+        after("before.png", drop_in, good.replace("float gabor_impl_sine", "float spoilt("))
         after("broken.png", drop_in, good)
-        after("mended.png", noise, pass_text.replace("field.value.y;", "field.nothing;"))
-        after("other.png", noise, pass_text.replace("field.value.y;", "field.value.y + 1.0;"))
+        after("mended.png", noise, pass_text.replace("here.values[i];", "here.nothing;"))
+        after("other.png", noise, pass_text.replace("here.values[i];", "here.values[i] + 1.0;"))
         self.finish(process)
         before, mended, brighter = (read_colour_png(self.folder / f"{name}.png").astype(int)
                                     for name in ("before", "mended", "brighter"))
