@@ -17,7 +17,7 @@ render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
         lobe.frequency = wave.wave.norm() * request.scale;
         lobe.orientation = noise::degrees(std::atan2(wave.wave.y(), wave.wave.x()));
         lobe.radius = wave.radius / request.scale;
-        lobe.power = wave.weight.squaredNorm();
+        lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }
     if (exemplar.channels > 1)

@@ -129,7 +129,7 @@ void recipe_ingredients(render::Request& request) {
 
 // Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
 // export.
-constexpr std::array<std::string_view, 19> placed{"recipe",
+constexpr std::array<std::string_view, 18> placed{"recipe",
                                                   "scale",
                                                   "seed",
                                                   "paint",
