@@ -294,7 +294,7 @@ void files_panel(Session& session) {
     if (ImGui::BeginCombo("begin with", "a preset")) {
         for (const render::Preset& preset : render::presets()) {
             const std::string name(preset.name);
-            if (ImGui::Selectable(name.c_str()))
+            if (!render::has_material(render::preset(name)) && ImGui::Selectable(name.c_str()))
                 open_preset(session, name);
         }
         for (std::size_t i = 0; i < session.recent.size(); ++i) {
@@ -306,9 +306,7 @@ void files_panel(Session& session) {
         }
         ImGui::EndCombo();
     }
-    tooltip("Presets that come with the program, the paper's figure 6 and materials, and files that were "
-            "opened or "
-            "saved lately");
+    tooltip("Presets of noise that come with the program, and files that were opened or saved lately");
     ImGui::InputText("preset", &session.preset_path);
     tooltip(
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
