@@ -29,6 +29,13 @@ def window_power(f):
     return (np.sinc(2 * f) + (np.sinc(2 * f + 1) + np.sinc(2 * f - 1)) / 2) ** 2 * 4 / 3
 
 
+def pieces(c):
+    """Power and place, from -1 to 1, of the pieces of a spread: int(c) of them, of which the last fifth fades."""
+    kept = min(5 - 5 * (c % 1), 1)
+    return [(share / n, (2 * i + 1) / n - 1) for n, share in ((int(c), kept), (int(c) + 1, 1 - kept)) if share
+            for i in range(n)]
+
+
 class SpectraTest(ProgramTest):
     def render(self, *flags, output="out.exr", **options):
         options = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
@@ -92,13 +99,16 @@ class Spectra(SpectraTest):
         # Variances add: of the waves, evenly spread, and of the window's spectrum.
         f = np.linspace(-8, 8, 8193)
         of_window = np.sum(window_power(f) * f * f) / np.sum(window_power(f))
-        angle = np.radians(np.linspace(-10, 10, 2001))
-        frequency = np.linspace(1.8, 3.0, 2001)
+        # Of lobes in the middle of equal pieces, as many as shaders/gabor_spectrum.glsl says.
+        waves = [(share * part, 2.4 * (1 + 0.25 * place), np.radians(10) * angle)
+                 for share, place in pieces(2.857 * 0.25 * 2.4 + 0.8)
+                 for part, angle in pieces(10 / 90 * (4.44 * 2.4 * (1 + 0.25 * place) + 0.6) + 0.8)]
+        share, frequency, angle = np.array(waves).T
+        self.assertAlmostEqual(share.sum(), 1)
         self.assertAlmostEqual((weight * across).sum(), 0, delta=0.01)
-        self.assertAlmostEqual((weight * across ** 2).sum() / (np.mean(np.sin(angle) ** 2) * np.mean(frequency ** 2)
-                                                               + of_window), 1, delta=0.03)
-        mean = np.mean(np.cos(angle)) * np.mean(frequency)
-        self.assertAlmostEqual((weight * along).sum() / mean, 1, delta=0.01)
+        self.assertAlmostEqual((weight * across ** 2).sum() / ((share * (frequency * np.sin(angle)) ** 2).sum() + of_window),
+                               1, delta=0.03)
+        self.assertAlmostEqual((weight * along).sum() / (share * frequency * np.cos(angle)).sum(), 1, delta=0.01)
 
     def test_a_sum_of_equal_lobes_has_variance_1(self):
         # Were any two of the noises one, the variance would be 1.67 of three and 1.5 of four.
@@ -171,7 +181,7 @@ class Spectra(SpectraTest):
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["frequency", "a single lobe", "5, each with its own"], ["--lobes", good, "--frequency=3"]),
             (["values", "recipe", "the lattice's recipes"], ["--values=3", "--recipe=paper"]),
-            (["filter", "recipe lattice-4", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
+            (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
             (["depth", "the view slice"], ["--depth=3"]),
             (["solid", "sphere and torus"], ["--solid"]),
             (["--orientation-spread", "90"], ["--orientation-spread=91"]),
