@@ -202,7 +202,10 @@ void main()
         return;
     Run across = columns[first_column_run + gl_GlobalInvocationID.x];
     Run down = rows[first_row_run + gl_GlobalInvocationID.y];
-    uint count = sum ? wave_count : 1u;
-    for (uint i = 0u; i < count; ++i)
-        fill(across, down, first_wave + i);
+    if (sum) {
+        for (uint i = 0u; i < wave_count; ++i)
+            fill(across, down, first_wave + i);
+    } else { // a loop of one round would stay a loop
+        fill(across, down, first_wave);
+    }
 }

@@ -30,7 +30,7 @@
 #define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
 #endif
 #ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1; each axis visits ceil(2 R) + 1 cells
+#define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
 #define GABOR_WEIGHT_FLOOR 0.675 // A: a weight's magnitude is A or 1, equally likely: a float in [0, 1]
