@@ -24,6 +24,7 @@ Tables figure6(const vulkan::Device& device, const Effort& effort);
 void figure6_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
 Tables stationarity(const vulkan::Device& device, const Effort& effort);
 Tables law(const vulkan::Device& device, const Effort& effort);
+void law_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
 

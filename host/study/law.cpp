@@ -3,6 +3,7 @@
 
 #include "study/figures.hpp"
 
+#include "image/png.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/lines.hpp"
 #include "statistics/moments.hpp"
@@ -309,6 +310,40 @@ Tables law(const vulkan::Device& device, const Effort& effort) {
     const auto summaries = std::make_shared<Summaries>();
     return {places(device, effort, summaries), pooled(device, effort, summaries), pairs(device, effort),
             stationary(device, effort), spectra(device, effort)};
+}
+
+// Side by side: a noise in each column; in the rows frequency 1.5 and 4 over eight kernel radii, both zoomed
+// to two, and 4095 cells of frequency 1.5, one value for sixteen cells, at a place that moves once across the
+// cell.
+void law_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
+    struct View {
+        double frequency;
+        double radii;
+        double cells;
+    };
+    const unsigned bits = static_cast<unsigned>(effort.picture_bits) - 1;
+    const std::size_t side = std::size_t{1} << bits;
+    const std::size_t gap = side / 32;
+    const std::array columns{"seminal", "advice", "one", "lattice_2", "lattice_3", "lattice_4"};
+    const std::vector<Subject> all = subjects();
+    const std::size_t width = columns.size() * (side + gap) - gap;
+    std::vector<float> pixels;
+    for (const View& view : {View{1.5, 8, 0}, {4, 8, 0}, {1.5, 2, 0}, {4, 2, 0}, {1.5, 0, 4095}}) {
+        const std::size_t top = pixels.size() + (pixels.empty() ? 0 : gap * width);
+        pixels.resize(top + side * width, 1);
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            const Subject& subject = *std::ranges::find(all, columns[column], &Subject::name);
+            Noise noise = subject.make(device, {view.frequency, 0.5});
+            const Grid grid{bits, view.radii + view.cells / subject.cells_per_radius, false};
+            const std::vector<float> values = draw(noise, 1, grid, 1);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                pixels[top + i / side * width + column * (side + gap) + i % side] = 0.5f + 0.25f * values[i];
+        }
+    }
+    image::PngWriter png(folder / "law_noises.png", static_cast<int>(width),
+                         static_cast<int>(pixels.size() / width), 1);
+    png.write_rows(pixels);
+    png.commit();
 }
 
 } // namespace gabor::study

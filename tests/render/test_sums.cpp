@@ -245,7 +245,7 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
                     dy = {-near / rows * (x + 0.5 - 20), near / rows * 40};
                 }
                 const float* pixel = &pixels[static_cast<std::size_t>(y * 40 + x) * 2];
-                squares += std::pow(pixel[0] - spectrum.filtered(at[0], at[1], dx, dy), 2);
+                squares += std::pow(pixel[0] - spectrum.filtered(at[0], at[1], dx, dy).value.imag(), 2);
                 worst = std::max(worst, std::abs(pixel[1] - spectrum.removed(dx, dy)));
                 ++count;
             }

@@ -69,7 +69,7 @@ class StudyTest(ProgramTest):
         spectra = {row["noise"]: row for row in self.table("law_spectra")}
         self.assertGreater(float(spectra["one"]["fourth_power"]), 5)
         self.assertLess(float(spectra["lattice_3"]["fourth_power"]), 2.5)
-        self.assertEqual(set(self.files()), {f"{name}.csv" for name in counts})
+        self.assertEqual(set(self.files()), {"law_noises.png"} | {f"{name}.csv" for name in counts})
         subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
         for name in counts:
             self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000)
