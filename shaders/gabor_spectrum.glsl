@@ -285,7 +285,7 @@ struct GaborLine {
 };
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-GaborLine gabor_impl_line(GaborLine line, GaborBand b, int index)
+GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index)
 {
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = gabor_impl_product(line.turn, vec2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
@@ -353,16 +353,16 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel, vec2 w
     GaborLine line;
     line.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
     line.phase = kernel.step_x;
-    GaborLine c0 = gabor_impl_line(line, across, 0);
-    GaborLine c1 = gabor_impl_line(c0, across, 1);
-    GaborLine c2 = gabor_impl_line(c1, across, 2);
-    GaborLine c3 = gabor_impl_line(c2, across, 3);
-    GaborLine c4 = gabor_impl_line(c3, across, 4);
+    GaborLine c0 = gabor_impl_filtered_line(line, across, 0);
+    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1);
+    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2);
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3);
+    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4);
     line.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
     line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), kernel.step_y);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
     for (int j = 0; j < rows; ++j) {
-        line = gabor_impl_line(line, along, j);
+        line = gabor_impl_filtered_line(line, along, j);
         GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
         gabor_impl_add_filtered(row, c0, line.word, place.animated, time);
         gabor_impl_add_filtered(row, c1, line.word, place.animated, time);

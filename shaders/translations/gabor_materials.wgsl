@@ -169,75 +169,13 @@ fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> 
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-fn gabor_impl_line(noise: GaborLine, removed: GaborBand, width: i32) -> GaborLine {
-    var line_1: GaborLine;
-    var two_1: vec2<f32>;
-    var three: vec2<f32>;
-    var four: vec2<f32>;
-    var cosine_2: vec4<f32>;
-    var sine_2: vec4<f32>;
-    var real_4: vec3<f32>;
-    var imaginary_4: vec3<f32>;
-    var fade_1: f32;
-    var phase_1: vec2<f32>;
+fn gabor_impl_line(noise: f32, removed: f32, width: f32) -> f32 {
+    var variance_1: f32;
 
-    line_1 = noise;
-    let _e8 = gabor_impl_wrap((removed.first + width), removed.period);
-    let _e10 = gabor_impl_line_word(_e8, removed.salt);
-    line_1.word = _e10;
-    let _e12 = line_1;
-    let _e18 = gabor_impl_product(_e12.turn, vec2<f32>(0.309017f, -0.95105654f));
-    line_1.turn = _e18;
-    let _e20 = line_1;
-    let _e23 = gabor_impl_product(_e20.phase, removed.back);
-    line_1.phase = _e23;
-    let _e24 = line_1;
-    let _e26 = line_1;
-    let _e28 = gabor_impl_product(_e24.turn, _e26.turn);
-    two_1 = _e28;
-    let _e30 = two_1;
-    let _e31 = line_1;
-    let _e33 = gabor_impl_product(_e30, _e31.turn);
-    three = _e33;
-    let _e35 = two_1;
-    let _e36 = two_1;
-    let _e37 = gabor_impl_product(_e35, _e36);
-    four = _e37;
-    let _e39 = line_1;
-    let _e42 = two_1;
-    let _e44 = three;
-    let _e46 = four;
-    cosine_2 = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
-    let _e50 = line_1;
-    let _e53 = two_1;
-    let _e55 = three;
-    let _e57 = four;
-    sine_2 = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
-    let _e63 = cosine_2;
-    let _e66 = cosine_2;
-    let _e69 = cosine_2;
-    real_4 = (removed.mean + vec3<f32>(dot(removed.even_0_, _e63), dot(removed.even_1_, _e66), dot(removed.even_2_, _e69)));
-    let _e75 = sine_2;
-    let _e78 = sine_2;
-    let _e81 = sine_2;
-    imaginary_4 = vec3<f32>(dot(removed.odd_0_, _e75), dot(removed.odd_1_, _e78), dot(removed.odd_2_, _e81));
-    fade_1 = clamp((5.555556f - (2.222222f * abs((removed.offset - f32(width))))), 0f, 1f);
-    let _e97 = fade_1;
-    let _e98 = fade_1;
-    let _e102 = fade_1;
-    let _e106 = line_1;
-    phase_1 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
-    let _e111 = phase_1;
-    let _e113 = real_4;
-    let _e115 = phase_1;
-    let _e117 = imaginary_4;
-    let _e120 = phase_1;
-    let _e122 = imaginary_4;
-    let _e124 = phase_1;
-    let _e126 = real_4;
-    line_1.window = GaborFactors(((_e111.x * _e113) - (_e115.y * _e117)), ((_e120.x * _e122) + (_e124.y * _e126)));
-    let _e130 = line_1;
-    return _e130;
+    variance_1 = ((width * width) + removed);
+    let _e6 = variance_1;
+    let _e13 = variance_1;
+    return ((width * inverseSqrt(_e6)) * exp((((-0.5f * noise) * noise) / _e13)));
 }
 
 // A factor of mean 1: exp(contrast noise - contrast^2 / 2).
@@ -624,7 +562,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 
 // A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
 fn gabor_impl_vein(layer: vec3<f32>, width: f32, threshold: f32) -> f32 {
-    let _e5 = gabor_impl_line_1(layer.x, layer.z, width);
+    let _e5 = gabor_impl_line(layer.x, layer.z, width);
     let _e9 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
     return (_e5 * _e9);
 }
@@ -1052,7 +990,7 @@ fn gabor_impl_bark(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e84 = gabor_impl_above((_e67.x + (0.2f * _e70.x)), (_e74.z + (0.04f * _e77.z)), -0.15f, 0.35f);
     let _e87 = crack;
     let _e89 = crack;
-    let _e92 = gabor_impl_line_1(_e87.x, _e89.z, 0.13f);
+    let _e92 = gabor_impl_line(_e87.x, _e89.z, 0.13f);
     plate = (_e84 * (1f - (0.55f * _e92)));
     let _e105 = plate;
     colour_8 = mix(vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.2f, 0.145f, 0.1f), vec3(_e105));

@@ -302,7 +302,7 @@ struct GaborLine {
 };
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-GaborLine gabor_impl_line(GaborLine line_, GaborBand b, int index)
+GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index)
 {
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = gabor_impl_product(line_.turn, float2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
@@ -370,16 +370,16 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel_, float
     GaborLine line_;
     line_.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
     line_.phase = kernel_.step_x;
-    GaborLine c0 = gabor_impl_line(line_, across, 0);
-    GaborLine c1 = gabor_impl_line(c0, across, 1);
-    GaborLine c2 = gabor_impl_line(c1, across, 2);
-    GaborLine c3 = gabor_impl_line(c2, across, 3);
-    GaborLine c4 = gabor_impl_line(c3, across, 4);
+    GaborLine c0 = gabor_impl_filtered_line(line_, across, 0);
+    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1);
+    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2);
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3);
+    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4);
     line_.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
     line_.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), kernel_.step_y);
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float4)(0.0));
     for (int j = 0; j < rows; ++j) {
-        line_ = gabor_impl_line(line_, along, j);
+        line_ = gabor_impl_filtered_line(line_, along, j);
         GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0));
         gabor_impl_add_filtered(row, c0, line_.word, place.animated, time);
         gabor_impl_add_filtered(row, c1, line_.word, place.animated, time);

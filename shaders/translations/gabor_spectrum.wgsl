@@ -725,7 +725,7 @@ struct GaborLine {
 }
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-fn gabor_impl_line(line: GaborLine, b: GaborBand, index: i32) -> GaborLine {
+fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborLine {
     var line_1: GaborLine;
     var two_1: vec2<f32>;
     var three: vec2<f32>;
@@ -933,23 +933,23 @@ fn gabor_impl_filtered_wide(place: GaborPlace, kernel: GaborKernel, wave: vec2<f
     line_2.phase = _e138.step_x;
     let _e140 = line_2;
     let _e141 = across;
-    let _e143 = gabor_impl_line(_e140, _e141, 0i);
+    let _e143 = gabor_impl_filtered_line(_e140, _e141, 0i);
     c0_ = _e143;
     let _e145 = c0_;
     let _e146 = across;
-    let _e148 = gabor_impl_line(_e145, _e146, 1i);
+    let _e148 = gabor_impl_filtered_line(_e145, _e146, 1i);
     c1_ = _e148;
     let _e150 = c1_;
     let _e151 = across;
-    let _e153 = gabor_impl_line(_e150, _e151, 2i);
+    let _e153 = gabor_impl_filtered_line(_e150, _e151, 2i);
     c2_ = _e153;
     let _e155 = c2_;
     let _e156 = across;
-    let _e158 = gabor_impl_line(_e155, _e156, 3i);
+    let _e158 = gabor_impl_filtered_line(_e155, _e156, 3i);
     c3_ = _e158;
     let _e160 = c3_;
     let _e161 = across;
-    let _e163 = gabor_impl_line(_e160, _e161, 4i);
+    let _e163 = gabor_impl_filtered_line(_e160, _e161, 4i);
     c4_ = _e163;
     let _e167 = offset_3;
     let _e172 = gabor_impl_wave((0.2f * (_e167.y + 1f)));
@@ -968,7 +968,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, kernel: GaborKernel, wave: vec2<f
             let _e204 = line_2;
             let _e205 = along;
             let _e206 = j_1;
-            let _e207 = gabor_impl_line(_e204, _e205, _e206);
+            let _e207 = gabor_impl_filtered_line(_e204, _e205, _e206);
             line_2 = _e207;
             row_4 = GaborFactors(vec3(0f), vec3(0f));
             let _e215 = c0_;
