@@ -4,6 +4,7 @@
 #include "render/file.hpp"
 #include "render/load.hpp"
 #include "render/parameters.hpp"
+#include "render/texture.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/format.h>
@@ -46,6 +47,8 @@ struct RenderOptions {
     std::string compression =
         "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
     std::string device;
+    bool texture = false;
+    bool half = false;
     bool verbose = false;
     std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; ///< all of the table
 };
@@ -135,6 +138,7 @@ Work make_work(const RenderOptions& options) {
             region = like.region;
     }
     render::set(work.request, given_values(options));
+    work.request.filter |= options.texture; // its levels are seen through it
     render::check(work.request);
 
     if (options.region) {
@@ -153,6 +157,8 @@ Work make_work(const RenderOptions& options) {
             fmt::format("{} {},{},{},{} is not within the picture of {} x {} pixels",
                         options.region ? "--region" : fmt::format("--like '{}': its region", *options.like),
                         r.x, r.y, r.width, r.height, picture_width, picture_height));
+    if (options.texture)
+        render::check_texture(work.request, r);
     return work;
 }
 
@@ -225,6 +231,10 @@ render::Files files_of(const RenderOptions& options) {
             refuse("--png", *options.png, "the name of a file that ends in .png");
         files.png = *options.png;
     }
+    if (options.half && !options.texture)
+        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+    if (options.texture && files.png)
+        throw RequestError("--texture and a PNG exclude each other: a texture is an EXR");
     return files;
 }
 
@@ -249,7 +259,8 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     const double device_ready = seconds_since(start);
     const auto pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) *
                         static_cast<std::uint64_t>(frames);
-    std::optional<Progress> progress(std::in_place, "rendering", pixels);
+    const std::uint64_t of_levels = options.texture ? pixels / 3 : 0; // a quarter, a sixteenth, and so on
+    std::optional<Progress> progress(std::in_place, "rendering", pixels + of_levels);
     render::FileTimes total;
     for (int frame = 0; frame < frames; ++frame) {
         render::Request request = work.request;
@@ -258,11 +269,14 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         for (std::optional<std::filesystem::path>* path : {&here.exr, &here.png})
             if (*path)
                 *path = frame_path(**path, frame, frames);
+        const auto advance = [&](std::uint64_t done) {
+            check_interrupt();
+            progress->advance(done);
+        };
         const render::FileTimes times =
-            render::render_file(device, request, region, here, [&](std::uint64_t done) {
-                check_interrupt();
-                progress->advance(done);
-            });
+            options.texture ? render::render_texture(device, request, region, *here.exr,
+                                                     {options.compression, options.half}, advance)
+                            : render::render_file(device, request, region, here, advance);
         if (frame == 0)
             total.rendering.first_dispatch = times.rendering.first_dispatch;
         total += times;
@@ -357,7 +371,9 @@ void add_render_command(CLI::App& app) {
     command
         ->add_option(
             "--preset", options->preset,
-            fmt::format("Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes", fmt::join(render::preset_names(), ", ")))
+            fmt::format(
+                "Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes",
+                fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,
@@ -381,6 +397,11 @@ void add_render_command(CLI::App& app) {
         ->add_option("--device", options->device,
                      "Vulkan device: its index, or a part of its name [the fastest kind]")
         ->type_name("NAME");
+    command->add_flag(
+        "--texture", options->texture,
+        "Write a texture for renderers: tiles, and every level of a mip map as --filter sees it; "
+        "sides must be powers of two");
+    command->add_flag("--half", options->half, "A texture of 16-bit floats");
     command->add_flag("--verbose", options->verbose, "Also print where time and memory went");
     command->callback([options, start] { render_pictures(*options, start); });
 }

@@ -19,6 +19,15 @@ bool is_chance(const Figures& figures, const Exemplar& exemplar) {
            figures.autocorrelation < 0.32 / windows;
 }
 
+// A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
+// well have any of that order.
+void keep_from_zero(std::vector<Wave>& waves) {
+    const double least = 0.0011 / waves.front().radius;
+    for (Wave& wave : waves)
+        if (wave.wave.norm() < least)
+            wave.wave = {least, 0};
+}
+
 void drop_empty(std::vector<Wave>& waves) {
     double all = 0;
     for (const Wave& wave : waves)
@@ -44,8 +53,7 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
             break;
         waves.push_back(std::move(next));
         refine(target, waves, Free::weights, 4);
-        if (i % 2 == 1 || i + 1 == lobes)
-            refine(target, waves, Free::all, 6);
+        refine(target, waves, Free::all, 6);
         drop_empty(waves);
         advance(0.8 * (i + 1) / lobes);
         if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
@@ -67,6 +75,7 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     for (Eigen::Index c = 0; c < scales.size(); ++c)
         texture.variances.push_back(covariance(c, c) / measured(c, c));
     normalize(waves);
+    keep_from_zero(waves);
     texture.waves = std::move(waves);
     texture.colour = colour_of(exemplar, texture.waves);
     advance(1);

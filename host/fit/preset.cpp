@@ -2,17 +2,9 @@
 
 #include "noise/lobe.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gabor::fit {
-
-namespace {
-
-// The least frequency that a lobe may have: of one around 0 it can be said of any.
-constexpr double least_frequency = 0.001;
-
-} // namespace
 
 render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
     render::Request request;
@@ -22,10 +14,10 @@ render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
     request.lobes.clear();
     for (const Wave& wave : texture.waves) {
         noise::Lobe lobe;
-        lobe.frequency = std::max(wave.wave.norm() * request.scale, least_frequency);
+        lobe.frequency = wave.wave.norm() * request.scale;
         lobe.orientation = noise::degrees(std::atan2(wave.wave.y(), wave.wave.x()));
         lobe.radius = wave.radius / request.scale;
-        lobe.power = wave.weight.squaredNorm();
+        lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }
     if (exemplar.channels > 1)

@@ -54,6 +54,39 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
+/// Writes a texture as renderers want it: tiles of 64 x 64 pixels, and after the picture itself every level
+/// down to a single pixel, each with half the sides of the one before, rounded down. Its attributes are those
+/// that OpenImageIO's maketx gives a texture. The file appears at `commit`, as ExrWriter's does.
+class ExrTextureWriter {
+  public:
+    struct Description {
+        int width = 0;
+        int height = 0;
+        std::vector<std::string> channels;
+        bool half = false;     ///< 16-bit floats, else 32-bit ones
+        bool periodic = false; ///< repeats, else is black beyond its edges
+        std::string_view compression = "none";
+        std::string parameters; ///< as those of ExrWriter
+        std::string software;
+    };
+
+    /// Throws RequestError as ExrWriter does.
+    ExrTextureWriter(const std::filesystem::path& path, const Description& description);
+    ~ExrTextureWriter();
+    ExrTextureWriter(ExrTextureWriter&&) noexcept;
+
+    /// Appends whole rows of the level that is next to be complete. Throws std::runtime_error when the disk
+    /// fails.
+    void write_rows(std::span<const float> pixels);
+
+    /// Publishes the file. All levels must have been written. Throws std::runtime_error when the disk fails.
+    void commit();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Puts the regions that ExrWriter wrote of one picture together, into the file that it would have written of
 /// the whole at once. Regions as wide as the picture, whose compressed blocks are also those of the whole,
 /// are copied as they are; others are decoded, a few rows at a time. `advance` is called with the number of

@@ -2,14 +2,19 @@
 
 #include "image/output_file.hpp"
 
+#include <ImfCompression.h>
 #include <ImfIO.h>
 
 #include <exception>
+#include <string_view>
 
 namespace gabor::image {
 
 /// Level of the compressions zip and zips: on noise twice as fast as the default, and no larger.
 inline constexpr int exr_zip_level = 1;
+
+/// The method of that name. Throws RequestError, listing the names, where there is none.
+Imf::Compression exr_compression(std::string_view name);
 
 /// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
 /// completes the table of offsets, swallows it.

@@ -25,7 +25,9 @@ constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip",
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
 
-Imf::Compression find_method(std::string_view name) {
+} // namespace
+
+Imf::Compression exr_compression(std::string_view name) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
         throw RequestError(
@@ -33,13 +35,15 @@ Imf::Compression find_method(std::string_view name) {
     return methods[static_cast<std::size_t>(found - names.begin())];
 }
 
+namespace {
+
 Imath::Box2i box(const Window& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
 Imf::Header make_header(const ExrWriter::Description& description) {
     Imf::Header header(box(description.picture), box(description.window));
-    header.compression() = find_method(description.compression);
+    header.compression() = exr_compression(description.compression);
     header.zipCompressionLevel() = exr_zip_level;
     for (const std::string& channel : description.channels)
         header.channels().insert(channel, Imf::Channel(Imf::FLOAT));

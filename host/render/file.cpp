@@ -27,6 +27,10 @@ float srgb(float light) {
     return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
 }
 
+std::string software(const vulkan::Device& device) {
+    return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
+}
+
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
     rendering.waiting += other.rendering.waiting;
     rendering.gpu += other.rendering.gpu;
@@ -44,14 +48,13 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr, image::ExrWriter::Description{
-                                    .picture = {0, 0, request.width, request.height},
-                                    .window = region,
-                                    .channels = names,
-                                    .compression = files.compression,
-                                    .parameters = to_json(request),
-                                    .software = fmt::format("gabor {}, {}, {}", GABOR_VERSION,
-                                                            device.info().name, device.info().driver)});
+        exr.emplace(*files.exr,
+                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
+                                                  .window = region,
+                                                  .channels = names,
+                                                  .compression = files.compression,
+                                                  .parameters = to_json(request),
+                                                  .software = software(device)});
     // Colour, where there are as many noises; of a material its look.
     const std::size_t colours = has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
     const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace gabor::render {
@@ -25,6 +26,9 @@ struct FileTimes {
 
     FileTimes& operator+=(const FileTimes& other);
 };
+
+/// What rendered a picture, as its header says: pixels agree between files where this does.
+std::string software(const vulkan::Device& device);
 
 struct Files {
     std::optional<std::filesystem::path> exr;

@@ -60,13 +60,13 @@ std::pair<std::vector<float>, image::Window> paint_channel(const std::string& pa
 Loaded load_request(const std::string& path) {
     if (path.ends_with(".json")) {
         const std::string text = read_text(path);
-        return {of_file(path, [&] { return from_json(text); }), {}};
+        return {of_file(path, [&] { return from_json(text); }), {}, text};
     }
     const image::ExrReader file(path);
     if (file.parameters().empty())
         throw RequestError(fmt::format(
             "'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
-    return {of_file(path, [&] { return from_json(file.parameters()); }), file.window()};
+    return {of_file(path, [&] { return from_json(file.parameters()); }), file.window(), file.parameters()};
 }
 
 std::vector<noise::Lobe> load_lobes(const std::string& path) {

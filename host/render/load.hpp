@@ -13,6 +13,7 @@ namespace gabor::render {
 struct Loaded {
     Request request;
     std::optional<image::Window> region;
+    std::string json; ///< as it stands in the file
 };
 
 /// From the `gabor` attribute of an EXR, or from a file whose name ends in `.json`. Throws RequestError, with

@@ -132,16 +132,27 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height) {
     return push;
 }
 
+std::shared_ptr<const vulkan::Pass> Pixels::make_pass(const vulkan::Device& device, const Request& request) {
+    return std::make_shared<vulkan::Pass>(device, modules.of(request.recipe),
+                                          vulkan::Pass::Interface{6, sizeof(passes::PixelsPush)},
+                                          pixels_constants(request));
+}
+
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Pixels(device, request, region, load_paint(request.paint)) {}
+    : Pixels(device, request, region, make_pass(device, request)) {}
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
-               const Paint& paint)
-    : Pixels(device, request, region, paint, pixels_waves(request, paint)) {}
+               std::shared_ptr<const vulkan::Pass> pass)
+    : Pixels(device, request, region, std::move(pass), load_paint(request.paint)) {}
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
-               const Paint& paint, const std::vector<passes::PixelsWave>& waves)
-    : pass_(device, modules.of(request.recipe), {6, sizeof(passes::PixelsPush)}, pixels_constants(request)),
+               std::shared_ptr<const vulkan::Pass> pass, const Paint& paint)
+    : Pixels(device, request, region, std::move(pass), paint, pixels_waves(request, paint)) {}
+
+Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
+               std::shared_ptr<const vulkan::Pass> pass, const Paint& paint,
+               const std::vector<passes::PixelsWave>& waves)
+    : pass_(std::move(pass)),
       columns_(
           upload(device, lines_along(request, request.width, region.x, region.width, request.width / 2.0))),
       rows_(upload(device,
@@ -163,7 +174,7 @@ std::vector<RegionRenderer::Band> Pixels::bands(int most_rows) const {
 }
 
 vulkan::Job Pixels::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, paint_, colour_, result}};
+    return {device, *pass_, {columns_, rows_, waves_, paint_, colour_, result}};
 }
 
 void Pixels::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

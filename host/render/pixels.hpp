@@ -35,6 +35,13 @@ class Pixels : public RegionRenderer {
     /// `request` must have passed `check`, and `region` lie within it. Reads the request's paint.
     Pixels(const vulkan::Device& device, const Request& request, const image::Window& region);
 
+    /// With the pipeline of another picture, which may differ in its size, scale, lobes and seed: to compile
+    /// one takes longer than to draw a small picture.
+    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
+           std::shared_ptr<const vulkan::Pass> pass);
+    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device,
+                                                         const Request& request);
+
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
     void submit(vulkan::Job& job, const Band& band,
@@ -42,11 +49,12 @@ class Pixels : public RegionRenderer {
 
   private:
     Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
-           const Paint& paint);
+           std::shared_ptr<const vulkan::Pass> pass, const Paint& paint);
     Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
-           const Paint& paint, const std::vector<passes::PixelsWave>& waves);
+           std::shared_ptr<const vulkan::Pass> pass, const Paint& paint,
+           const std::vector<passes::PixelsWave>& waves);
 
-    vulkan::Pass pass_;
+    std::shared_ptr<const vulkan::Pass> pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;

@@ -17,6 +17,12 @@ namespace {
 
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 // A band's memory on the device, and the job that fills it.
 class BandBuffer {
   public:
@@ -83,34 +89,38 @@ std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, cons
 
 Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
                     const std::function<void(std::span<const float>)>& sink) {
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
     const Clock::time_point start = Clock::now();
-
     const std::unique_ptr<RegionRenderer> renderer = make_renderer(device, request, region);
+    const double ready = seconds_since(start);
+    Times times = render_region(device, *renderer, request, region, sink);
+    times.first_dispatch += ready;
+    return times;
+}
+
+Times render_region(const vulkan::Device& device, const RegionRenderer& renderer, const Request& request,
+                    const image::Window& region, const std::function<void(std::span<const float>)>& sink) {
+    const Clock::time_point start = Clock::now();
     const std::size_t row_values = static_cast<std::size_t>(region.width) * channels(request).size();
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
     const int fitting = std::max(1, static_cast<int>(limit / (row_values * sizeof(float))));
-    const std::vector<RegionRenderer::Band> bands = renderer->bands(fitting);
+    const std::vector<RegionRenderer::Band> bands = renderer.bands(fitting);
     const auto values = [&](const RegionRenderer::Band& band) {
         return static_cast<std::size_t>(band.rows) * row_values;
     };
     const int most_rows = std::ranges::max(bands, {}, &RegionRenderer::Band::rows).rows;
     const std::size_t bytes = static_cast<std::size_t>(most_rows) * row_values * sizeof(float);
-    std::array<BandBuffer, 2> buffers{BandBuffer(device, *renderer, bytes),
-                                      BandBuffer(device, *renderer, bytes)};
+    std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, bytes),
+                                      BandBuffer(device, renderer, bytes)};
 
     Times times;
-    buffers[0].submit(*renderer, bands[0], values(bands[0]));
+    buffers[0].submit(renderer, bands[0], values(bands[0]));
     times.first_dispatch = seconds_since(start);
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const Clock::time_point before = Clock::now();
         times.gpu += buffers[i % 2].wait();
         times.waiting += seconds_since(before);
         if (i + 1 < bands.size())
-            buffers[(i + 1) % 2].submit(*renderer, bands[i + 1], values(bands[i + 1]));
+            buffers[(i + 1) % 2].submit(renderer, bands[i + 1], values(bands[i + 1]));
         sink(buffers[i % 2].values());
     }
     return times;

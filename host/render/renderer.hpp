@@ -82,4 +82,8 @@ struct Times {
 Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
                     const std::function<void(std::span<const float>)>& sink);
 
+/// The same by a renderer of one's own choice.
+Times render_region(const vulkan::Device& device, const RegionRenderer& renderer, const Request& request,
+                    const image::Window& region, const std::function<void(std::span<const float>)>& sink);
+
 } // namespace gabor::render

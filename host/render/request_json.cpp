@@ -182,7 +182,7 @@ Request from_json(std::string_view text) {
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum") // of versions before 1.1.0, where lobes were not always summed
+        if (name == "sum" || name == "viewer") // of versions before 1.1.0; how gabor-viewer shows it
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);

@@ -1,5 +1,6 @@
 #include "viewer/app.hpp"
 
+#include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
 
 #include <GLFW/glfw3.h>
@@ -67,11 +68,12 @@ App::App(const Options& options)
     : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
       device_(options.device, window_.presentation()), compiler_(options.shaders),
       swapchain_(device_, window_.handle()),
-      gui_(device_, window_, swapchain_.render_pass(), swapchain_.images()), pool_(make_pool(device_)),
-      commands_(make_commands(device_, pool_)), session_(options.document, options.device),
-      remember_(!options.screenshot) {
+      gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
+           options.ui_scale.value_or(settings_.ui_scale)),
+      pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
+      session_(options.document.value_or(Document()), options.device), remember_(!options.screenshot) {
     if (remember_)
-        session_.panels = settings_.panels;
+        restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
     load_shaders();
@@ -82,7 +84,27 @@ App::App(const Options& options)
 App::~App() {
     device_.state().device.waitIdle();
     if (remember_)
-        save_settings({window_.placement(), session_.panels});
+        save_settings({window_.placement(), session_.panels, session_.ui_scale, to_json(session_.document()),
+                       session_.preset_path, session_.export_target.path, session_.recent});
+}
+
+// The last session, but for what the command line says.
+void App::restore(const Options& options) {
+    session_.panels = settings_.panels;
+    session_.ui_scale = options.ui_scale.value_or(settings_.ui_scale);
+    session_.recent = settings_.recent;
+    if (!options.preset.empty())
+        return open_preset(session_, options.preset);
+    if (options.document || settings_.document.empty())
+        return;
+    attempt(session_, [&] {
+        const Document last = document_from_json(settings_.document);
+        render::load_paint(last.request.paint); // it must still be there
+        session_.history = History(last);
+        session_.kept = last;
+        session_.preset_path = settings_.preset_path;
+        session_.export_target.path = settings_.export_path;
+    });
 }
 
 // All or nothing: what does not compile leaves everything as it was.
@@ -190,7 +212,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
         pane.picture_measured = true;
         if (is_flat(noise.request.view))
             measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
-                                   noise.request.scale);
+                                   noise.request.scale * session_.document().camera.zoom);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
         const std::span<const float> values_now =
             pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
@@ -213,7 +235,7 @@ void App::panels() {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
+    ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     // Tab goes from one field to the next only while one is edited: else it splits the view.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     struct Section {
@@ -302,7 +324,12 @@ bool App::frame(const FrameHook& hook) {
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.commit();
     gui_.end();
-    if (session_.closing || window_.close_asked())
+    gui_.set_scale(session_.ui_scale);
+    window_.set_full_screen(session_.full_screen);
+    if (window_.take_close_request() && session_.closing == Closing::no)
+        session_.closing = Closing::asked;
+    go_on_closing(session_);
+    if (session_.closing == Closing::now)
         return false;
     if (!window_.shown())
         return true;

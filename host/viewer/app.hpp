@@ -14,11 +14,13 @@
 namespace gabor::viewer {
 
 struct Options {
-    Document document;
+    std::optional<Document> document;      ///< none: that of the last session
+    std::string preset;                    ///< from where the document is; empty for nowhere
     std::string device;                    ///< as for vulkan::Device
     std::filesystem::path shaders;         ///< empty for those built in
     std::optional<std::string> screenshot; ///< one picture, and no window
     std::optional<Extent> size;            ///< of the window
+    std::optional<float> ui_scale;         ///< none: that of the last session
 };
 
 /// The program: a window, what it shows, and what is done in it.
@@ -53,6 +55,7 @@ class App {
     };
 
     bool frame(const FrameHook& hook); ///< whether to go on
+    void restore(const Options& options);
     void load_shaders();
     void poll_shaders();
     std::vector<Area> areas(Extent window) const;

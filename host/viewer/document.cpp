@@ -13,7 +13,6 @@ constexpr std::size_t most_steps = 1000;
 // The document but for what moves by itself or by looking around.
 Document without_viewpoint(Document document) {
     document.camera = {};
-    document.request.scale = 0;
     document.request.time = 0;
     if (auto* body = std::get_if<render::Body>(&document.request.view))
         *body = {body->shape, body->solid};

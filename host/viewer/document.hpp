@@ -18,12 +18,13 @@ struct Coordinate {
     bool operator==(const Coordinate&) const = default;
 };
 
-/// The point of the plane in the middle of the view.
+/// The point of the plane in the middle of the view, and how much larger than in the picture it is seen.
 struct Camera {
     Coordinate x;
     Coordinate y;
+    double zoom = 1;
 
-    Camera moved(double by_x, double by_y) const { return {x.moved(by_x), y.moved(by_y)}; }
+    Camera moved(double by_x, double by_y) const { return {x.moved(by_x), y.moved(by_y), zoom}; }
     bool operator==(const Camera&) const = default;
 };
 
@@ -32,6 +33,10 @@ enum class Output { value, gradient, phase, intensity, variance };
 /// What stands beside the picture in the split view, on the same parameters: one of the noises that the paper
 /// compares, the seminal one by default, or the drop-in with another recipe.
 using Comparison = std::variant<study::Ingredients, noise::Recipe>;
+
+constexpr float least_contrast = 0.5f;
+constexpr float most_contrast = 6;
+constexpr int most_impulses = 64; ///< of a compared noise, in each cell
 
 /// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
 struct Document {

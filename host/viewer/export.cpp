@@ -28,6 +28,7 @@ void Exporter::start(const render::Request& request, const std::filesystem::path
     cancelled_ = false;
     done_ = 0;
     written_.clear();
+    failed_ = false;
     total_ = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     running_ = true;
     thread_ = std::thread([this, request, exr, png] {
@@ -50,6 +51,7 @@ void Exporter::start(const render::Request& request, const std::filesystem::path
             result_ = "cancelled; no file was written";
         } catch (const std::exception& error) {
             result_ = error.what();
+            failed_ = true;
         }
         running_ = false;
     });

@@ -26,6 +26,8 @@ class Exporter {
     double progress() const; ///< from 0 to 1
     /// What came of the last one: a line to show, empty at first.
     std::string result() const { return running_ ? std::string() : result_; }
+    /// Whether the last one ended with an error.
+    bool failed() const { return !running_ && failed_; }
     /// The files of the last one, by their absolute paths; none while it runs.
     std::map<std::filesystem::path, FileStamp> written() const {
         return running_ ? decltype(written_)() : written_;
@@ -38,7 +40,8 @@ class Exporter {
     std::atomic<bool> cancelled_ = false;
     std::atomic<std::uint64_t> done_ = 0;
     std::uint64_t total_ = 1;
-    std::string result_; ///< this and `written_` belong to the thread while it runs
+    std::string result_; ///< this and what follows belong to the thread while it runs
+    bool failed_ = false;
     std::map<std::filesystem::path, FileStamp> written_;
 };
 

@@ -107,12 +107,13 @@ vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
 
 } // namespace
 
-Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images)
-    : descriptors_(make_descriptors(device)) {
+Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images,
+         float scale)
+    : descriptors_(make_descriptors(device)), density_(window.density()), scale_(scale), font_scale_(scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // settings.hpp remembers
-    set_style(window.density());
-    load_font(window.density());
+    set_style(density_ * scale);
+    load_font(density_ * scale);
     glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls it
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     const vulkan::Device::State& state = device.state();
@@ -135,6 +136,15 @@ Gui::~Gui() {
     ImGui_ImplVulkan_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+}
+
+void Gui::set_scale(float scale) {
+    if (scale == scale_)
+        return;
+    scale_ = scale;
+    ImGui::GetStyle() = ImGuiStyle();
+    set_style(density_ * scale);
+    ImGui::GetIO().FontGlobalScale = scale / font_scale_;
 }
 
 void Gui::begin() {

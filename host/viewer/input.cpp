@@ -1,3 +1,5 @@
+#include "viewer/document_json.hpp"
+#include "viewer/effect.hpp"
 #include "viewer/panels.hpp"
 
 #include <GLFW/glfw3.h>
@@ -12,7 +14,6 @@ namespace gabor::viewer {
 namespace {
 
 constexpr double wheel_step = 1.15;
-constexpr int colour_maps = 5;
 
 // The window's pixels in one of Dear ImGui's units.
 float pixels_per_unit() {
@@ -31,9 +32,11 @@ void zoom(Document& document, double factor, double x, double y) {
         body->zoom = within("zoom", body->zoom * factor);
         return;
     }
-    const double before = request.scale;
-    request.scale = within("scale", before * factor);
-    document.camera = document.camera.moved(x / before - x / request.scale, y / before - y / request.scale);
+    // Only the view: the picture, and what is exported, keep their scale.
+    const double before = request.scale * document.camera.zoom;
+    const double scale = within("scale", before * factor);
+    document.camera = document.camera.moved(x / before - x / scale, y / before - y / scale);
+    document.camera.zoom = scale / request.scale;
 }
 
 // Moves a plane with the pointer, and turns a body.
@@ -43,7 +46,8 @@ void drag(Document& document, double x, double y) {
         body->yaw = std::remainder(body->yaw - degrees_per_pixel * x, 360.0);
         body->pitch = std::clamp(body->pitch + degrees_per_pixel * y, -89.0, 89.0);
     } else {
-        document.camera = document.camera.moved(-x / document.request.scale, -y / document.request.scale);
+        const double scale = document.request.scale * document.camera.zoom;
+        document.camera = document.camera.moved(-x / scale, -y / scale);
     }
 }
 
@@ -54,6 +58,14 @@ void next_choice(Document& document, std::string_view name) {
     const auto found = std::ranges::find(all, now);
     const bool last = found == all.end() || found + 1 == all.end();
     set_parameter(document, name, std::string(last ? all.front() : *(found + 1)));
+}
+
+// Says why where it has none.
+bool has_effect(Session& session, std::string_view control) {
+    const std::string_view dead = without_effect(session.document(), control);
+    if (!dead.empty())
+        notify(session, std::string(dead));
+    return dead.empty();
 }
 
 bool pressed(int key) {
@@ -70,21 +82,33 @@ struct Shortcut {
 
 constexpr std::array shortcuts{
     Shortcut{"drag", "move the plane, endlessly, or turn the body"},
-    Shortcut{"wheel", "zoom about the pointer"},
+    Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
     Shortcut{"arrows, + and -", "the same from the keyboard"},
     Shortcut{"double click, Home", "back to the view that gabor render shows", GLFW_KEY_HOME, false,
              reset_camera},
     Shortcut{"1 to 5", "show value, gradient, phase, intensity, variance"},
     Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s.document(), "view"); }},
     Shortcut{"F", "filtering on and off", GLFW_KEY_F, false,
-             [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); }},
+             [](Session& s) {
+                 if (has_effect(s, "filter"))
+                     set_parameter(s.document(), "filter", !s.document().request.filter);
+             }},
     Shortcut{"C", "the next colour map", GLFW_KEY_C, false,
-             [](Session& s) { s.document().colours = (s.document().colours + 1) % colour_maps; }},
+             [](Session& s) {
+                 if (has_effect(s, "colours"))
+                     s.document().colours =
+                         (s.document().colours + 1) % static_cast<int>(colour_names().size());
+             }},
     Shortcut{"R", "the next recipe", GLFW_KEY_R, false,
-             [](Session& s) { next_choice(s.document(), "recipe"); }},
+             [](Session& s) {
+                 if (has_effect(s, "recipe"))
+                     next_choice(s.document(), "recipe");
+             }},
     Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
     Shortcut{"Tab", "split view; its divider can be dragged", GLFW_KEY_TAB, false,
              [](Session& s) {
+                 if (!has_effect(s, "comparison"))
+                     return;
                  std::optional<Comparison>& comparison = s.document().comparison;
                  comparison = comparison ? std::nullopt : std::optional(Comparison());
              }},
@@ -98,10 +122,10 @@ constexpr std::array shortcuts{
     Shortcut{"Ctrl S", "save the preset", GLFW_KEY_S, true, save_preset},
     Shortcut{"Ctrl C", "copy the GLSL of this view", GLFW_KEY_C, true, copy_glsl},
     Shortcut{"Ctrl E", "export EXR and PNG", GLFW_KEY_E, true, start_export},
-    Shortcut{"H, F11", "hide and show the panels", GLFW_KEY_H, false,
-             [](Session& s) { s.panels = !s.panels; }},
+    Shortcut{"H", "hide and show the panels", GLFW_KEY_H, false, [](Session& s) { s.panels = !s.panels; }},
+    Shortcut{"F11", "fill the screen, and back"},
     Shortcut{"F1", "this page"},
-    Shortcut{"Ctrl Q", "quit", GLFW_KEY_Q, true, [](Session& s) { s.closing = true; }},
+    Shortcut{"Ctrl Q", "quit", GLFW_KEY_Q, true, [](Session& s) { s.closing = Closing::asked; }},
 };
 
 // Those that repeat while they are held, and those of a row of keys.
@@ -124,16 +148,19 @@ void held_keys(Document& document) {
 void keys(Session& session) {
     const ImGuiIO& io = ImGui::GetIO();
     if (session.question) {
+        for (std::size_t i = session.question->answers.size(); i-- > 0;)
+            if (!io.KeyCtrl && pressed(session.question->answers[i].key))
+                return answer(session, i);
         if (pressed(GLFW_KEY_ENTER) || pressed(GLFW_KEY_KP_ENTER))
-            answer(session, true);
+            answer(session, 0);
         else if (pressed(GLFW_KEY_ESCAPE))
-            answer(session, false);
+            answer(session, {});
         return;
     }
     if (pressed(GLFW_KEY_F1))
         session.help = !session.help;
     if (pressed(GLFW_KEY_F11))
-        session.panels = !session.panels;
+        session.full_screen = !session.full_screen;
     if (pressed(GLFW_KEY_ESCAPE))
         session.help = false;
     if (io.WantTextInput)
@@ -207,8 +234,10 @@ void help_window(Session& session) {
         }
         ImGui::Separator();
         ImGui::TextUnformatted(
-            "Ctrl and a click on a slider lets you type. Hold the pointer over anything to\n"
-            "read what it is. Drag a lobe in the drawing of the frequency plane.\n"
+            "Ctrl and a click on a slider lets you type, a double click sets it back. Hold the pointer over\n"
+            "anything to read what it is. In the drawing of the frequency plane a click selects a lobe, a "
+            "drag\n"
+            "moves it, a double click adds one, Delete removes the selected one.\n"
             "Shaders are read again whenever one is saved; the last good picture stays.");
     }
     ImGui::End();

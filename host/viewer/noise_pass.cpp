@@ -98,9 +98,11 @@ passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Exten
     passes::SolidPush push = render::solid_push(noise.request, extent.width, extent.height, stride);
     if (std::holds_alternative<render::Slice>(noise.request.view)) {
         const auto first = [&](const Coordinate& middle, int pixels) {
-            const double at = (static_cast<double>(middle.whole) + middle.part) * noise.request.scale;
+            const double at =
+                (static_cast<double>(middle.whole) + middle.part) * noise.request.scale * camera.zoom;
             return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / stride), -1e9, 1e9));
         };
+        push.pixel /= static_cast<float>(camera.zoom);
         push.first_column = first(camera.x, extent.width);
         push.first_row = first(camera.y, extent.height);
     }
@@ -154,6 +156,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
+    request.colour.reset(); // the window shows the noise
     request = with_output(request, document.output);
     std::vector<NoisePass> passes{of_drop_in(request)};
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone
@@ -198,6 +201,8 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     }
     std::vector<passes::PixelsWave> waves = render::pixels_waves(request, paint);
     passes::PixelsPush push = render::pixels_push(request, extent.width, extent.height);
+    push.pixel /= static_cast<float>(camera.zoom);
+    const double scale = request.scale * camera.zoom;
     const Cells cells = cells_of(noise);
     const std::vector<passes::Line> x = axis_points(camera.x, 0, cells.x);
     const std::vector<passes::Line> y = axis_points(camera.y, 0, cells.y);
@@ -209,17 +214,19 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
         add_pixels(input.columns, x, extent.width, stride, extent.width / 2.0);
         add_pixels(input.rows, y, extent.height, stride, render::sky_rows(extent.height));
     } else {
-        add_points(input.columns, camera.x, extent.width, request.scale, stride, cells.x);
-        add_points(input.rows, camera.y, extent.height, request.scale, stride, cells.y);
+        add_points(input.columns, camera.x, extent.width, scale, stride, cells.x);
+        add_points(input.rows, camera.y, extent.height, scale, stride, cells.y);
     }
     // The paint lies over the picture, whose corner is the origin of the plane.
     const auto paint_corner = [&](const Coordinate& middle, int side, int pixels, int samples) {
-        const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale - pixels / 2.0;
-        return static_cast<float>(at * samples / side);
+        const double at = (static_cast<double>(middle.whole) + middle.part) * scale - pixels / 2.0;
+        return static_cast<float>(at * samples / (side * camera.zoom));
     };
     push.paint_size = {paint.width, paint.height};
-    push.paint_scale = {static_cast<float>(stride * static_cast<double>(paint.width) / request.width),
-                        static_cast<float>(stride * static_cast<double>(paint.height) / request.height)};
+    const auto paint_scale = [&](int samples, int side) {
+        return static_cast<float>(stride * static_cast<double>(samples) / (side * camera.zoom));
+    };
+    push.paint_scale = {paint_scale(paint.width, request.width), paint_scale(paint.height, request.height)};
     push.paint_corner = {paint_corner(camera.x, request.width, extent.width, paint.width),
                          paint_corner(camera.y, request.height, extent.height, paint.height)};
     if (noise.ingredients)

@@ -1,6 +1,8 @@
 #include "viewer/panels.hpp"
 
 #include "render/load.hpp"
+#include "viewer/document_json.hpp"
+#include "viewer/effect.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -26,8 +28,16 @@ std::string help_of(const render::Parameter& parameter) {
                                   : fmt::format("{} ({})", parameter.help, parameter.unit);
 }
 
+// What the parameter is in a view like this one, where nobody has set it.
+double default_of(const render::Parameter& parameter, const render::Request& request) {
+    render::Request fresh;
+    render::set(fresh, "view", *render::parameter("view").get(request));
+    return std::get<double>(*parameter.get(fresh));
+}
+
 // A control by the kind of its parameter, and the value that it was given just now.
-std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value) {
+std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
+                                  const render::Request& request) {
     using Kind = render::Parameter::Kind;
     const std::string label = label_of(parameter);
     switch (parameter.kind) {
@@ -45,7 +55,8 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     case Kind::number:
     case Kind::angle: {
         double number = std::get<double>(value);
-        if (!number_slider(label.c_str(), number, parameter.range, parameter.slider))
+        if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
+                           default_of(parameter, request)))
             return {};
         return number;
     }
@@ -58,7 +69,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
                 if (ImGui::Selectable(std::string(name).c_str(), name == now))
                     chosen = std::string(name);
                 if (parameter.kind == Kind::recipe)
-                    tooltip(std::string(noise::find_recipe(name).is).c_str());
+                    tooltip(noise::find_recipe(name).is);
             }
             ImGui::EndCombo();
         }
@@ -79,11 +90,15 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
 // The control of a parameter, where the view and the lobes have it.
 void control(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
-    const std::optional<render::Value> value = parameter.get(session.document().request);
+    const render::Request& request = session.document().request;
+    const std::optional<render::Value> value = parameter.get(request);
     if (!value)
         return;
-    const std::optional<render::Value> edited = edit(parameter, *value);
-    tooltip(help_of(parameter).c_str());
+    const std::string_view dead = without_effect(session.document(), name);
+    ImGui::BeginDisabled(!dead.empty());
+    const std::optional<render::Value> edited = edit(parameter, *value, request);
+    ImGui::EndDisabled();
+    tooltip(dead.empty() ? help_of(parameter) : std::string(dead));
     if (edited)
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
 }
@@ -114,7 +129,7 @@ void recipe_ingredients(render::Request& request) {
 
 // Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
 // export.
-constexpr std::array<std::string_view, 19> placed{"recipe",
+constexpr std::array<std::string_view, 18> placed{"recipe",
                                                   "scale",
                                                   "seed",
                                                   "paint",
@@ -133,12 +148,27 @@ constexpr std::array<std::string_view, 19> placed{"recipe",
                                                   "frequency_spread",
                                                   "orientation_spread"};
 
-constexpr std::array outputs{"value", "gradient", "phase", "intensity", "variance"};
 constexpr std::array output_tips{
     "The noise itself, of mean 0 and variance 1", "Its analytic gradient, as a normal map",
     "The phase of the complex noise, for patterns of even contrast", "The magnitude of the complex noise",
     "The share of its variance that the filter leaves at each place; all of it without a filter"};
-constexpr std::array maps{"grey", "viridis", "cool to warm", "ember", "sea"};
+
+// A name from a list, by its number.
+template <typename Tip>
+bool choose(const char* label, int& number, std::span<const std::string_view> names, Tip tip) {
+    bool changed = false;
+    if (ImGui::BeginCombo(label, std::string(names[static_cast<std::size_t>(number)]).c_str())) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (ImGui::Selectable(std::string(names[i]).c_str(), static_cast<int>(i) == number)) {
+                number = static_cast<int>(i);
+                changed = true;
+            }
+            tip(i);
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
 
 template <typename Enum, std::size_t count>
 bool choice(const char* label, Enum& value, const std::array<Enum, count>& all) {
@@ -179,7 +209,7 @@ void comparison_choice(Comparison& comparison) {
         choice("weights", ingredients->weights, study::all_weights);
         choice("kernel", ingredients->kernel, study::all_kernels);
         choice("envelope", ingredients->envelope, study::all_envelopes);
-        ImGui::SliderInt("N", &ingredients->impulses, 1, 64, "%d",
+        ImGui::SliderInt("N", &ingredients->impulses, 1, most_impulses, "%d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         tooltip("Impulses per cell; the mean for Poisson points");
         ImGui::TreePop();
@@ -214,6 +244,8 @@ void noise_panel(Session& session) {
     control(session, "time");
     ImGui::SliderFloat("period", &session.period, 1, 60, "%.1f s",
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (reset_asked("period"))
+        session.period = Session::default_period;
     tooltip("Seconds for time to go from 0 to 1");
 }
 
@@ -222,31 +254,34 @@ void output_panel(Session& session) {
     for (const char* name : {"view", "tileable", "depth", "solid", "yaw", "pitch", "zoom", "filter"})
         control(session, name);
     auto output = static_cast<int>(document.output);
-    if (ImGui::BeginCombo("show", outputs.at(static_cast<std::size_t>(output)))) {
-        for (std::size_t i = 0; i < outputs.size(); ++i) {
-            if (ImGui::Selectable(outputs[i], static_cast<int>(i) == output))
-                document.output = static_cast<Output>(i);
-            tooltip(output_tips.at(i));
-        }
-        ImGui::EndCombo();
-    }
+    if (choose("show", output, output_names(), [](std::size_t i) { tooltip(output_tips.at(i)); }))
+        document.output = static_cast<Output>(output);
     tooltip("What is drawn, keys 1 to 5");
-    ImGui::Combo("colours", &document.colours, maps.data(), static_cast<int>(maps.size()));
-    tooltip("The colour map; a gradient is a normal map, and a phase goes round all hues, or is grey");
-    ImGui::SliderFloat("contrast", &document.contrast, 0.5f, 6, "%.2f sd",
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    tooltip("Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor "
-            "render");
-    const bool one_recipe = render::in_space(document.request);
-    ImGui::BeginDisabled(one_recipe);
-    bool split = document.comparison.has_value();
-    if (ImGui::Checkbox("split view", &split))
-        document.comparison = split ? std::optional(Comparison()) : std::nullopt;
-    tooltip(one_recipe ? "Noise in space has one recipe: there is nothing to compare it with"
-                       : "Tab: two noises side by side, with their times");
-    if (document.comparison)
+    const auto explained = [&](std::string_view control, std::string_view help, auto draw) {
+        const std::string_view dead = without_effect(document, control);
+        ImGui::BeginDisabled(!dead.empty());
+        draw();
+        ImGui::EndDisabled();
+        tooltip(dead.empty() ? help : dead);
+    };
+    explained("colours", "The colour map; a phase goes round all hues, or is grey",
+              [&] { choose("colours", document.colours, colour_names(), [](std::size_t) {}); });
+    explained(
+        "contrast",
+        "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render",
+        [&] {
+            ImGui::SliderFloat("contrast", &document.contrast, least_contrast, most_contrast, "%.2f sd",
+                               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+            if (reset_asked("contrast"))
+                document.contrast = Document().contrast;
+        });
+    explained("comparison", "Tab: two noises side by side, with their times", [&] {
+        bool split = document.comparison.has_value();
+        if (ImGui::Checkbox("split view", &split))
+            document.comparison = split ? std::optional(Comparison()) : std::nullopt;
+    });
+    if (document.comparison && without_effect(document, "comparison").empty())
         comparison_choice(*document.comparison);
-    ImGui::EndDisabled();
 }
 
 void files_panel(Session& session) {
@@ -259,14 +294,21 @@ void files_panel(Session& session) {
     if (ImGui::BeginCombo("begin with", "a preset")) {
         for (const render::Preset& preset : render::presets()) {
             const std::string name(preset.name);
-            if (ImGui::Selectable(name.c_str())) {
+            if (ImGui::Selectable(name.c_str()))
                 open_preset(session, name);
-                session.preset_path = name + ".json";
-            }
+        }
+        for (std::size_t i = 0; i < session.recent.size(); ++i) {
+            if (i == 0)
+                ImGui::Separator();
+            const std::string path = session.recent[i]; // opening changes the list
+            if (ImGui::Selectable(path.c_str()))
+                open_preset(session, path);
         }
         ImGui::EndCombo();
     }
-    tooltip("Requests that come with the program: the paper's figure 6, and materials");
+    tooltip("Presets that come with the program, the paper's figure 6 and materials, and files that were "
+            "opened or "
+            "saved lately");
     ImGui::InputText("preset", &session.preset_path);
     tooltip(
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
@@ -280,6 +322,13 @@ void files_panel(Session& session) {
         save_preset(session);
     tooltip("Ctrl S");
 
+    if (ImGui::BeginCombo("interface", fmt::format("{:.0f} %", 100 * session.ui_scale).c_str())) {
+        for (const float scale : {0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 3.0f})
+            if (ImGui::Selectable(fmt::format("{:.0f} %", 100 * scale).c_str(), scale == session.ui_scale))
+                session.ui_scale = scale;
+        ImGui::EndCombo();
+    }
+    tooltip("How large panels and text are; letters are sharp from the next start on");
     for (const render::Parameter& parameter : render::parameters())
         if (std::ranges::find(placed, parameter.name) == placed.end())
             control(session, parameter.name);
@@ -322,6 +371,14 @@ void overlay(const Session& session, float width, float height) {
         }
     }
     const ImU32 red = IM_COL32(255, 120, 100, 255);
+    if (session.exporter.running() && session.closing == Closing::after_export)
+        label(draw, {margin, height - 3 * line - margin},
+              fmt::format("closing once {} is written: {:.0f} %", session.export_target.path,
+                          100 * session.exporter.progress()),
+              text);
+    if (const double zoom = session.history.now.camera.zoom; zoom != 1)
+        label(draw, {margin, margin + (split ? 2 * line : 0)}, fmt::format("view at {:.0f} %", 100 * zoom),
+              text);
     const Message& message = session.message;
     if (ImGui::GetTime() < message.until)
         label(draw, {margin, height - line - margin}, message.text, message.error ? red : text);
@@ -338,37 +395,72 @@ void question_window(Session& session) {
         return;
     if (session.question) {
         ImGui::TextUnformatted(session.question->text.c_str());
-        const std::string accept = session.question->accept + " (Enter)";
-        if (ImGui::Button(accept.c_str()))
-            answer(session, true);
-        ImGui::SameLine();
+        std::optional<std::size_t> chosen;
+        for (std::size_t i = 0; i < session.question->answers.size(); ++i) {
+            const Question::Answer& each = session.question->answers[i];
+            const std::string key = i == 0 ? "Enter" : std::string(1, static_cast<char>(each.key));
+            if (ImGui::Button(fmt::format("{} ({})", each.label, key).c_str()))
+                chosen = i;
+            ImGui::SameLine();
+        }
         if (ImGui::Button("Cancel (Esc)"))
-            answer(session, false);
+            answer(session, {});
+        else if (chosen)
+            answer(session, chosen);
     }
     if (!session.question)
         ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
-bool number_slider(const char* label, double& value, const render::Range& range,
-                   const render::Range& slider) {
-    auto shown = static_cast<float>(value);
-    const ImGuiSliderFlags logarithmic = slider.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
-    if (!ImGui::SliderFloat(label, &shown, static_cast<float>(slider.low), static_cast<float>(slider.high),
-                            "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat))
-        return false;
-    value = std::clamp(double{shown}, range.low, range.high);
-    return true;
+bool reset_asked(const char* label) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(label);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+        storage.SetBool(id, true);
+    const bool asked = storage.GetBool(id);
+    if (asked && !ImGui::IsMouseDown(0))
+        storage.SetBool(id, false);
+    return asked;
 }
 
-void tooltip(const char* text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-        ImGui::TextUnformatted(text);
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
+bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& slider,
+                   double by_default) {
+    auto shown = static_cast<float>(value);
+    const ImGuiSliderFlags logarithmic = slider.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
+    const bool moved =
+        ImGui::SliderFloat(label, &shown, static_cast<float>(slider.low), static_cast<float>(slider.high),
+                           "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    if (reset_asked(label)) {
+        const bool changed = value != by_default;
+        value = by_default;
+        return changed;
     }
+    if (moved)
+        value = std::clamp(double{shown}, range.low, range.high);
+    return moved;
+}
+
+void tooltip(std::string_view text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
+        return;
+    // Not while the pointer only passes by: items are told by their place.
+    constexpr double delay = 0.5; // seconds
+    static ImVec2 place;
+    static int frame = 0;
+    static double since = 0;
+    const ImVec2 here = ImGui::GetItemRectMin();
+    if (here.x != place.x || here.y != place.y || ImGui::GetFrameCount() > frame + 1)
+        since = ImGui::GetTime();
+    place = here;
+    frame = ImGui::GetFrameCount();
+    if (ImGui::GetTime() - since < delay)
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 } // namespace gabor::viewer

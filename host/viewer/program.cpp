@@ -62,6 +62,10 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
                    "Save the picture as a PNG, of the preset's size, without a window around it, and end")
         ->type_name("FILE");
     app.add_option("--window", size, "Size of the window")->type_name("WIDTHxHEIGHT");
+    app.add_option("--ui-scale", options.ui_scale,
+                   "How much larger panels and text are than the desktop asks for [as the last time]")
+        ->type_name("NUMBER")
+        ->check(CLI::Range(least_ui_scale, most_ui_scale));
     app.add_option("--shaders", shaders,
                    "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']")
         ->type_name("FOLDER");
@@ -76,7 +80,11 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         app.exit(error);
         return 0;
     }
-    options.document = document_of(preset.empty() ? render::Request{} : load_preset(preset));
+    options.preset = preset;
+    if (!preset.empty())
+        options.document = load_document(preset);
+    else if (!screenshot.empty())
+        options.document = document_of({});
     if (!size.empty())
         options.size = parse_size(size);
     if (!screenshot.empty())

@@ -1,4 +1,5 @@
 #include "viewer/session.hpp"
+#include "viewer/document_json.hpp"
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
@@ -52,7 +53,7 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
         return attempt(session, write);
     session.question = Question{fmt::format("Overwrite {}? This session did not write {}.",
                                             fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
-                                "Overwrite", [&session, write] { attempt(session, write); }};
+                                {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 
 } // namespace
@@ -69,36 +70,91 @@ void attempt(Session& session, const std::function<void()>& action) {
     }
 }
 
-void answer(Session& session, bool accept) {
-    if (const std::optional<Question> question = std::exchange(session.question, {}); question && accept)
-        question->accepted();
+void answer(Session& session, std::optional<std::size_t> number) {
+    const std::optional<Question> question = std::exchange(session.question, {});
+    if (question && number)
+        question->answers.at(*number).act();
+    else
+        session.closing = Closing::no;
 }
 
-render::Request load_preset(const std::string& path) {
+bool is_changed(const Session& session) {
+    const auto preset = [](Document document) {
+        document.camera = {}; // looking around changes nothing
+        document.request.time = 0;
+        return document;
+    };
+    return preset(session.history.now) != preset(session.kept);
+}
+
+void go_on_closing(Session& session) {
+    if (session.closing == Closing::no || session.closing == Closing::now || session.question)
+        return;
+    if (session.exporter.running()) {
+        if (session.closing == Closing::asked)
+            session.question =
+                Question{fmt::format("{} is being exported.", session.export_target.path),
+                         {{"Wait for it", [&session] { session.closing = Closing::after_export; }, 'W'},
+                          {"End it",
+                           [&session] {
+                               session.exporter.cancel();
+                               session.closing = Closing::after_export;
+                           },
+                           'E'}}};
+        return;
+    }
+    if (session.closing == Closing::after_export && session.exporter.failed()) {
+        session.closing = Closing::no;
+        return notify(session, session.exporter.result(), true);
+    }
+    if (!is_changed(session)) {
+        session.closing = Closing::now;
+        return;
+    }
+    session.question =
+        Question{fmt::format("What has changed since it was opened or saved is not in {} yet.",
+                             json_path(session.preset_path).string()),
+                 {{"Save", [&session] { save_preset(session); }, 'S'},
+                  {"Close without saving", [&session] { session.closing = Closing::now; }, 'D'}}};
+}
+
+Document load_document(const std::string& path, const Document& defaults) {
     const auto named = std::ranges::find(render::presets(), path, &render::Preset::name);
     if (named != render::presets().end())
-        return render::from_json(named->json);
+        return document_from_json(named->json, defaults);
     std::error_code unknown;
     if (!std::filesystem::exists(path, unknown))
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
                                        "gabor rendered, or a preset's name",
                                        path));
-    render::Request request = render::load_request(path).request;
-    request.colour.reset(); // the window shows the noise
-    return request;
+    const Document document = document_from_json(render::load_request(path).json, defaults);
+    render::load_paint(document.request.paint); // it must be there
+    return document;
 }
+
+namespace {
+
+void keep(Session& session, const std::string& path) {
+    constexpr std::size_t most_recent = 10;
+    session.preset_path = path;
+    session.kept = session.history.now;
+    const std::string whole = std::filesystem::absolute(path).string();
+    std::erase(session.recent, whole);
+    session.recent.insert(session.recent.begin(), whole);
+    session.recent.resize(std::min(session.recent.size(), most_recent));
+}
+
+} // namespace
 
 void open_preset(Session& session, const std::string& path) {
     attempt(session, [&] {
-        Document opened = document_of(load_preset(path));
-        const Document& now = session.history.now;
-        render::load_paint(opened.request.paint); // it must be there
-        opened.output = now.output;
-        opened.colours = now.colours;
-        opened.contrast = now.contrast;
-        opened.comparison = now.comparison;
-        session.history.now = opened;
-        session.preset_path = path;
+        session.history.now = load_document(path, session.history.now);
+        if (std::filesystem::exists(path)) {
+            keep(session, path);
+        } else {
+            session.preset_path = path + ".json"; // one that comes with the program
+            session.kept = session.history.now;
+        }
         notify(session, fmt::format("opened {}", path));
     });
 }
@@ -106,12 +162,12 @@ void open_preset(Session& session, const std::string& path) {
 void save_preset(Session& session) {
     const std::filesystem::path path = json_path(session.preset_path);
     overwrite(session, {path}, [&session, path] {
-        const std::string text = render::to_json(session.document().request) + "\n";
+        const std::string text = to_json(session.document());
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();
         session.written[std::filesystem::absolute(path)] = file_stamp(path);
-        session.preset_path = path.string();
+        keep(session, path.string());
         notify(session, fmt::format("saved {}", path.string()));
     });
 }

@@ -35,15 +35,23 @@ struct Message {
 
 /// A question that must be answered before anything else is done.
 struct Question {
+    struct Answer {
+        std::string label;
+        std::function<void()> act;
+        int key = 0; ///< a letter; the first answer has Enter too
+    };
+
     std::string text;
-    std::string accept; ///< label of the button that says yes
-    std::function<void()> accepted;
+    std::vector<Answer> answers; ///< beside Cancel, which does nothing
 };
+
+/// How far the end of the program has come.
+enum class Closing { no, asked, after_export, now };
 
 /// All that panels, shortcuts and tests see and change.
 struct Session {
-    explicit Session(Document document, std::string device)
-        : history(std::move(document)), exporter(std::move(device)) {}
+    explicit Session(const Document& document, std::string device)
+        : history(document), exporter(std::move(device)), kept(document) {}
 
     History history;
     std::vector<PaneReport> panes; ///< one, or two in the split view
@@ -51,15 +59,20 @@ struct Session {
     Exporter exporter;
     ExportTarget export_target;
     std::string preset_path = "noise.json"; ///< what is opened and saved
+    Document kept;                          ///< as it was opened, saved or begun with
+    std::vector<std::string> recent;        ///< presets that were opened or saved, the last one first
     /// Files that this session wrote: only they are overwritten without a question.
     std::map<std::filesystem::path, FileStamp> written;
     std::optional<Question> question;
     std::size_t selected_lobe = 0;
     bool playing = false;
-    float period = 8; ///< seconds for time to go by 1
+    static constexpr float default_period = 8;
+    float period = default_period; ///< seconds for time to go by 1
     bool panels = true;
+    bool full_screen = false;
+    float ui_scale = 1; ///< how much larger panels and text are than the desktop asks for
     bool help = false;
-    bool closing = false;
+    Closing closing = Closing::no;
     float divider = 0.5f; ///< between the panes, as a share of the width
     bool dragging_divider = false;
     std::string shader_error;
@@ -76,13 +89,18 @@ void save_preset(Session& session);
 void start_export(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
-void answer(Session& session, bool accept);
+/// Gives the answer of that number, or cancels.
+void answer(Session& session, std::optional<std::size_t> number);
+/// Whether a preset would hold something else than the file that was opened or saved last.
+bool is_changed(const Session& session);
+/// Asks what must be asked before the program ends, and then has it end: for every frame while `closing`.
+void go_on_closing(Session& session);
 /// What throws becomes a message.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
 
-/// The parameters in a JSON file, in an EXR that gabor rendered, or of a preset by its name. Throws
-/// RequestError where there are none.
-render::Request load_preset(const std::string& path);
+/// The document in a JSON file, of the parameters of an EXR that gabor rendered, or of a preset by its name.
+/// What is not in it is as in `defaults`. Throws RequestError where there is none, or its paint is not there.
+Document load_document(const std::string& path, const Document& defaults = {});
 
 } // namespace gabor::viewer

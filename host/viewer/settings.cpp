@@ -39,6 +39,11 @@ Settings load_settings() {
         number("height", 320, 32767, read.placement.height);
         read.placement.maximized = json.at("maximized").get<bool>();
         read.panels = json.at("panels").get<bool>();
+        read.ui_scale = std::clamp(json.value("ui_scale", 1.0f), least_ui_scale, most_ui_scale);
+        read.document = json.value("document", std::string());
+        read.preset_path = json.value("preset", std::string());
+        read.export_path = json.value("export", std::string());
+        read.recent = json.value("recent", std::vector<std::string>());
         settings = read;
     } catch (const nlohmann::json::exception&) {
         // no file, or one from another time
@@ -53,10 +58,16 @@ void save_settings(const Settings& settings) {
                                       {"width", settings.placement.width},
                                       {"height", settings.placement.height},
                                       {"maximized", settings.placement.maximized},
-                                      {"panels", settings.panels}};
+                                      {"panels", settings.panels},
+                                      {"ui_scale", settings.ui_scale},
+                                      {"document", settings.document},
+                                      {"preset", settings.preset_path},
+                                      {"export", settings.export_path},
+                                      {"recent", settings.recent}};
     try {
         std::filesystem::create_directories(path.parent_path());
-        const std::string text = json.dump(2) + "\n";
+        const std::string text =
+            json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();

@@ -41,6 +41,8 @@ float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint
 std::string of_plane(const Document& document, Extent extent) {
     render::Request request = document.request;
     request.paint.clear();
+    request.colour.reset();
+    const double scale = request.scale * document.camera.zoom;
     const bool horizon = std::holds_alternative<render::Horizon>(request.view);
     std::string text = of_wave(request);
     text += fmt::format(R"(
@@ -58,23 +60,23 @@ float noise_of_view(vec2 pixel)
     float near = {} / at.y; // kernel radii per pixel
     vec2 p = near * vec2(at.x, {}); // from the camera, in kernel radii
 )",
-                            vec2(extent.width / 2.0, sky),
-                            literal((extent.height - 0.5 - sky) / request.scale), literal(-extent.width));
+                            vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / scale),
+                            literal(-extent.width));
         if (request.filter)
             text +=
                 fmt::format("    vec2 dx = vec2(near, 0.0);\n    vec2 dy = near / at.y * vec2(-at.x, {});\n",
                             literal(extent.width));
     } else {
         text += fmt::format("    vec2 p = (pixel - 0.5) * {}; // from the first pixel, in kernel radii\n",
-                            literal(1 / request.scale));
+                            literal(1 / scale));
         if (request.filter)
-            text += fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / request.scale, 0),
-                                vec2(0, 1 / request.scale));
+            text +=
+                fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / scale, 0), vec2(0, 1 / scale));
     }
 
     // The middle of the first pixel; or where the camera stands.
     const auto corner = [&](const Coordinate& middle, int pixels, double cells) {
-        return axis_point(middle, horizon ? 0 : (0.5 - pixels / 2.0) / request.scale, cells);
+        return axis_point(middle, horizon ? 0 : (0.5 - pixels / 2.0) / scale, cells);
     };
     const double time = render::wrapped_time(request);
     const std::string moment = (!request.recipe.is_lattice() ? ""

@@ -1,3 +1,4 @@
+#include "viewer/effect.hpp"
 #include "viewer/panels.hpp"
 
 #include <fmt/format.h>
@@ -6,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gabor::viewer {
 
 namespace {
 
+constexpr std::size_t no_lobe = static_cast<std::size_t>(-1);
 constexpr float floor_decibels = -50;
 constexpr int cells_across = 72; ///< of the measured spectrum's drawing
 
@@ -97,33 +100,101 @@ void draw_lobe(ImDrawList& draw, const Plane& plane, const noise::Lobe& lobe, bo
     }
 }
 
-// The lobe nearest to a point of the screen.
-std::size_t nearest(const Plane& plane, const std::vector<noise::Lobe>& lobes, ImVec2 point) {
-    std::size_t best = 0;
-    float closest = 1e9f;
+// A lobe is drawn twice, at its wave vector and at the opposite one.
+struct Handle {
+    std::size_t lobe;
+    double sign;
+    ImVec2 at;
+};
+
+// The one under a point of the screen.
+std::optional<Handle> handle_at(const Plane& plane, const std::vector<noise::Lobe>& lobes, ImVec2 point) {
+    std::optional<Handle> best;
+    float closest = 0.8f * ImGui::GetFontSize();
     for (std::size_t i = 0; i < lobes.size(); ++i)
         for (const double sign : {1.0, -1.0}) {
             const double angle = lobes[i].angle();
             const ImVec2 at = plane.at(sign * lobes[i].frequency * std::cos(angle),
                                        sign * lobes[i].frequency * std::sin(angle));
             const float distance = std::hypot(at.x - point.x, at.y - point.y);
-            if (distance < closest) {
+            if (distance <= closest) {
                 closest = distance;
-                best = i;
+                best = Handle{i, sign, at};
             }
         }
     return best;
 }
 
-void drag_lobe(const Plane& plane, noise::Lobe& lobe) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const double fx = double{mouse.x - plane.middle.x} / double{plane.half} * plane.reaches;
-    const double fy = double{mouse.y - plane.middle.y} / double{plane.half} * plane.reaches;
+// Puts the lobe where one of its handles is.
+void move_lobe(const Plane& plane, noise::Lobe& lobe, double sign, ImVec2 handle) {
+    const double fx = sign * double{handle.x - plane.middle.x} / double{plane.half} * plane.reaches;
+    const double fy = sign * double{handle.y - plane.middle.y} / double{plane.half} * plane.reaches;
     if (std::hypot(fx, fy) < 0.02 * plane.reaches)
         return;
     const render::Range range = render::parameter("frequency").range;
     lobe.frequency = std::clamp(std::hypot(fx, fy), range.low, range.high);
     lobe.orientation = noise::degrees(std::atan2(fy, fx));
+}
+
+// Whether the two would be drawn upon each other.
+bool coincide(const noise::Lobe& a, const noise::Lobe& b) {
+    return std::abs(std::remainder(a.orientation - b.orientation, 180.0)) < 10 &&
+           std::abs(std::log2(a.frequency / b.frequency)) < 0.2;
+}
+
+// Another lobe like this one, where there is none yet.
+void add_lobe(Session& session, std::vector<noise::Lobe>& lobes, noise::Lobe lobe) {
+    const auto taken = [&] {
+        return std::ranges::any_of(lobes, [&](const noise::Lobe& other) { return coincide(lobe, other); });
+    };
+    for (int turn = 1; taken(); ++turn) {
+        lobe.orientation = std::remainder(lobe.orientation + 22.5, 360.0);
+        if (turn % 8 == 0)
+            lobe.frequency *= 1.25;
+    }
+    lobes.push_back(lobe);
+    session.selected_lobe = lobes.size() - 1;
+}
+
+bool remove_lobe(Session& session, std::vector<noise::Lobe>& lobes) {
+    if (lobes.size() < 2 || session.selected_lobe >= lobes.size())
+        return false;
+    lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.selected_lobe));
+    session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
+    return true;
+}
+
+// Clicks and drags in the drawing of the frequency plane, which is the item before. Whether they changed the
+// lobes.
+bool work_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& lobes) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID grab_x = ImGui::GetID("grab x");
+    const ImGuiID grab_y = ImGui::GetID("grab y");
+    const ImGuiID grab_sign = ImGui::GetID("grab sign");
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !handle_at(plane, lobes, mouse)) {
+        noise::Lobe lobe;
+        move_lobe(plane, lobe, 1, mouse);
+        add_lobe(session, lobes, lobe);
+        storage.SetFloat(grab_x, 0);
+        storage.SetFloat(grab_y, 0);
+        storage.SetFloat(grab_sign, 1);
+        return true;
+    }
+    if (ImGui::IsItemActivated()) {
+        const std::optional<Handle> handle = handle_at(plane, lobes, mouse);
+        session.selected_lobe = handle ? handle->lobe : no_lobe;
+        if (handle) {
+            storage.SetFloat(grab_x, handle->at.x - mouse.x);
+            storage.SetFloat(grab_y, handle->at.y - mouse.y);
+            storage.SetFloat(grab_sign, static_cast<float>(handle->sign));
+        }
+    }
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0) || session.selected_lobe >= lobes.size())
+        return false;
+    move_lobe(plane, lobes[session.selected_lobe], double{storage.GetFloat(grab_sign, 1)},
+              {mouse.x + storage.GetFloat(grab_x), mouse.y + storage.GetFloat(grab_y)});
+    return true;
 }
 
 // The list of lobes, beside the drawing.
@@ -137,34 +208,32 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
             session.selected_lobe = i;
     }
     if (ImGui::SmallButton("add")) {
-        noise::Lobe lobe = lobes[session.selected_lobe];
-        lobe.orientation = std::remainder(lobe.orientation + 45, 360.0);
-        lobes.push_back(lobe);
-        session.selected_lobe = lobes.size() - 1;
+        add_lobe(session, lobes, lobes[std::min(session.selected_lobe, lobes.size() - 1)]);
         changed = true;
     }
-    tooltip("Another lobe; each impulse has a wave of one of them, so that many cost as much as one");
-    if (lobes.size() > 1) {
+    tooltip("Another lobe: a noise of its own, added to the others and as costly");
+    if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("remove")) {
-            lobes.erase(lobes.begin() + static_cast<std::ptrdiff_t>(session.selected_lobe));
-            session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
-            changed = true;
-        }
+        if (ImGui::SmallButton("remove"))
+            changed |= remove_lobe(session, lobes);
+        tooltip("Delete");
     }
     ImGui::EndGroup();
     return changed;
 }
 
-bool lobe_sliders(noise::Lobe& lobe, bool one_of_many) {
+bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many) {
     bool changed = false;
     for (const render::LobeParameter& p : render::lobe_parameters()) {
         if (p.member == &noise::Lobe::power && !one_of_many)
             continue;
         std::string label(p.name);
         std::ranges::replace(label, '_', ' ');
-        changed |= number_slider(label.c_str(), lobe.*p.member, p.range, p.slider);
-        tooltip(fmt::format("{} ({})", p.help, p.unit).c_str());
+        const std::string_view dead = without_effect(document, p.name);
+        ImGui::BeginDisabled(!dead.empty());
+        changed |= number_slider(label.c_str(), lobe.*p.member, p.range, p.slider, noise::Lobe().*p.member);
+        ImGui::EndDisabled();
+        tooltip(dead.empty() ? fmt::format("{} ({})", p.help, p.unit) : std::string(dead));
     }
     return changed;
 }
@@ -173,12 +242,14 @@ bool lobe_sliders(noise::Lobe& lobe, bool one_of_many) {
 
 void spectrum_panel(Session& session) {
     std::vector<noise::Lobe> lobes = session.document().request.lobes;
-    session.selected_lobe = std::min(session.selected_lobe, lobes.size() - 1);
+    if (lobes.size() == 1)
+        session.selected_lobe = 0;
+    const std::string_view dead = without_effect(session.document(), "lobes");
+    ImGui::BeginDisabled(!dead.empty());
     const float side = 0.68f * ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("frequency plane", {side, side});
     const bool dragging = ImGui::IsItemActive();
-    const bool begun = ImGui::IsItemActivated();
 
     // The plane reaches past all lobes to a power of two, and stays as it is while one is dragged.
     double highest = 0;
@@ -191,15 +262,15 @@ void spectrum_panel(Session& session) {
     storage.SetFloat(id, reaches);
     const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, double{reaches}};
 
-    if (begun)
-        session.selected_lobe = nearest(plane, lobes, ImGui::GetIO().MousePos);
-    if (dragging) {
-        drag_lobe(plane, lobes[session.selected_lobe]);
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "The frequency plane, in cycles per kernel radius: what was measured in the picture,\n"
-            "50 dB from dark to bright, and the lobes that were asked for. Drag them.");
-    }
+    bool changed = work_plane(session, plane, lobes);
+    tooltip(!dead.empty()
+                ? dead
+                : "The frequency plane, in cycles per kernel radius: what was measured in the picture, 50 dB "
+                  "from dark to bright, and the lobes that were asked for. Drag them; double click for "
+                  "another, Delete for one less.");
+    if (dead.empty() && !ImGui::GetIO().WantTextInput &&
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
+        changed |= remove_lobe(session, lobes);
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
@@ -213,15 +284,12 @@ void spectrum_panel(Session& session) {
     draw.PopClipRect();
 
     ImGui::SameLine();
-    bool changed = lobe_list(session, lobes);
-    changed |= lobe_sliders(lobes[session.selected_lobe], lobes.size() > 1);
-    if (changed || dragging)
+    changed |= lobe_list(session, lobes);
+    ImGui::EndDisabled();
+    if (session.selected_lobe < lobes.size())
+        changed |= lobe_sliders(session.document(), lobes[session.selected_lobe], lobes.size() > 1);
+    if (changed)
         attempt(session, [&] { set_parameter(session.document(), "lobes", lobes); });
-    if (lobes.size() > 1) {
-        ImGui::Checkbox("independent noises", &session.document().request.sum);
-        tooltip("One noise for each lobe, added: as normal as the recipe makes it, at the cost of as many "
-                "noises");
-    }
 }
 
 } // namespace gabor::viewer

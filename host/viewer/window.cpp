@@ -19,6 +19,16 @@ void note_error(int, const char* text) {
     last_error = text;
 }
 
+// What the desktop leaves for windows.
+Extent screen() {
+    Extent extent{16384, 16384};
+    int x = 0;
+    int y = 0;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(monitor, &x, &y, &extent.width, &extent.height);
+    return extent;
+}
+
 } // namespace
 
 Window::Window(const Placement& placement, bool visible) {
@@ -31,7 +41,9 @@ Window::Window(const Placement& placement, bool visible) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, placement.maximized);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    window_ = glfwCreateWindow(placement.width, placement.height, "Gabor noise", nullptr, nullptr);
+    const Extent most = screen();
+    window_ = glfwCreateWindow(std::min(placement.width, most.width), std::min(placement.height, most.height),
+                               "Gabor noise", nullptr, nullptr);
     if (!window_ || !glfwVulkanSupported()) {
         if (window_)
             glfwDestroyWindow(window_);
@@ -59,7 +71,29 @@ vulkan::Presentation Window::presentation() const {
             }};
 }
 
+bool Window::full_screen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+void Window::set_full_screen(bool full) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (full == full_screen() || !monitor)
+        return;
+    if (full) {
+        before_full_screen_ = windowed();
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    } else {
+        const Placement& to = before_full_screen_;
+        glfwSetWindowMonitor(window_, nullptr, to.x, to.y, to.width, to.height, GLFW_DONT_CARE);
+    }
+}
+
 Placement Window::placement() const {
+    return full_screen() ? before_full_screen_ : windowed();
+}
+
+Placement Window::windowed() const {
     Placement placement;
     glfwGetWindowPos(window_, &placement.x, &placement.y);
     glfwGetWindowSize(window_, &placement.width, &placement.height);
@@ -86,8 +120,10 @@ float Window::density() const {
     return std::clamp(std::max(x, y), 0.5f, 4.0f);
 }
 
-bool Window::close_asked() const {
-    return glfwWindowShouldClose(window_) != 0;
+bool Window::take_close_request() {
+    const bool asked = glfwWindowShouldClose(window_) != 0;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return asked;
 }
 
 } // namespace gabor::viewer

@@ -26,14 +26,20 @@ class Window {
 
     GLFWwindow* handle() const { return window_; }
     vulkan::Presentation presentation() const;
-    Placement placement() const;
+    Placement placement() const; ///< of the window, also while it fills the screen
+    bool full_screen() const;
+    void set_full_screen(bool full);
     Extent pixels() const; ///< of the framebuffer
     bool shown() const;    ///< neither minimized nor hidden
     float density() const; ///< how much larger than usual the desktop wants text
-    bool close_asked() const;
+    /// Whether somebody has asked to close it since the last call.
+    bool take_close_request();
 
   private:
+    Placement windowed() const;
+
     GLFWwindow* window_ = nullptr;
+    Placement before_full_screen_;
 };
 
 } // namespace gabor::viewer

@@ -155,6 +155,7 @@ fn gabor_impl_nodes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborNod
     var first_2: vec3<f32>;
     var node_1: vec3<i32>;
     var salt_4: u32;
+    var none_1: GaborWindows = GaborWindows(vec4(0f), vec4(0f));
 
     first_2 = (floor((place.local - vec3(1.5f))) + vec3(1f));
     let _e17 = first_2;
@@ -164,48 +165,54 @@ fn gabor_impl_nodes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborNod
     let _e25 = first_2;
     n_1.offset = ((place.local - _e25) - vec3(1f));
     n_1.turns = (wave / place.radius);
-    let _e34 = node_1;
-    let _e36 = n_1;
-    let _e41 = salt_4;
-    let _e42 = n_1;
-    let _e45 = gabor_impl_wave(_e42.turns.x);
-    let _e46 = gabor_impl_axis(_e34.x, _e36.offset.x, place.period.x, _e41, _e45);
-    n_1.x = _e46;
-    let _e48 = node_1;
-    let _e50 = n_1;
-    let _e55 = salt_4;
-    let _e58 = n_1;
-    let _e61 = gabor_impl_wave(_e58.turns.y);
-    let _e62 = gabor_impl_axis(_e48.y, _e50.offset.y, place.period.y, (_e55 ^ 1540483477u), _e61);
-    n_1.y = _e62;
-    let _e64 = node_1;
-    let _e66 = n_1;
-    let _e71 = salt_4;
-    let _e74 = n_1;
-    let _e77 = gabor_impl_wave(_e74.turns.z);
-    let _e78 = gabor_impl_axis(_e64.z, _e66.offset.z, place.period.z, (_e71 ^ 668265263u), _e77);
-    n_1.z = _e78;
-    let _e80 = n_1;
-    let _e83 = n_1;
-    let _e86 = n_1;
-    let _e90 = gabor_impl_slice(_e80.x.word, _e83.y.word, _e86.z.word.x, place);
-    n_1.a = _e90;
+    let _e40 = node_1;
+    let _e44 = salt_4;
+    let _e45 = n_1;
+    let _e48 = gabor_impl_wave(_e45.turns.x);
+    let _e49 = n_1;
+    let _e52 = gabor_impl_windows(_e49.offset.x);
+    let _e53 = none_1;
+    let _e54 = gabor_impl_axis(_e40.x, place.period.x, _e44, _e48, _e52, _e53);
+    n_1.x = _e54;
+    let _e56 = node_1;
+    let _e60 = salt_4;
+    let _e63 = n_1;
+    let _e66 = gabor_impl_wave(_e63.turns.y);
+    let _e67 = n_1;
+    let _e70 = gabor_impl_windows(_e67.offset.y);
+    let _e71 = none_1;
+    let _e72 = gabor_impl_axis(_e56.y, place.period.y, (_e60 ^ 1540483477u), _e66, _e70, _e71);
+    n_1.y = _e72;
+    let _e74 = node_1;
+    let _e78 = salt_4;
+    let _e81 = n_1;
+    let _e84 = gabor_impl_wave(_e81.turns.z);
+    let _e85 = n_1;
+    let _e88 = gabor_impl_windows(_e85.offset.z);
+    let _e89 = none_1;
+    let _e90 = gabor_impl_axis(_e74.z, place.period.z, (_e78 ^ 668265263u), _e84, _e88, _e89);
+    n_1.z = _e90;
     let _e92 = n_1;
     let _e95 = n_1;
     let _e98 = n_1;
-    let _e102 = gabor_impl_slice(_e92.x.word, _e95.y.word, _e98.z.word.y, place);
-    n_1.b = _e102;
+    let _e102 = gabor_impl_slice(_e92.x.word, _e95.y.word, _e98.z.word.x, place);
+    n_1.a = _e102;
     let _e104 = n_1;
     let _e107 = n_1;
     let _e110 = n_1;
-    let _e114 = gabor_impl_slice(_e104.x.word, _e107.y.word, _e110.z.word.z, place);
-    n_1.c = _e114;
+    let _e114 = gabor_impl_slice(_e104.x.word, _e107.y.word, _e110.z.word.y, place);
+    n_1.b = _e114;
+    let _e116 = n_1;
+    let _e119 = n_1;
     let _e122 = n_1;
-    let _e124 = n_1;
-    let _e127 = gabor_impl_wave(dot(_e122.turns, _e124.offset));
-    n_1.base = (0.00000000000000000000000000057402616f * _e127);
-    let _e129 = n_1;
-    return _e129;
+    let _e126 = gabor_impl_slice(_e116.x.word, _e119.y.word, _e122.z.word.z, place);
+    n_1.c = _e126;
+    let _e134 = n_1;
+    let _e136 = n_1;
+    let _e139 = gabor_impl_wave(dot(_e134.turns, _e136.offset));
+    n_1.base = (0.00000000000000000000000000057402616f * _e139);
+    let _e141 = n_1;
+    return _e141;
 }
 
 // From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
@@ -321,9 +328,9 @@ fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
     var d_1: vec3<f32>;
     var step_2: vec2<f32>;
     var reach: vec3<f32>;
-    var real_1: vec3<f32>;
-    var imaginary_1: vec3<f32>;
-    var turn: vec2<f32>;
+    var real_2: vec3<f32>;
+    var imaginary_2: vec3<f32>;
+    var turn_1: vec2<f32>;
     var c_4: vec3<f32>;
     var s_2: vec3<f32>;
 
@@ -339,40 +346,40 @@ fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
     let _e48 = reach;
     let _e49 = step_2;
     let _e52 = step_2;
-    real_1 = (_e48 * vec3<f32>(_e49.x, 1f, _e52.x));
+    real_2 = (_e48 * vec3<f32>(_e49.x, 1f, _e52.x));
     let _e57 = reach;
     let _e58 = step_2;
     let _e61 = step_2;
-    imaginary_1 = (_e57 * vec3<f32>(_e58.y, 0f, -(_e61.y)));
+    imaginary_2 = (_e57 * vec3<f32>(_e58.y, 0f, -(_e61.y)));
     let _e69 = d_1;
     let _e72 = gabor_impl_wave((0.5f * _e69.y));
-    turn = (0.5f * _e72);
-    let _e75 = turn;
-    let _e84 = turn;
+    turn_1 = (0.5f * _e72);
+    let _e75 = turn_1;
+    let _e84 = turn_1;
     c_4 = ((_e75.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e84.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
-    let _e94 = turn;
-    let _e103 = turn;
+    let _e94 = turn_1;
+    let _e103 = turn_1;
     s_2 = ((_e94.y * vec3<f32>(-0.5f, 1f, -0.5f)) - (_e103.x * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
-    let _e113 = real_1;
+    let _e113 = real_2;
     let _e114 = c_4;
-    let _e116 = imaginary_1;
+    let _e116 = imaginary_2;
     let _e117 = s_2;
     let _e119 = ((_e113 * _e114) + (_e116 * _e117));
-    let _e120 = real_1;
-    let _e121 = real_1;
+    let _e120 = real_2;
+    let _e121 = real_2;
     let _e122 = c_4;
-    let _e124 = imaginary_1;
+    let _e124 = imaginary_2;
     let _e125 = s_2;
     let _e127 = ((_e121 * _e122) - (_e124 * _e125));
-    let _e141 = imaginary_1;
+    let _e141 = imaginary_2;
     let _e142 = c_4;
-    let _e144 = real_1;
+    let _e144 = real_2;
     let _e145 = s_2;
     let _e147 = ((_e141 * _e142) - (_e144 * _e145));
-    let _e148 = imaginary_1;
-    let _e149 = imaginary_1;
+    let _e148 = imaginary_2;
+    let _e149 = imaginary_2;
     let _e150 = c_4;
-    let _e152 = real_1;
+    let _e152 = real_2;
     let _e153 = s_2;
     let _e155 = ((_e149 * _e150) + (_e152 * _e153));
     return GaborMatrix(mat3x3<f32>(vec3<f32>(_e119.x, _e119.y, _e119.z), vec3<f32>(_e120.x, _e120.y, _e120.z), vec3<f32>(_e127.x, _e127.y, _e127.z)), mat3x3<f32>(vec3<f32>(_e147.x, _e147.y, _e147.z), vec3<f32>(_e148.x, _e148.y, _e148.z), vec3<f32>(_e155.x, _e155.y, _e155.z)));
@@ -388,7 +395,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var deviation_1: vec3<f32>;
     var n_5: GaborNodes3d;
     var z_1: GaborMatrix;
-    var sum_2: vec2<f32> = vec2(0f);
+    var sum_3: vec2<f32> = vec2(0f);
     var slope_x_1: vec2<f32> = vec2(0f);
     var slope_y_1: vec2<f32> = vec2(0f);
     var slope_z_1: vec2<f32> = vec2(0f);
@@ -480,9 +487,9 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                             let _e167 = c_5;
                             let _e171 = m_2.imaginary[_e167][_e166];
                             value_3 = (_e159 * vec2<f32>(_e165, _e171));
-                            let _e175 = sum_2;
+                            let _e175 = sum_3;
                             let _e176 = value_3;
-                            sum_2 = (_e175 + _e176);
+                            sum_3 = (_e175 + _e176);
                             let _e178 = slope_x_1;
                             let _e179 = k_2;
                             let _e181 = value_3;
@@ -541,7 +548,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e261 = n_5;
     base_1 = (_e260 * _e261.base);
     let _e265 = base_1;
-    let _e266 = sum_2;
+    let _e266 = sum_3;
     let _e267 = gabor_impl_product(_e265, _e266);
     let _e268 = base_1;
     let _e270 = slope_x_1;
@@ -629,7 +636,7 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wa
 // power, so that all is continuous in frequency.
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_4: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_5: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var i_1: i32 = 0i;
     var share: f32;
     var z_2: f32;
@@ -662,14 +669,14 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
             let _e70 = gabor_wave_3d(frequency, _e69);
             let _e71 = i_1;
             let _e72 = share;
-            gabor_impl_add_term((&sum_4), place, _e70, seed, _e71, _e72);
+            gabor_impl_add_term((&sum_5), place, _e70, seed, _e71, _e72);
         }
         continuing {
             let _e30 = i_1;
             i_1 = (_e30 + 1i);
         }
     }
-    let _e74 = sum_4;
+    let _e74 = sum_5;
     return _e74;
 }
 
@@ -694,7 +701,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     var local_8: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_5: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_6: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
 
     normal_1 = normal;
     direction_3 = direction;
@@ -732,16 +739,16 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
         let _e65 = direction_3;
         let _e66 = gabor_wave_3d(frequency, _e65);
         let _e68 = power_1;
-        gabor_impl_add_term((&sum_5), place, _e66, seed, 0i, _e68);
+        gabor_impl_add_term((&sum_6), place, _e66, seed, 0i, _e68);
     }
     let _e70 = power_1;
     if (_e70 < 1f) {
         let _e74 = other;
         let _e75 = gabor_wave_3d(frequency, _e74);
         let _e78 = power_1;
-        gabor_impl_add_term((&sum_5), place, _e75, seed, 1i, (1f - _e78));
+        gabor_impl_add_term((&sum_6), place, _e75, seed, 1i, (1f - _e78));
     }
-    let _e81 = sum_5;
+    let _e81 = sum_6;
     return _e81;
 }
 
@@ -750,13 +757,13 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_6: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var axis_1: i32 = 0i;
     var local_9: vec3<f32>;
     var along: vec3<f32>;
     var i_2: i32;
     var share_2: f32;
-    var turn_1: vec2<f32>;
+    var turn_2: vec2<f32>;
     var direction_4: vec3<f32>;
 
     normal_3 = normal;
@@ -801,10 +808,10 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     let _e88 = count_1;
                     let _e91 = share_2;
                     let _e95 = gabor_impl_wave((0.5f * ((f32(_e86) / _e88) + (0.5f * _e91))));
-                    turn_1 = _e95;
-                    let _e97 = turn_1;
+                    turn_2 = _e95;
+                    let _e97 = turn_2;
                     let _e99 = along;
-                    let _e101 = turn_1;
+                    let _e101 = turn_2;
                     let _e103 = normal_3;
                     let _e104 = along;
                     direction_4 = ((_e97.x * _e99) + (_e101.y * cross(_e103, _e104)));
@@ -814,7 +821,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     let _e115 = i_2;
                     let _e117 = power_2;
                     let _e118 = share_2;
-                    gabor_impl_add_term((&sum_6), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
+                    gabor_impl_add_term((&sum_7), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
                 }
                 continuing {
                     let _e73 = i_2;
@@ -829,7 +836,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             axis_1 = (_e41 + 1i);
         }
     }
-    let _e124 = sum_6;
+    let _e124 = sum_7;
     return _e124;
 }
 

@@ -210,11 +210,11 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
     // What is left of the weave under the pixel's filter; beyond, its mean.
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
-    float light = gabor_cpp_mix(0.6f, gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
+    float light = gabor_cpp_mix(0.87f, gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
     float share = gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept);
     gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.60f, 0.53f, 0.42f), gabor_vec3(0.50f, 0.43f, 0.33f), share) * gabor_cpp_mix(0.18f, 1.0f, light);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09f) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
-    return gabor_impl_material(colour, (0.3f * gabor_cpp_mix(0.1f, top, kept) + 0.035f * fibre.y) / count, 0.85f, 0.0f);
+    return gabor_impl_material(colour, (0.3f * gabor_cpp_mix(0.146f, top, kept) + 0.035f * fibre.y) / count, 0.85f, 0.0f);
 }
 
 // Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
@@ -232,11 +232,12 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t se
     gabor_vec2 b = other.xy() * gabor_cpp_inversesqrt(powers.y + 0.12f);
     float cells = a.x + b.x + gabor_impl_product(a, b).x; // 3 in the middle of a cell, -1.5 in a corner
     gabor_vec2 shares = powers / (powers + 2.5f * gabor_vec2(one.z, other.z));
-    float kept = shares.x * shares.y;
-    float pebble = gabor_cpp_mix(0.75f, gabor_cpp_smoothstep(-1.45f, -0.55f, cells + 0.1f * fine.y), kept);
+    float kept = gabor_cpp_sqrt(shares.x * shares.y);
+    float blur = 1.0f - kept;
+    float pebble = gabor_cpp_mix(0.806f, gabor_cpp_smoothstep(-1.45f - blur, -0.55f + blur, cells + 0.1f * fine.y), kept);
     gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.04f, 0.014f, 0.007f), gabor_vec3(0.20f, 0.068f, 0.026f), pebble);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.14f) * gabor_impl_tone(fine.x, fine.z, 0.08f);
-    float dome = kept * gabor_cpp_smoothstep(-1.0f, 3.0f, cells);
+    float dome = gabor_cpp_mix(0.236f, gabor_cpp_smoothstep(-1.0f, 3.0f, cells), kept);
     return gabor_impl_material(colour, 0.016f * pebble + 0.013f * dome + 0.0016f * fine.y, 0.55f - 0.15f * pebble, 0.0f);
 }
 

@@ -214,11 +214,11 @@ inline GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed)
     // What is left of the weave under the pixel's filter; beyond, its mean.
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
-    float light = mix(0.6, smoothstep(-1.3, 0.5, top), kept);
+    float light = mix(0.87, smoothstep(-1.3, 0.5, top), kept);
     float share = mix(0.5, first ? 1.0 : 0.0, kept);
     float3 colour = mix(float3(0.60, 0.53, 0.42), float3(0.50, 0.43, 0.33), share) * mix(0.18, 1.0, light);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
-    return gabor_impl_material(colour, (0.3 * mix(0.1, top, kept) + 0.035 * fibre.y) / count, 0.85, 0.0);
+    return gabor_impl_material(colour, (0.3 * mix(0.146, top, kept) + 0.035 * fibre.y) / count, 0.85, 0.0);
 }
 
 // Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
@@ -236,11 +236,12 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed)
     float2 b = other.xy * rsqrt(powers.y + 0.12);
     float cells = a.x + b.x + gabor_impl_product(a, b).x; // 3 in the middle of a cell, -1.5 in a corner
     float2 shares = powers / (powers + 2.5 * float2(one.z, other.z));
-    float kept = shares.x * shares.y;
-    float pebble = mix(0.75, smoothstep(-1.45, -0.55, cells + 0.1 * fine.y), kept);
+    float kept = sqrt(shares.x * shares.y);
+    float blur = 1.0 - kept;
+    float pebble = mix(0.806, smoothstep(-1.45 - blur, -0.55 + blur, cells + 0.1 * fine.y), kept);
     float3 colour = mix(float3(0.04, 0.014, 0.007), float3(0.20, 0.068, 0.026), pebble);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.14) * gabor_impl_tone(fine.x, fine.z, 0.08);
-    float dome = kept * smoothstep(-1.0, 3.0, cells);
+    float dome = mix(0.236, smoothstep(-1.0, 3.0, cells), kept);
     return gabor_impl_material(colour, 0.016 * pebble + 0.013 * dome + 0.0016 * fine.y, 0.55 - 0.15 * pebble, 0.0);
 }
 

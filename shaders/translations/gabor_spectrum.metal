@@ -2,11 +2,12 @@
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
-// Functions to call, at the end of the file:
-//     gabor_noise_lobes, gabor_noise_lobes_gradient, gabor_noise_lobes_complex     a sum of lobes
-//     gabor_noise_spread, gabor_noise_spread_gradient, gabor_noise_spread_complex  a range of waves, up to isotropic
-//     gabor_noise_filtered, gabor_noise_lobes_filtered                             as a pixel sees it
-//     gabor_lobe, gabor_footprint, gabor_field_filtered                            their parts
+// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+//     gabor_noise_lobes                                  a sum of lobes
+//     gabor_noise_spread                                 a range of waves, up to isotropic
+//     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_lobe, gabor_footprint                        what these are given
+//     gabor_field_...                                    the same by place
 //
 // The unit of length is the kernel radius, as in gabor_lattice.metal, and every function's variance is exactly 1.
 //
@@ -108,7 +109,7 @@ inline float3 gabor_impl_piece(int i, float c)
     return float3((2.0 * float(i) + 1.0) * width - 1.0, share * width, float(i + (n & 1) * 64));
 }
 
-// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+// The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 inline GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
                               float orientation_spread, uint seed)
 {
@@ -142,16 +143,20 @@ inline GaborField gabor_field_spread(GaborPlace place, float frequency, float or
 //
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
-// Along one axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window ends at +-w, which a taper sees
-// to: for w = 1 it is h itself, which has three of these waves. The filter widens w from 1 to 5/3, so that 3, 4 or 5
-// nodes along each axis take part; the filter is for GABOR_TAPS 3. The axes meet in the factor exp(-4 pi^2 S_xy q_x
-// q_y). With H as wide as a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of
-// h, Mehler's formula (DLMF 18.18.28) separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho
-// = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z =
-// sqrt(2 g) (q - c),
+// Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
+// the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
+// deviation while the filter's is at most 0.11 radii. With w = 5/3 the nine waves a = -4 ... 4 have room for what the
+// filter widens, up to a deviation of 0.5, with five nodes along the axis. From 0.08 to 0.11 one takes over from the
+// other. These are the windows of GABOR_TAPS 3.
+//
+// The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
+// For nine, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
+// variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F of the
+// filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
+// g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
-//                                      (1 - 2 lambda z_x z_y + lambda^2 / 2 (2 z_x^2 - 1) (2 z_y^2 - 1) - ...),
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...),
 //
 // of which these three terms are used; |lambda| is at most 0.26.
 
@@ -180,96 +185,231 @@ inline float gabor_impl_transmitted(float2 wave, float3 covariance)
     return exp(-min(exponent, 80.0)) * rsqrt(determinant);
 }
 
-// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine
-// and sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
-struct GaborBand {
-    float reach; // w, in kernel radii
-    float slope; // of the taper
-    float3 real_0, real_1, real_2, real_3;
-    float3 imaginary_0, imaginary_1, imaginary_2;
-};
-
-//   deviation  of the filter along the axis
-//   g, c       see above
-inline GaborBand gabor_impl_band(float deviation, float g, float c)
+// Of three waves: the windows of an axis' three nodes, in two parts, real and imaginary. A wave q of Hann's window has
+// the factor exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), q = -1/2, 0, 1/2. Half a deviation from its end a window begins to
+// fade.
+//   x         offset from the second node, in [-1/2, 1/2) node spacings
+//   variance  S along the axis
+//   blurred   S F
+inline void gabor_impl_filtered_windows(float x, float variance, float blurred, thread GaborWindows& real,
+                                 thread GaborWindows& imaginary)
 {
-    GaborBand band;
-    float wide = clamp(25.0 * deviation - 2.0, 0.0, 1.0);
-    float widest = clamp(5.8823529 * deviation - 1.5882353, 0.0, 1.0);
-    float t = (wide + widest) / 3.0;
-    band.reach = 1.0 + t;
-    float taper = min(0.625 * deviation, 0.05) + 0.35 * wide - 0.3 * clamp(12.5 * deviation - 2.125, 0.0, 1.0)
-                + 0.1 * widest;
-    band.slope = 1.0 / max(taper, 0.001);
-
-    // H(a / 2w) / 2w for a = 1, 2, 3 by a polynomial in w - 1; 1 / 2w for 0.
-    float3 h = float3(0.1581287, -0.3374857, 0.6033444) * t + float3(-0.4607931, 0.8628952, -1.266219);
-    h = h * t + float3(0.6127236, -0.850095, 0.8539023);
-    h = h * t + float3(-0.4679222, 0.271717, -0.05810602);
-    h = h * t + float3(0.1246983, 0.1670957, -0.06381795);
-    h = h * t + float3(0.25, 0.0, 0.0);
-
-    // H e^(2 pi^2 v q^2 - g (q - c)^2).
-    float q = 0.5 / band.reach;
-    float center = exp(-g * c * c);
-    float curve = exp((2.5797363 - g) * q * q);
-    float rise = exp(2.0 * g * c * q);
-    float3 rises = float3(rise, rise * rise, rise * rise * rise);
-    float curve_4 = curve * curve * curve * curve;
-    h *= center * float3(curve, curve_4, curve_4 * curve_4 * curve);
-    float scale = sqrt(2.0 * g);
-    float3 z = scale * q * float3(1.0, 2.0, 3.0);
-    c *= scale;
-
-    // Sums and differences of the waves a and -a, a = 1 to 3, for each factor; then Chebyshev's polynomials.
-    float3 even = h * (rises + 1.0 / rises);
-    float3 odd = h * (rises - 1.0 / rises);
-    float3 even_z = z * odd - c * even;
-    float3 odd_z = z * even - c * odd;
-    float3 even_zz = 2.0 * (z * odd_z - c * even_z) - even;
-    float3 odd_zz = 2.0 * (z * even_z - c * odd_z) - odd;
-    float3 first = float3(even.x, even_z.x, even_zz.x);
-    float3 second = float3(even.y, even_z.y, even_zz.y);
-    float3 third = float3(even.z, even_z.z, even_zz.z);
-    band.real_0 = center * q * float3(1.0, -c, 2.0 * c * c - 1.0) - second;
-    band.real_1 = first - 3.0 * third;
-    band.real_2 = 2.0 * second;
-    band.real_3 = 4.0 * third;
-    first = float3(odd.x, odd_z.x, odd_zz.x);
-    second = float3(odd.y, odd_z.y, odd_zz.y);
-    third = float3(odd.z, odd_z.z, odd_zz.z);
-    band.imaginary_0 = first - third;
-    band.imaginary_1 = 2.0 * second;
-    band.imaginary_2 = 4.0 * third;
-    return band;
+    float rise = exp(19.739209 * blurred);
+    float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
+    GaborWindows hann = gabor_impl_windows(x);
+    float3 inside = 1.0 - abs(x + float3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    float4 fade = float4(clamp(inside / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0), 0.0);
+    fade *= fade * (3.0 - 2.0 * fade);
+    float4 wave = fade * (hann.value - 0.5); // cos(pi d) / 2, and slope -pi/2 sin(pi d)
+    hann.slope *= fade;
+    real = GaborWindows{0.5 * fade + part.x * wave, part.x * hann.slope};
+    imaginary = GaborWindows{0.31830989 * part.y * hann.slope, -3.1415927 * part.y * wave};
 }
 
-// The windows of a node at a distance, in kernel radii, as complex numbers, and their sums over the nodes of a row.
+// The noise at a place, filtered by three waves along each axis.
+inline GaborField gabor_impl_filtered_narrow(GaborPlace place, GaborKernel kernel_, float2 wave, float3 s, uint seed)
+{
+    float2 first = floor(place.local - GABOR_RADIUS) + 1.0;
+    float2 offset = place.local - first - 1.0;
+    int2 node = place.cell + int2(first);
+    uint salt = gabor_impl_salt(seed);
+    float2 blurred = gabor_impl_symmetric(s, wave);
+    GaborWindows real;
+    GaborWindows imaginary;
+    gabor_impl_filtered_windows(offset.x, s.x, blurred.x, real, imaginary);
+    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel_.step_x, real, imaginary);
+    gabor_impl_filtered_windows(offset.y, s.y, blurred.y, real, imaginary);
+    GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y, real, imaginary);
+    GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
+    float2 base = exp(-19.739209 * dot(wave, blurred)) * gabor_impl_wave(dot(wave, offset / GABOR_RADIUS));
+    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x) + s.z * sum.slope_xy, base);
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    return GaborField{value, gabor_impl_product(sum.slope_x, base) + wave.x * turned,
+                      gabor_impl_product(sum.slope_y, base) + wave.y * turned, float4(0.0)};
+}
+
+// Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
 struct GaborFactors {
     float3 real;
     float3 imaginary;
 };
 
-//   turn  e^(pi i distance / w)
-inline GaborFactors gabor_impl_factors(GaborBand band, float distance, float2 turn)
+// An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
+// q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
+struct GaborBand {
+    float g;
+    float c;
+    float3 mean;
+    float4 even_0, even_1, even_2;
+    float4 odd_0, odd_1, odd_2;
+    float offset; // from the first of its five nodes, in node spacings
+    int first;
+    int period;
+    uint salt;
+    float2 back; // what the wave turns from one node to the next
+};
+
+// With the windows; `m` is r M.
+inline GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, float2 step)
 {
-    float taper = clamp((band.reach - abs(distance)) * band.slope, 0.0, 1.0);
-    taper *= taper * (3.0 - 2.0 * taper);
-    float c = turn.x;
-    float3 real = ((band.real_3 * c + band.real_2) * c + band.real_1) * c + band.real_0;
-    float3 imaginary = (band.imaginary_2 * c + band.imaginary_1) * c + band.imaginary_0;
-    return GaborFactors{taper * real, taper * turn.y * imaginary};
+    GaborBand b;
+    b.g = 19.739209 * m;
+    b.c = c;
+    float center = exp(-b.g * c * c);
+    float fall = exp(0.23217617 - 1.7765288 * m); // e^(-2 pi^2 (m - v) 0.3^2)
+    float fall_4 = fall * fall * fall * fall;
+    float rise = exp(0.6 * b.g * c);
+    float4 rises = float4(rise, rise * rise, rise * rise * rise, rise * rise * rise * rise);
+    float4 wave = float4(0.23650835, 0.1063056, 0.01392097, -0.00794986); // H(q) / 2w
+    wave *= center * float4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    float4 q = float4(0.3, 0.6, 0.9, 1.2);
+    float z = sqrt(2.0 * b.g);
+    b.mean = 0.3 * center * float3(1.0, -z * c, z * c * z * c - 0.5);
+    b.even_0 = wave * rises + wave / rises;
+    b.odd_0 = wave * rises - wave / rises;
+    b.even_1 = z * (q * b.odd_0 - c * b.even_0);
+    b.odd_1 = z * (q * b.even_0 - c * b.odd_0);
+    b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5 * b.even_0;
+    b.odd_2 = z * (q * b.even_1 - c * b.odd_1) - 0.5 * b.odd_0;
+    b.offset = offset;
+    b.first = first;
+    b.period = period;
+    b.salt = salt;
+    b.back = float2(step.x, -step.y);
+    return b;
 }
 
-inline void gabor_impl_add_filtered(thread GaborFactors& row, uint word, GaborFactors column, bool animated, float2 time)
+// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+struct GaborLine {
+    uint word;
+    GaborFactors window;
+    float2 turn;  // e^(2 pi i 0.3 d)
+    float2 phase; // of the noise's wave
+};
+
+// Line `index`, 0 to 4, from the turn and the phase of the one before.
+inline GaborLine gabor_impl_line(GaborLine line_, GaborBand b, int index)
 {
-    float2 amplitude = gabor_impl_amplitude(word);
+    line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
+    line_.turn = gabor_impl_product(line_.turn, float2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
+    line_.phase = gabor_impl_product(line_.phase, b.back);
+    float2 two = gabor_impl_product(line_.turn, line_.turn);
+    float2 three = gabor_impl_product(two, line_.turn);
+    float2 four = gabor_impl_product(two, two);
+    float4 cosine = float4(line_.turn.x, two.x, three.x, four.x);
+    float4 sine = float4(line_.turn.y, two.y, three.y, four.y);
+    float3 real = b.mean + float3(dot(b.even_0, cosine), dot(b.even_1, cosine), dot(b.even_2, cosine));
+    float3 imaginary = float3(dot(b.odd_0, sine), dot(b.odd_1, sine), dot(b.odd_2, sine));
+    float fade = clamp(5.5555556 - 2.2222222 * abs(b.offset - float(index)), 0.0, 1.0); // over 0.3 kernel radii
+    float2 phase = fade * fade * (3.0 - 2.0 * fade) * line_.phase;
+    line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    return line_;
+}
+
+inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float2 time)
+{
+    uint word = gabor_impl_node_word(column.word, row_word);
     uint second = gabor_impl_next_word(word);
+    float2 a = gabor_impl_amplitude(word);
     if (animated)
-        amplitude = gabor_impl_amplitude_at(time, amplitude, gabor_impl_amplitude(second),
-                                            gabor_impl_amplitude(gabor_impl_next_word(second)));
-    row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
-    row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
+        a = gabor_impl_amplitude_at(time, a, gabor_impl_amplitude(second),
+                                    gabor_impl_amplitude(gabor_impl_next_word(second)));
+    row.real += a.x * column.window.real - a.y * column.window.imaginary;
+    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+}
+
+// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
+inline GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
+{
+    float z = rsqrt(2.0 * b.g);
+    return GaborFactors{z * float3(f.real.y, f.real.z + 0.5 * f.real.x, f.real.y) + b.c * f.real,
+                        z * float3(f.imaginary.y, f.imaginary.z + 0.5 * f.imaginary.x, f.imaginary.y)
+                            + b.c * f.imaginary};
+}
+
+// The sum over the factors of both axes.
+inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights)
+{
+    return float2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
+                dot(weights, a.real * b.imaginary + a.imaginary * b.real));
+}
+
+// The noise at a place, filtered by nine waves along each axis.
+inline GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel_, float2 wave, float3 s, int rows, uint seed)
+{
+    float2 m = s.xy + 0.13069097; // v
+    float2 blurred = gabor_impl_symmetric(s, wave);
+    float2 c = gabor_impl_symmetric(float3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    float rho = s.z * rsqrt(m.x * m.y);
+    float r = sqrt(1.0 - rho * rho);
+    float lambda = rho / (1.0 + r);
+    float3 weights = float3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
+
+    float2 first = floor(place.local + 0.5) - 2.0;
+    float2 offset = place.local - first;
+    int2 node = place.cell + int2(first);
+    uint salt = gabor_impl_salt(seed);
+    float2 time = gabor_impl_wave(place.time);
+    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, kernel_.step_x);
+    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      kernel_.step_y);
+    GaborLine line_;
+    line_.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
+    line_.phase = kernel_.step_x;
+    GaborLine c0 = gabor_impl_line(line_, across, 0);
+    GaborLine c1 = gabor_impl_line(c0, across, 1);
+    GaborLine c2 = gabor_impl_line(c1, across, 2);
+    GaborLine c3 = gabor_impl_line(c2, across, 3);
+    GaborLine c4 = gabor_impl_line(c3, across, 4);
+    line_.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
+    line_.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), kernel_.step_y);
+    GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0), float4(0.0)};
+    for (int j = 0; j < rows; ++j) {
+        line_ = gabor_impl_line(line_, along, j);
+        GaborFactors row = GaborFactors{float3(0.0), float3(0.0)};
+        gabor_impl_add_filtered(row, c0, line_.word, place.animated, time);
+        gabor_impl_add_filtered(row, c1, line_.word, place.animated, time);
+        gabor_impl_add_filtered(row, c2, line_.word, place.animated, time);
+        gabor_impl_add_filtered(row, c3, line_.word, place.animated, time);
+        gabor_impl_add_filtered(row, c4, line_.word, place.animated, time);
+        sum.value += gabor_impl_contracted(row, line_.window, weights);
+        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line_.window, weights);
+        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line_.window, along), weights);
+    }
+    float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
+    float2 x = 6.2831853 * (sum.slope_x + wave.x * sum.value);
+    float2 y = 6.2831853 * (sum.slope_y + wave.y * sum.value);
+    return GaborField{amplitude * sum.value, amplitude * float2(-x.y, x.x), amplitude * float2(-y.y, y.x), float4(0.0)};
+}
+
+// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
+// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
+inline GaborField gabor_impl_seen(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed, thread float& removed)
+{
+    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 wave = kernel_.wave / stretch;
+    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
+    removed = 1.0 - transmitted;
+    GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0), float4(0.0)};
+    if (transmitted < 1.0e-10)
+        return sum;
+    float3 s = footprint.resolved;
+    float amplitude = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    if (any((footprint.resolved != footprint.covariance)))
+        amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
+    float wide = clamp(33.333333 * sqrt(max(s.x, s.y)) - 2.6666667, 0.0, 1.0);
+    if (wide < 1.0) {
+        float share = (1.0 - wide) * amplitude;
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, kernel_, wave, s, seed), share, share);
+    }
+    if (wide > 0.0) {
+        float share = wide * amplitude;
+        int rows = wide > 0.0 ? 5 : 0; // for compilers that run both sides of a branch
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, kernel_, wave, s, rows, seed), share, share);
+    }
+    sum.slope_x *= stretch.x;
+    sum.slope_y *= stretch.y;
+    return sum;
 }
 #endif
 
@@ -374,82 +514,17 @@ inline GaborFootprint gabor_footprint(float2 dx, float2 dy)
 // periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
 inline float3 gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
 {
-    float2 wave = kernel_.wave * (GABOR_RADIUS / place.radius);
-    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
-    if (transmitted < 1.0e-10)
-        return float3(0.0, 0.0, 1.0);
+    float removed;
+    float2 value = gabor_impl_seen(place, kernel_, footprint, seed, removed).value;
+    return float3(value, removed);
+}
 
-    float3 s = footprint.resolved;
-    float2 blurred = gabor_impl_symmetric(s, wave); // S F
-    float2 m = s.xy + 0.13069097;
-    float2 c = gabor_impl_symmetric(float3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
-    float rho = s.z * rsqrt(m.x * m.y);
-    float r = sqrt(1.0 - rho * rho);
-    float lambda = rho / (1.0 + r);
-    float3 weights = float3(1.0, -2.0 * lambda, 0.5 * lambda * lambda);
-    float2 g = 19.739209 * r * m;
-    GaborBand across = gabor_impl_band(sqrt(s.x), g.x, c.x);
-    GaborBand along = gabor_impl_band(sqrt(s.y), g.y, c.y);
-
-    float2 reach = float2(across.reach, along.reach);
-    float2 first = floor(place.local - GABOR_RADIUS * reach) + 1.0;
-    int2 count = int2(ceil(2.0 * GABOR_RADIUS * reach - 0.001)); // nodes within reach
-    float2 x = place.local - first;
-    int2 node = place.cell + int2(first);
-    float2 turns = 0.5 / (GABOR_RADIUS * reach);
-    float2 time = gabor_impl_wave(place.time);
-
-    // Columns, of which three are always within reach.
-    uint salt = gabor_impl_salt(seed);
-    uint word[5];
-    GaborFactors column[5];
-    float2 turn = gabor_impl_wave(turns.x * x.x);
-    float2 step = gabor_impl_wave(-turns.x);
-    float2 back = float2(kernel_.step_x.x, -kernel_.step_x.y);
-    float2 phase = float2(1.0, 0.0);
-    for (int i = 0; i < 5; ++i) {
-        word[i] = gabor_impl_line_word(gabor_impl_wrap(node.x + i, place.period.x), salt);
-        GaborFactors factors = gabor_impl_factors(across, (x.x - float(i)) / GABOR_RADIUS, turn);
-        column[i] = GaborFactors{phase.x * factors.real - phase.y * factors.imaginary,
-                                 phase.x * factors.imaginary + phase.y * factors.real};
-        turn = gabor_impl_product(turn, step);
-        phase = gabor_impl_product(phase, back);
-    }
-
-    turn = gabor_impl_wave(turns.y * x.y);
-    step = gabor_impl_wave(-turns.y);
-    back = float2(kernel_.step_y.x, -kernel_.step_y.y);
-    phase = gabor_impl_wave(dot(kernel_.wave / place.radius, x));
-    float2 sum = float2(0.0);
-    int j = 0;
-    do {
-        uint row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt ^ GABOR_IMPL_ROWS);
-        GaborFactors row = GaborFactors{float3(0.0), float3(0.0)};
-        gabor_impl_add_filtered(row, gabor_impl_node_word(word[0], row_word), column[0], place.animated, time);
-        uint2 words = uint2(word[1], word[2]);
-        GaborFactors left = column[1];
-        GaborFactors right = column[2];
-        int i = 3;
-        do {
-            gabor_impl_add_filtered(row, gabor_impl_node_word(words.x, row_word), left, place.animated, time);
-            gabor_impl_add_filtered(row, gabor_impl_node_word(words.y, row_word), right, place.animated, time);
-            words = uint2(word[3], word[4]);
-            left = column[3];
-            right = column[4];
-            i += 2;
-        } while (i < count.x + 2);
-        GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn);
-        float2 part = float2(dot(weights, factors.real * row.real - factors.imaginary * row.imaginary),
-                         dot(weights, factors.real * row.imaginary + factors.imaginary * row.real));
-        sum += gabor_impl_product(part, phase);
-        turn = gabor_impl_product(turn, step);
-        phase = gabor_impl_product(phase, back);
-        ++j;
-    } while (j < count.y);
-    float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
-    if (any((footprint.resolved != footprint.covariance)))
-        amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    return float3(amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * sum, 1.0 - transmitted);
+// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
+inline float4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
+{
+    float removed;
+    GaborField field = gabor_impl_seen(place, kernel_, footprint, seed, removed);
+    return float4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -457,26 +532,41 @@ inline float3 gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborF
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
 // steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
 // in the place and in both steps.
-// Cost: 9 nodes up to steps of 0.16 kernel radii, 16 up to 0.54, 25 beyond: on lavapipe 3.4 to 4.9 times gabor_noise.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond with 25 some 4.5 times.
+// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
     return gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
                                 gabor_footprint(dx, dy), seed).yz;
 }
 
-// The noise of several lobes at p, as gabor_noise_lobes, and filtered as gabor_noise_filtered.
-inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
+// The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
+inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
-    float2 sum = float2(0.0);
+    return gabor_field_filtered_gradient(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
+                                         gabor_footprint(dx, dy), seed);
+}
+
+// The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
+inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
+{
+    float4 sum = float4(0.0);
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        float2 value = gabor_noise_filtered(p / lobe.radius, dx / lobe.radius, dy / lobe.radius,
-                                          lobe.frequency * lobe.radius, lobe.orientation, gabor_lobe_seed(seed, i));
-        sum += float2(sqrt(lobe.power), lobe.power) * value;
+        float unit = 1.0 / lobe.radius;
+        float4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,
+                                                   lobe.orientation, gabor_lobe_seed(seed, i));
+        sum += float4(sqrt(lobe.power) * float3(1.0, unit, unit), lobe.power) * noise;
         power += lobe.power;
     }
-    return power > 0.0 ? sum * float2(rsqrt(power), 1.0 / power) : float2(0.0);
+    return power > 0.0 ? sum * float4(float3(rsqrt(power)), 1.0 / power) : float4(0.0);
+}
+
+// The noise alone, and the removed variance.
+inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
+{
+    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
 }
 
 #endif // GABOR_TAPS == 3

@@ -2,11 +2,12 @@
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
-// Functions to call, at the end of the file:
-//     gabor_noise_lobes, gabor_noise_lobes_gradient, gabor_noise_lobes_complex     a sum of lobes
-//     gabor_noise_spread, gabor_noise_spread_gradient, gabor_noise_spread_complex  a range of waves, up to isotropic
-//     gabor_noise_filtered, gabor_noise_lobes_filtered                             as a pixel sees it
-//     gabor_lobe, gabor_footprint, gabor_field_filtered                            their parts
+// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+//     gabor_noise_lobes                                  a sum of lobes
+//     gabor_noise_spread                                 a range of waves, up to isotropic
+//     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_lobe, gabor_footprint                        what these are given
+//     gabor_field_...                                    the same by place
 //
 // The unit of length is the kernel radius, as in gabor_lattice.wgsl, and every function's variance is exactly 1.
 //
@@ -64,7 +65,7 @@ fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
 fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var lobes_1: GaborLobes;
-        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -105,7 +106,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e55 = lobe;
                 let _e58 = lobe;
                 let _e61 = lobe;
-                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                gabor_impl_accumulate((&sum_4), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
                 let _e65 = power;
                 let _e66 = lobe;
                 power = (_e65 + _e66.power);
@@ -125,17 +126,17 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e76 = local_7;
         scale_1 = _e76;
         let _e78 = scale_1;
-        let _e79 = sum_3;
+        let _e79 = sum_4;
         let _e82 = scale_1;
-        let _e83 = sum_3;
+        let _e83 = sum_4;
         let _e86 = scale_1;
-        let _e87 = sum_3;
+        let _e87 = sum_4;
         let _e90 = scale_1;
-        let _e91 = sum_3;
+        let _e91 = sum_4;
         return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
-        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -176,7 +177,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e55 = lobe;
                 let _e58 = lobe;
                 let _e61 = lobe;
-                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                gabor_impl_accumulate((&sum_4), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
                 let _e65 = power;
                 let _e66 = lobe;
                 power = (_e65 + _e66.power);
@@ -196,17 +197,17 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e76 = local_7;
         scale = _e76;
         let _e78 = scale;
-        let _e79 = sum_3;
+        let _e79 = sum_4;
         let _e82 = scale;
-        let _e83 = sum_3;
+        let _e83 = sum_4;
         let _e86 = scale;
-        let _e87 = sum_3;
+        let _e87 = sum_4;
         let _e90 = scale;
-        let _e91 = sum_3;
+        let _e91 = sum_4;
         return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     } else {
         var lobes_1: GaborLobes;
-        var sum_3: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
         var lobe: GaborLobe;
@@ -247,7 +248,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e55 = lobe;
                 let _e58 = lobe;
                 let _e61 = lobe;
-                gabor_impl_accumulate((&sum_3), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
+                gabor_impl_accumulate((&sum_4), _e54, sqrt(_e55.power), (sqrt(_e58.power) / _e61.radius));
                 let _e65 = power;
                 let _e66 = lobe;
                 power = (_e65 + _e66.power);
@@ -267,13 +268,13 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e76 = local_7;
         scale = _e76;
         let _e78 = scale;
-        let _e79 = sum_3;
+        let _e79 = sum_4;
         let _e82 = scale;
-        let _e83 = sum_3;
+        let _e83 = sum_4;
         let _e86 = scale;
-        let _e87 = sum_3;
+        let _e87 = sum_4;
         let _e90 = scale;
-        let _e91 = sum_3;
+        let _e91 = sum_4;
         return GaborField((_e78 * _e79.value), (_e82 * _e83.slope_x), (_e86 * _e87.slope_y), (_e90 * _e91.four));
     }
 }
@@ -325,12 +326,12 @@ fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     return vec3<f32>(((((2f * f32(_e31)) + 1f) * _e36) - 1f), (_e40 * _e41), f32((_e43 + ((_e44 & 1i) * 64i))));
 }
 
-// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+// The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
     var frequency_8: f32;
     var frequency_spread_1: f32;
     var orientation_spread_1: f32;
-    var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
     var shells: f32;
     var shell_count: i32;
     var j: i32 = 0i;
@@ -412,7 +413,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     let _e129 = field_3;
                     let _e130 = amplitude_1;
                     let _e131 = amplitude_1;
-                    gabor_impl_accumulate((&sum_4), _e129, _e130, _e131);
+                    gabor_impl_accumulate((&sum_5), _e129, _e130, _e131);
                 }
                 continuing {
                     let _e91 = i_3;
@@ -425,7 +426,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
             j = (_e51 + 1i);
         }
     }
-    let _e133 = sum_4;
+    let _e133 = sum_5;
     return _e133;
 }
 
@@ -469,252 +470,667 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(min(_e41, 80f))) * inverseSqrt(_e46));
 }
 
-// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine
-// and sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
-struct GaborBand {
-    reach: f32,
-    slope: f32,
-    real_0_: vec3<f32>,
-    real_1_: vec3<f32>,
-    real_2_: vec3<f32>,
-    real_3_: vec3<f32>,
-    imaginary_0_: vec3<f32>,
-    imaginary_1_: vec3<f32>,
-    imaginary_2_: vec3<f32>,
-}
-
-//   deviation  of the filter along the axis
-//   g, c       see above
-fn gabor_impl_band(deviation: f32, g: f32, c: f32) -> GaborBand {
-    var c_6: f32;
-    var band: GaborBand;
-    var wide: f32;
-    var widest: f32;
-    var t_2: f32;
-    var taper: f32;
-    var h: vec3<f32>;
-    var q: f32;
-    var center: f32;
-    var curve: f32;
+// Of three waves: the windows of an axis' three nodes, in two parts, real and imaginary. A wave q of Hann's window has
+// the factor exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), q = -1/2, 0, 1/2. Half a deviation from its end a window begins to
+// fade.
+//   x         offset from the second node, in [-1/2, 1/2) node spacings
+//   variance  S along the axis
+//   blurred   S F
+fn gabor_impl_filtered_windows(x: f32, variance: f32, blurred: f32, real: ptr<function, GaborWindows>, imaginary: ptr<function, GaborWindows>) {
     var rise: f32;
-    var rises: vec3<f32>;
-    var curve_4_: f32;
-    var scale_1: f32;
-    var z: vec3<f32>;
-    var even: vec3<f32>;
-    var odd: vec3<f32>;
-    var even_z: vec3<f32>;
-    var odd_z: vec3<f32>;
-    var even_zz: vec3<f32>;
-    var odd_zz: vec3<f32>;
-    var first_2: vec3<f32>;
-    var second_1: vec3<f32>;
-    var third_1: vec3<f32>;
+    var part: vec2<f32>;
+    var hann: GaborWindows;
+    var inside: vec3<f32>;
+    var fade: vec4<f32>;
+    var wave_2: vec4<f32>;
 
-    c_6 = c;
-    wide = clamp(((25f * deviation) - 2f), 0f, 1f);
-    widest = clamp(((5.882353f * deviation) - 1.5882353f), 0f, 1f);
-    let _e21 = wide;
-    let _e22 = widest;
-    t_2 = ((_e21 + _e22) / 3f);
-    let _e29 = t_2;
-    band.reach = (1f + _e29);
-    let _e36 = wide;
-    let _e50 = widest;
-    taper = (((min((0.625f * deviation), 0.05f) + (0.35f * _e36)) - (0.3f * clamp(((12.5f * deviation) - 2.125f), 0f, 1f))) + (0.1f * _e50));
-    let _e56 = taper;
-    band.slope = (1f / max(_e56, 0.001f));
-    let _e65 = t_2;
-    h = ((vec3<f32>(0.1581287f, -0.3374857f, 0.6033444f) * _e65) + vec3<f32>(-0.4607931f, 0.8628952f, -1.266219f));
-    let _e75 = h;
-    let _e76 = t_2;
-    h = ((_e75 * _e76) + vec3<f32>(0.6127236f, -0.850095f, 0.8539023f));
-    let _e84 = h;
-    let _e85 = t_2;
-    h = ((_e84 * _e85) + vec3<f32>(-0.4679222f, 0.271717f, -0.05810602f));
-    let _e94 = h;
-    let _e95 = t_2;
-    h = ((_e94 * _e95) + vec3<f32>(0.1246983f, 0.1670957f, -0.06381795f));
-    let _e103 = h;
-    let _e104 = t_2;
-    h = ((_e103 * _e104) + vec3<f32>(0.25f, 0f, 0f));
-    let _e112 = band;
-    q = (0.5f / _e112.reach);
-    let _e117 = c_6;
-    let _e119 = c_6;
-    center = exp(((-(g) * _e117) * _e119));
-    let _e125 = q;
-    let _e127 = q;
-    curve = exp((((2.5797362f - g) * _e125) * _e127));
-    let _e133 = c_6;
-    let _e135 = q;
-    rise = exp((((2f * g) * _e133) * _e135));
-    let _e139 = rise;
-    let _e140 = rise;
-    let _e141 = rise;
-    let _e143 = rise;
-    let _e144 = rise;
-    let _e146 = rise;
-    rises = vec3<f32>(_e139, (_e140 * _e141), ((_e143 * _e144) * _e146));
-    let _e150 = curve;
-    let _e151 = curve;
-    let _e153 = curve;
-    let _e155 = curve;
-    curve_4_ = (((_e150 * _e151) * _e153) * _e155);
-    let _e158 = h;
-    let _e159 = center;
-    let _e160 = curve;
-    let _e161 = curve_4_;
-    let _e162 = curve_4_;
-    let _e163 = curve_4_;
-    let _e165 = curve;
-    h = (_e158 * (_e159 * vec3<f32>(_e160, _e161, ((_e162 * _e163) * _e165))));
-    scale_1 = sqrt((2f * g));
-    let _e174 = scale_1;
-    let _e175 = q;
-    z = ((_e174 * _e175) * vec3<f32>(1f, 2f, 3f));
-    let _e183 = c_6;
-    let _e184 = scale_1;
-    c_6 = (_e183 * _e184);
-    let _e186 = h;
-    let _e187 = rises;
-    let _e189 = rises;
-    even = (_e186 * (_e187 + (vec3(1f) / _e189)));
-    let _e195 = h;
-    let _e196 = rises;
-    let _e198 = rises;
-    odd = (_e195 * (_e196 - (vec3(1f) / _e198)));
-    let _e204 = z;
-    let _e205 = odd;
-    let _e207 = c_6;
-    let _e208 = even;
-    even_z = ((_e204 * _e205) - (_e207 * _e208));
-    let _e212 = z;
-    let _e213 = even;
-    let _e215 = c_6;
-    let _e216 = odd;
-    odd_z = ((_e212 * _e213) - (_e215 * _e216));
-    let _e221 = z;
-    let _e222 = odd_z;
-    let _e224 = c_6;
-    let _e225 = even_z;
-    let _e229 = even;
-    even_zz = ((2f * ((_e221 * _e222) - (_e224 * _e225))) - _e229);
-    let _e233 = z;
-    let _e234 = even_z;
-    let _e236 = c_6;
-    let _e237 = odd_z;
-    let _e241 = odd;
-    odd_zz = ((2f * ((_e233 * _e234) - (_e236 * _e237))) - _e241);
-    let _e244 = even;
-    let _e246 = even_z;
-    let _e248 = even_zz;
-    first_2 = vec3<f32>(_e244.x, _e246.x, _e248.x);
-    let _e252 = even;
-    let _e254 = even_z;
-    let _e256 = even_zz;
-    second_1 = vec3<f32>(_e252.y, _e254.y, _e256.y);
-    let _e260 = even;
-    let _e262 = even_z;
-    let _e264 = even_zz;
-    third_1 = vec3<f32>(_e260.z, _e262.z, _e264.z);
-    let _e269 = center;
-    let _e270 = q;
-    let _e273 = c_6;
-    let _e276 = c_6;
-    let _e278 = c_6;
-    let _e284 = second_1;
-    band.real_0_ = (((_e269 * _e270) * vec3<f32>(1f, -(_e273), (((2f * _e276) * _e278) - 1f))) - _e284);
-    let _e287 = first_2;
-    let _e289 = third_1;
-    band.real_1_ = (_e287 - (3f * _e289));
-    let _e294 = second_1;
-    band.real_2_ = (2f * _e294);
-    let _e298 = third_1;
-    band.real_3_ = (4f * _e298);
-    let _e300 = odd;
-    let _e302 = odd_z;
-    let _e304 = odd_zz;
-    first_2 = vec3<f32>(_e300.x, _e302.x, _e304.x);
-    let _e307 = odd;
-    let _e309 = odd_z;
-    let _e311 = odd_zz;
-    second_1 = vec3<f32>(_e307.y, _e309.y, _e311.y);
-    let _e314 = odd;
-    let _e316 = odd_z;
-    let _e318 = odd_zz;
-    third_1 = vec3<f32>(_e314.z, _e316.z, _e318.z);
-    let _e322 = first_2;
-    let _e323 = third_1;
-    band.imaginary_0_ = (_e322 - _e323);
-    let _e327 = second_1;
-    band.imaginary_1_ = (2f * _e327);
-    let _e331 = third_1;
-    band.imaginary_2_ = (4f * _e331);
-    let _e333 = band;
-    return _e333;
+    rise = exp((19.739208f * blurred));
+    let _e15 = rise;
+    let _e17 = rise;
+    let _e20 = rise;
+    let _e22 = rise;
+    part = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e15 + (1f / _e17)), (_e20 - (1f / _e22))));
+    let _e28 = gabor_impl_windows(x);
+    hann = _e28;
+    inside = (vec3(1f) - (abs((vec3(x) + vec3<f32>(1f, 0f, -1f))) / vec3(1.5f)));
+    let _e48 = inside;
+    let _e61 = clamp((_e48 / vec3(clamp((0.5f * sqrt(variance)), 0.001f, 0.05f))), vec3(0f), vec3(1f));
+    fade = vec4<f32>(_e61.x, _e61.y, _e61.z, 0f);
+    let _e68 = fade;
+    let _e69 = fade;
+    let _e72 = fade;
+    fade = (_e68 * (_e69 * (vec4(3f) - (2f * _e72))));
+    let _e78 = fade;
+    let _e79 = hann;
+    wave_2 = (_e78 * (_e79.value - vec4(0.5f)));
+    let _e87 = hann;
+    let _e89 = fade;
+    hann.slope = (_e87.slope * _e89);
+    let _e92 = fade;
+    let _e94 = part;
+    let _e96 = wave_2;
+    let _e99 = part;
+    let _e101 = hann;
+    (*real) = GaborWindows(((0.5f * _e92) + (_e94.x * _e96)), (_e99.x * _e101.slope));
+    let _e106 = part;
+    let _e109 = hann;
+    let _e114 = part;
+    let _e117 = wave_2;
+    (*imaginary) = GaborWindows(((0.3183099f * _e106.y) * _e109.slope), ((-3.1415927f * _e114.y) * _e117));
+    return;
 }
 
-// The windows of a node at a distance, in kernel radii, as complex numbers, and their sums over the nodes of a row.
+// The noise at a place, filtered by three waves along each axis.
+fn gabor_impl_filtered_narrow(place: GaborPlace, kernel: GaborKernel, wave: vec2<f32>, s: vec3<f32>, seed: u32) -> GaborField {
+    var kernel_10: GaborKernel;
+    var first_2: vec2<f32>;
+    var offset_1: vec2<f32>;
+    var node_1: vec2<i32>;
+    var salt_4: u32;
+    var blurred_1: vec2<f32>;
+    var real_3: GaborWindows;
+    var imaginary_3: GaborWindows;
+    var columns_4: GaborAxis;
+    var rows_3: GaborAxis;
+    var sum_6: GaborSum;
+    var base_1: vec2<f32>;
+    var value_2: vec2<f32>;
+    var turned_1: vec2<f32>;
+
+    kernel_10 = kernel;
+    first_2 = (floor((place.local - vec2(1.5f))) + vec2(1f));
+    let _e19 = first_2;
+    offset_1 = ((place.local - _e19) - vec2(1f));
+    let _e26 = first_2;
+    node_1 = (place.cell + vec2<i32>(_e26));
+    let _e30 = gabor_impl_salt(seed);
+    salt_4 = _e30;
+    let _e32 = gabor_impl_symmetric(s, wave);
+    blurred_1 = _e32;
+    let _e36 = offset_1;
+    let _e39 = blurred_1;
+    gabor_impl_filtered_windows(_e36.x, s.x, _e39.x, (&real_3), (&imaginary_3));
+    let _e45 = node_1;
+    let _e49 = salt_4;
+    let _e50 = kernel_10;
+    let _e52 = real_3;
+    let _e53 = imaginary_3;
+    let _e54 = gabor_impl_axis(_e45.x, place.period.x, _e49, _e50.step_x, _e52, _e53);
+    columns_4 = _e54;
+    let _e56 = offset_1;
+    let _e59 = blurred_1;
+    gabor_impl_filtered_windows(_e56.y, s.y, _e59.y, (&real_3), (&imaginary_3));
+    let _e65 = node_1;
+    let _e69 = salt_4;
+    let _e72 = kernel_10;
+    let _e74 = real_3;
+    let _e75 = imaginary_3;
+    let _e76 = gabor_impl_axis(_e65.y, place.period.y, (_e69 ^ 1540483477u), _e72.step_y, _e74, _e75);
+    rows_3 = _e76;
+    let _e78 = columns_4;
+    let _e79 = rows_3;
+    let _e82 = gabor_impl_sum(_e78, _e79, place.animated, place.time);
+    sum_6 = _e82;
+    let _e86 = blurred_1;
+    let _e90 = offset_1;
+    let _e98 = gabor_impl_wave(dot(wave, (_e90 / vec2(1.5f))));
+    base_1 = (exp((-19.739208f * dot(wave, _e86))) * _e98);
+    let _e101 = sum_6;
+    let _e104 = sum_6;
+    let _e109 = sum_6;
+    let _e113 = base_1;
+    let _e114 = gabor_impl_product((vec2<f32>(_e101.real.x, _e104.imaginary.x) + (s.z * _e109.slope_xy)), _e113);
+    value_2 = _e114;
+    let _e117 = value_2;
+    let _e120 = value_2;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e117.y), _e120.x));
+    let _e125 = value_2;
+    let _e126 = sum_6;
+    let _e128 = base_1;
+    let _e129 = gabor_impl_product(_e126.slope_x, _e128);
+    let _e131 = turned_1;
+    let _e134 = sum_6;
+    let _e136 = base_1;
+    let _e137 = gabor_impl_product(_e134.slope_y, _e136);
+    let _e139 = turned_1;
+    return GaborField(_e125, (_e129 + (wave.x * _e131)), (_e137 + (wave.y * _e139)), vec4(0f));
+}
+
+// Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
 }
 
-//   turn  e^(pi i distance / w)
-fn gabor_impl_factors(band: GaborBand, distance: f32, turn: vec2<f32>) -> GaborFactors {
-    var taper_1: f32;
-    var c_7: f32;
-    var real_1: vec3<f32>;
-    var imaginary_1: vec3<f32>;
-
-    taper_1 = clamp(((band.reach - abs(distance)) * band.slope), 0f, 1f);
-    let _e12 = taper_1;
-    let _e13 = taper_1;
-    let _e16 = taper_1;
-    taper_1 = (_e12 * (_e13 * (3f - (2f * _e16))));
-    c_7 = turn.x;
-    let _e24 = c_7;
-    let _e28 = c_7;
-    let _e32 = c_7;
-    real_1 = ((((((band.real_3_ * _e24) + band.real_2_) * _e28) + band.real_1_) * _e32) + band.real_0_);
-    let _e38 = c_7;
-    let _e42 = c_7;
-    imaginary_1 = ((((band.imaginary_2_ * _e38) + band.imaginary_1_) * _e42) + band.imaginary_0_);
-    let _e47 = taper_1;
-    let _e48 = real_1;
-    let _e50 = taper_1;
-    let _e53 = imaginary_1;
-    return GaborFactors((_e47 * _e48), ((_e50 * turn.y) * _e53));
+// An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
+// q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
+struct GaborBand {
+    g: f32,
+    c: f32,
+    mean: vec3<f32>,
+    even_0_: vec4<f32>,
+    even_1_: vec4<f32>,
+    even_2_: vec4<f32>,
+    odd_0_: vec4<f32>,
+    odd_1_: vec4<f32>,
+    odd_2_: vec4<f32>,
+    offset: f32,
+    first: i32,
+    period: i32,
+    salt: u32,
+    back: vec2<f32>,
 }
 
-fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, word: u32, column: GaborFactors, animated: bool, time: vec2<f32>) {
-    var amplitude_2: vec2<f32>;
-    var second_2: u32;
+// With the windows; `m` is r M.
+fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
+    var b_4: GaborBand;
+    var center: f32;
+    var fall: f32;
+    var fall_4_: f32;
+    var rise_1: f32;
+    var rises: vec4<f32>;
+    var wave_4: vec4<f32> = vec4<f32>(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f);
+    var q: vec4<f32> = vec4<f32>(0.3f, 0.6f, 0.9f, 1.2f);
+    var z: f32;
 
-    let _e5 = gabor_impl_amplitude(word);
-    amplitude_2 = _e5;
-    let _e7 = gabor_impl_next_word(word);
-    second_2 = _e7;
+    b_4.g = (19.739208f * m);
+    b_4.c = c;
+    let _e12 = b_4;
+    center = exp(((-(_e12.g) * c) * c));
+    fall = exp((0.23217617f - (1.7765288f * m)));
+    let _e25 = fall;
+    let _e26 = fall;
+    let _e28 = fall;
+    let _e30 = fall;
+    fall_4_ = (((_e25 * _e26) * _e28) * _e30);
+    let _e34 = b_4;
+    rise_1 = exp(((0.6f * _e34.g) * c));
+    let _e40 = rise_1;
+    let _e41 = rise_1;
+    let _e42 = rise_1;
+    let _e44 = rise_1;
+    let _e45 = rise_1;
+    let _e47 = rise_1;
+    let _e49 = rise_1;
+    let _e50 = rise_1;
+    let _e52 = rise_1;
+    let _e54 = rise_1;
+    rises = vec4<f32>(_e40, (_e41 * _e42), ((_e44 * _e45) * _e47), (((_e49 * _e50) * _e52) * _e54));
+    let _e65 = wave_4;
+    let _e66 = center;
+    let _e67 = fall;
+    let _e68 = fall_4_;
+    let _e69 = fall_4_;
+    let _e70 = fall_4_;
+    let _e72 = fall;
+    let _e74 = fall_4_;
+    let _e75 = fall_4_;
+    let _e77 = fall_4_;
+    let _e79 = fall_4_;
+    wave_4 = (_e65 * (_e66 * vec4<f32>(_e67, _e68, ((_e69 * _e70) * _e72), (((_e74 * _e75) * _e77) * _e79))));
+    let _e91 = b_4;
+    z = sqrt((2f * _e91.g));
+    let _e98 = center;
+    let _e101 = z;
+    let _e104 = z;
+    let _e106 = z;
+    b_4.mean = ((0.3f * _e98) * vec3<f32>(1f, (-(_e101) * c), ((((_e104 * c) * _e106) * c) - 0.5f)));
+    let _e114 = wave_4;
+    let _e115 = rises;
+    let _e117 = wave_4;
+    let _e118 = rises;
+    b_4.even_0_ = ((_e114 * _e115) + (_e117 / _e118));
+    let _e122 = wave_4;
+    let _e123 = rises;
+    let _e125 = wave_4;
+    let _e126 = rises;
+    b_4.odd_0_ = ((_e122 * _e123) - (_e125 / _e126));
+    let _e130 = z;
+    let _e131 = q;
+    let _e132 = b_4;
+    let _e135 = b_4;
+    b_4.even_1_ = (_e130 * ((_e131 * _e132.odd_0_) - (c * _e135.even_0_)));
+    let _e141 = z;
+    let _e142 = q;
+    let _e143 = b_4;
+    let _e146 = b_4;
+    b_4.odd_1_ = (_e141 * ((_e142 * _e143.even_0_) - (c * _e146.odd_0_)));
+    let _e152 = z;
+    let _e153 = q;
+    let _e154 = b_4;
+    let _e157 = b_4;
+    let _e163 = b_4;
+    b_4.even_2_ = ((_e152 * ((_e153 * _e154.odd_1_) - (c * _e157.even_1_))) - (0.5f * _e163.even_0_));
+    let _e168 = z;
+    let _e169 = q;
+    let _e170 = b_4;
+    let _e173 = b_4;
+    let _e179 = b_4;
+    b_4.odd_2_ = ((_e168 * ((_e169 * _e170.even_1_) - (c * _e173.odd_1_))) - (0.5f * _e179.odd_0_));
+    b_4.offset = offset;
+    b_4.first = first;
+    b_4.period = period;
+    b_4.salt = salt;
+    b_4.back = vec2<f32>(step.x, -(step.y));
+    let _e192 = b_4;
+    return _e192;
+}
+
+// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+struct GaborLine {
+    word: u32,
+    window: GaborFactors,
+    turn: vec2<f32>,
+    phase: vec2<f32>,
+}
+
+// Line `index`, 0 to 4, from the turn and the phase of the one before.
+fn gabor_impl_line(line: GaborLine, b: GaborBand, index: i32) -> GaborLine {
+    var line_1: GaborLine;
+    var two_1: vec2<f32>;
+    var three: vec2<f32>;
+    var four: vec2<f32>;
+    var cosine_2: vec4<f32>;
+    var sine_2: vec4<f32>;
+    var real_4: vec3<f32>;
+    var imaginary_4: vec3<f32>;
+    var fade_1: f32;
+    var phase_1: vec2<f32>;
+
+    line_1 = line;
+    let _e8 = gabor_impl_wrap((b.first + index), b.period);
+    let _e10 = gabor_impl_line_word(_e8, b.salt);
+    line_1.word = _e10;
+    let _e12 = line_1;
+    let _e18 = gabor_impl_product(_e12.turn, vec2<f32>(0.309017f, -0.95105654f));
+    line_1.turn = _e18;
+    let _e20 = line_1;
+    let _e23 = gabor_impl_product(_e20.phase, b.back);
+    line_1.phase = _e23;
+    let _e24 = line_1;
+    let _e26 = line_1;
+    let _e28 = gabor_impl_product(_e24.turn, _e26.turn);
+    two_1 = _e28;
+    let _e30 = two_1;
+    let _e31 = line_1;
+    let _e33 = gabor_impl_product(_e30, _e31.turn);
+    three = _e33;
+    let _e35 = two_1;
+    let _e36 = two_1;
+    let _e37 = gabor_impl_product(_e35, _e36);
+    four = _e37;
+    let _e39 = line_1;
+    let _e42 = two_1;
+    let _e44 = three;
+    let _e46 = four;
+    cosine_2 = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
+    let _e50 = line_1;
+    let _e53 = two_1;
+    let _e55 = three;
+    let _e57 = four;
+    sine_2 = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
+    let _e63 = cosine_2;
+    let _e66 = cosine_2;
+    let _e69 = cosine_2;
+    real_4 = (b.mean + vec3<f32>(dot(b.even_0_, _e63), dot(b.even_1_, _e66), dot(b.even_2_, _e69)));
+    let _e75 = sine_2;
+    let _e78 = sine_2;
+    let _e81 = sine_2;
+    imaginary_4 = vec3<f32>(dot(b.odd_0_, _e75), dot(b.odd_1_, _e78), dot(b.odd_2_, _e81));
+    fade_1 = clamp((5.555556f - (2.222222f * abs((b.offset - f32(index))))), 0f, 1f);
+    let _e97 = fade_1;
+    let _e98 = fade_1;
+    let _e102 = fade_1;
+    let _e106 = line_1;
+    phase_1 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
+    let _e111 = phase_1;
+    let _e113 = real_4;
+    let _e115 = phase_1;
+    let _e117 = imaginary_4;
+    let _e120 = phase_1;
+    let _e122 = imaginary_4;
+    let _e124 = phase_1;
+    let _e126 = real_4;
+    line_1.window = GaborFactors(((_e111.x * _e113) - (_e115.y * _e117)), ((_e120.x * _e122) + (_e124.y * _e126)));
+    let _e130 = line_1;
+    return _e130;
+}
+
+fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, row_word: u32, animated: bool, time: vec2<f32>) {
+    var word_7: u32;
+    var second_1: u32;
+    var a_4: vec2<f32>;
+
+    let _e6 = gabor_impl_node_word(column.word, row_word);
+    word_7 = _e6;
+    let _e8 = word_7;
+    let _e9 = gabor_impl_next_word(_e8);
+    second_1 = _e9;
+    let _e11 = word_7;
+    let _e12 = gabor_impl_amplitude(_e11);
+    a_4 = _e12;
     if animated {
-        let _e9 = amplitude_2;
-        let _e10 = second_2;
-        let _e11 = gabor_impl_amplitude(_e10);
-        let _e12 = second_2;
-        let _e13 = gabor_impl_next_word(_e12);
-        let _e14 = gabor_impl_amplitude(_e13);
-        let _e15 = gabor_impl_amplitude_at(time, _e9, _e11, _e14);
-        amplitude_2 = _e15;
+        let _e14 = a_4;
+        let _e15 = second_1;
+        let _e16 = gabor_impl_amplitude(_e15);
+        let _e17 = second_1;
+        let _e18 = gabor_impl_next_word(_e17);
+        let _e19 = gabor_impl_amplitude(_e18);
+        let _e20 = gabor_impl_amplitude_at(time, _e14, _e16, _e19);
+        a_4 = _e20;
     }
-    let _e17 = (*row);
-    let _e19 = amplitude_2;
-    let _e23 = amplitude_2;
-    (*row).real = (_e17.real + ((_e19.x * column.real) - (_e23.y * column.imaginary)));
-    let _e30 = (*row);
-    let _e32 = amplitude_2;
-    let _e36 = amplitude_2;
-    (*row).imaginary = (_e30.imaginary + ((_e32.x * column.imaginary) + (_e36.y * column.real)));
+    let _e22 = (*row);
+    let _e24 = a_4;
+    let _e29 = a_4;
+    (*row).real = (_e22.real + ((_e24.x * column.window.real) - (_e29.y * column.window.imaginary)));
+    let _e37 = (*row);
+    let _e39 = a_4;
+    let _e44 = a_4;
+    (*row).imaginary = (_e37.imaginary + ((_e39.x * column.window.imaginary) + (_e44.y * column.window.real)));
     return;
+}
+
+// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
+fn gabor_impl_times_q(f: GaborFactors, b: GaborBand) -> GaborFactors {
+    var z_1: f32;
+
+    z_1 = inverseSqrt((2f * b.g));
+    let _e7 = z_1;
+    let _e25 = z_1;
+    return GaborFactors(((_e7 * vec3<f32>(f.real.y, (f.real.z + (0.5f * f.real.x)), f.real.y)) + (b.c * f.real)), ((_e25 * vec3<f32>(f.imaginary.y, (f.imaginary.z + (0.5f * f.imaginary.x)), f.imaginary.y)) + (b.c * f.imaginary)));
+}
+
+// The sum over the factors of both axes.
+fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -> vec2<f32> {
+    return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
+}
+
+// The noise at a place, filtered by nine waves along each axis.
+fn gabor_impl_filtered_wide(place: GaborPlace, kernel: GaborKernel, wave: vec2<f32>, s: vec3<f32>, rows: i32, seed: u32) -> GaborField {
+    var kernel_12: GaborKernel;
+    var m_1: vec2<f32>;
+    var blurred_2: vec2<f32>;
+    var c_6: vec2<f32>;
+    var rho: f32;
+    var r_1: f32;
+    var lambda: f32;
+    var weights_1: vec3<f32>;
+    var first_4: vec2<f32>;
+    var offset_3: vec2<f32>;
+    var node_2: vec2<i32>;
+    var salt_6: u32;
+    var time_6: vec2<f32>;
+    var across: GaborBand;
+    var along: GaborBand;
+    var line_2: GaborLine;
+    var c0_: GaborLine;
+    var c1_: GaborLine;
+    var c2_: GaborLine;
+    var c3_: GaborLine;
+    var c4_: GaborLine;
+    var sum_7: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var j_1: i32 = 0i;
+    var row_4: GaborFactors;
+    var amplitude_2: f32;
+    var x_2: vec2<f32>;
+    var y_1: vec2<f32>;
+
+    kernel_12 = kernel;
+    m_1 = (s.xy + vec2(0.13069098f));
+    let _e12 = gabor_impl_symmetric(s, wave);
+    blurred_2 = _e12;
+    let _e14 = m_1;
+    let _e15 = _e14.yx;
+    let _e21 = blurred_2;
+    let _e22 = gabor_impl_symmetric(vec3<f32>(_e15.x, _e15.y, -(s.z)), _e21);
+    let _e26 = m_1;
+    let _e28 = m_1;
+    c_6 = (_e22 / vec2(((s.z * s.z) - (_e26.x * _e28.y))));
+    let _e36 = m_1;
+    let _e38 = m_1;
+    rho = (s.z * inverseSqrt((_e36.x * _e38.y)));
+    let _e45 = rho;
+    let _e46 = rho;
+    r_1 = sqrt((1f - (_e45 * _e46)));
+    let _e51 = rho;
+    let _e53 = r_1;
+    lambda = (_e51 / (1f + _e53));
+    let _e60 = lambda;
+    let _e63 = lambda;
+    let _e65 = lambda;
+    weights_1 = vec3<f32>(1f, (-2f * _e60), ((2f * _e63) * _e65));
+    first_4 = (floor((place.local + vec2(0.5f))) - vec2(2f));
+    let _e79 = first_4;
+    offset_3 = (place.local - _e79);
+    let _e83 = first_4;
+    node_2 = (place.cell + vec2<i32>(_e83));
+    let _e87 = gabor_impl_salt(seed);
+    salt_6 = _e87;
+    let _e90 = gabor_impl_wave(place.time);
+    time_6 = _e90;
+    let _e92 = r_1;
+    let _e93 = m_1;
+    let _e96 = c_6;
+    let _e98 = offset_3;
+    let _e100 = node_2;
+    let _e104 = salt_6;
+    let _e105 = kernel_12;
+    let _e107 = gabor_impl_band((_e92 * _e93.x), _e96.x, _e98.x, _e100.x, place.period.x, _e104, _e105.step_x);
+    across = _e107;
+    let _e109 = r_1;
+    let _e110 = m_1;
+    let _e113 = c_6;
+    let _e115 = offset_3;
+    let _e117 = node_2;
+    let _e121 = salt_6;
+    let _e124 = kernel_12;
+    let _e126 = gabor_impl_band((_e109 * _e110.y), _e113.y, _e115.y, _e117.y, place.period.y, (_e121 ^ 1540483477u), _e124.step_y);
+    along = _e126;
+    let _e131 = offset_3;
+    let _e136 = gabor_impl_wave((0.2f * (_e131.x + 1f)));
+    line_2.turn = _e136;
+    let _e138 = kernel_12;
+    line_2.phase = _e138.step_x;
+    let _e140 = line_2;
+    let _e141 = across;
+    let _e143 = gabor_impl_line(_e140, _e141, 0i);
+    c0_ = _e143;
+    let _e145 = c0_;
+    let _e146 = across;
+    let _e148 = gabor_impl_line(_e145, _e146, 1i);
+    c1_ = _e148;
+    let _e150 = c1_;
+    let _e151 = across;
+    let _e153 = gabor_impl_line(_e150, _e151, 2i);
+    c2_ = _e153;
+    let _e155 = c2_;
+    let _e156 = across;
+    let _e158 = gabor_impl_line(_e155, _e156, 3i);
+    c3_ = _e158;
+    let _e160 = c3_;
+    let _e161 = across;
+    let _e163 = gabor_impl_line(_e160, _e161, 4i);
+    c4_ = _e163;
+    let _e167 = offset_3;
+    let _e172 = gabor_impl_wave((0.2f * (_e167.y + 1f)));
+    line_2.turn = _e172;
+    let _e174 = offset_3;
+    let _e182 = gabor_impl_wave(dot(wave, (_e174 / vec2(1.5f))));
+    let _e183 = kernel_12;
+    let _e185 = gabor_impl_product(_e182, _e183.step_y);
+    line_2.phase = _e185;
+    loop {
+        let _e198 = j_1;
+        if !((_e198 < rows)) {
+            break;
+        }
+        {
+            let _e204 = line_2;
+            let _e205 = along;
+            let _e206 = j_1;
+            let _e207 = gabor_impl_line(_e204, _e205, _e206);
+            line_2 = _e207;
+            row_4 = GaborFactors(vec3(0f), vec3(0f));
+            let _e215 = c0_;
+            let _e216 = line_2;
+            let _e219 = time_6;
+            gabor_impl_add_filtered((&row_4), _e215, _e216.word, place.animated, _e219);
+            let _e222 = c1_;
+            let _e223 = line_2;
+            let _e226 = time_6;
+            gabor_impl_add_filtered((&row_4), _e222, _e223.word, place.animated, _e226);
+            let _e229 = c2_;
+            let _e230 = line_2;
+            let _e233 = time_6;
+            gabor_impl_add_filtered((&row_4), _e229, _e230.word, place.animated, _e233);
+            let _e236 = c3_;
+            let _e237 = line_2;
+            let _e240 = time_6;
+            gabor_impl_add_filtered((&row_4), _e236, _e237.word, place.animated, _e240);
+            let _e243 = c4_;
+            let _e244 = line_2;
+            let _e247 = time_6;
+            gabor_impl_add_filtered((&row_4), _e243, _e244.word, place.animated, _e247);
+            let _e250 = sum_7;
+            let _e252 = row_4;
+            let _e253 = line_2;
+            let _e255 = weights_1;
+            let _e256 = gabor_impl_contracted(_e252, _e253.window, _e255);
+            sum_7.value = (_e250.value + _e256);
+            let _e259 = sum_7;
+            let _e261 = row_4;
+            let _e262 = across;
+            let _e263 = gabor_impl_times_q(_e261, _e262);
+            let _e264 = line_2;
+            let _e266 = weights_1;
+            let _e267 = gabor_impl_contracted(_e263, _e264.window, _e266);
+            sum_7.slope_x = (_e259.slope_x + _e267);
+            let _e270 = sum_7;
+            let _e272 = row_4;
+            let _e273 = line_2;
+            let _e275 = along;
+            let _e276 = gabor_impl_times_q(_e273.window, _e275);
+            let _e277 = weights_1;
+            let _e278 = gabor_impl_contracted(_e272, _e276, _e277);
+            sum_7.slope_y = (_e270.slope_y + _e278);
+        }
+        continuing {
+            let _e201 = j_1;
+            j_1 = (_e201 + 1i);
+        }
+    }
+    let _e281 = lambda;
+    let _e282 = lambda;
+    let _e288 = c_6;
+    let _e290 = blurred_2;
+    amplitude_2 = (sqrt((1f - (_e281 * _e282))) * exp((-19.739208f * dot((wave + _e288), _e290))));
+    let _e297 = sum_7;
+    let _e300 = sum_7;
+    x_2 = (6.2831855f * (_e297.slope_x + (wave.x * _e300.value)));
+    let _e307 = sum_7;
+    let _e310 = sum_7;
+    y_1 = (6.2831855f * (_e307.slope_y + (wave.y * _e310.value)));
+    let _e316 = amplitude_2;
+    let _e317 = sum_7;
+    let _e320 = amplitude_2;
+    let _e321 = x_2;
+    let _e324 = x_2;
+    let _e328 = amplitude_2;
+    let _e329 = y_1;
+    let _e332 = y_1;
+    return GaborField((_e316 * _e317.value), (_e320 * vec2<f32>(-(_e321.y), _e324.x)), (_e328 * vec2<f32>(-(_e329.y), _e332.x)), vec4(0f));
+}
+
+// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
+// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
+fn gabor_impl_seen(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
+    var kernel_14: GaborKernel;
+    var stretch_1: vec2<f32>;
+    var wave_6: vec2<f32>;
+    var transmitted: f32;
+    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var s_4: vec3<f32>;
+    var amplitude_3: f32 = 0.00000000000000000000000000060884664f;
+    var wide: f32;
+    var share_1: f32;
+    var share_2: f32;
+    var local_9: i32;
+    var rows_5: i32;
+
+    kernel_14 = kernel;
+    stretch_1 = (place.radius / vec2(1.5f));
+    let _e14 = kernel_14;
+    let _e16 = stretch_1;
+    wave_6 = (_e14.wave / _e16);
+    let _e19 = wave_6;
+    let _e21 = gabor_impl_transmitted(_e19, footprint.covariance);
+    transmitted = _e21;
+    let _e24 = transmitted;
+    (*removed) = (1f - _e24);
+    let _e36 = transmitted;
+    if (_e36 < 0.0000000001f) {
+        let _e39 = sum_8;
+        return _e39;
+    }
+    s_4 = footprint.resolved;
+    if any((footprint.resolved != footprint.covariance)) {
+        let _e52 = amplitude_3;
+        let _e53 = transmitted;
+        let _e54 = wave_6;
+        let _e55 = s_4;
+        let _e56 = gabor_impl_transmitted(_e54, _e55);
+        amplitude_3 = (_e52 * sqrt((_e53 / _e56)));
+    }
+    let _e61 = s_4;
+    let _e63 = s_4;
+    wide = clamp(((33.333332f * sqrt(max(_e61.x, _e63.y))) - 2.6666667f), 0f, 1f);
+    let _e74 = wide;
+    if (_e74 < 1f) {
+        {
+            let _e78 = wide;
+            let _e80 = amplitude_3;
+            share_1 = ((1f - _e78) * _e80);
+            let _e84 = kernel_14;
+            let _e85 = wave_6;
+            let _e86 = s_4;
+            let _e87 = gabor_impl_filtered_narrow(place, _e84, _e85, _e86, seed);
+            let _e88 = share_1;
+            let _e89 = share_1;
+            gabor_impl_accumulate((&sum_8), _e87, _e88, _e89);
+        }
+    }
+    let _e91 = wide;
+    if (_e91 > 0f) {
+        {
+            let _e94 = wide;
+            let _e95 = amplitude_3;
+            share_2 = (_e94 * _e95);
+            let _e98 = wide;
+            if (_e98 > 0f) {
+                local_9 = 5i;
+            } else {
+                local_9 = 0i;
+            }
+            let _e104 = local_9;
+            rows_5 = _e104;
+            let _e107 = kernel_14;
+            let _e108 = wave_6;
+            let _e109 = s_4;
+            let _e110 = rows_5;
+            let _e111 = gabor_impl_filtered_wide(place, _e107, _e108, _e109, _e110, seed);
+            let _e112 = share_2;
+            let _e113 = share_2;
+            gabor_impl_accumulate((&sum_8), _e111, _e112, _e113);
+        }
+    }
+    let _e116 = sum_8;
+    let _e118 = stretch_1;
+    sum_8.slope_x = (_e116.slope_x * _e118.x);
+    let _e122 = sum_8;
+    let _e124 = stretch_1;
+    sum_8.slope_y = (_e122.slope_y * _e124.y);
+    let _e127 = sum_8;
+    return _e127;
 }
 
 // A lobe of waves around one wave vector.
@@ -860,11 +1276,11 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else {
-        var place_7: GaborPlace;
+        var place_10: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_7 = _e13;
-        let _e15 = place_7;
+        place_10 = _e13;
+        let _e15 = place_10;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     }
@@ -899,12 +1315,12 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
         let _e24 = field_5;
         return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
     } else {
-        var place_8: GaborPlace;
+        var place_11: GaborPlace;
         var field_5: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_8 = _e13;
-        let _e15 = place_8;
+        place_11 = _e13;
+        let _e15 = place_11;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         field_5 = _e16;
         let _e18 = field_5;
@@ -933,11 +1349,11 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else {
-        var place_9: GaborPlace;
+        var place_12: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_9 = _e13;
-        let _e15 = place_9;
+        place_12 = _e13;
+        let _e15 = place_12;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     }
@@ -948,15 +1364,15 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
 fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
-    var footprint: GaborFootprint;
+    var footprint_1: GaborFootprint;
     var mean: f32;
     var axis: vec2<f32>;
     var apart: f32;
     var larger: f32;
     var side: f32;
-    var local_9: f32;
-    var smaller: f32;
     var local_10: f32;
+    var smaller: f32;
+    var local_11: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -979,13 +1395,13 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     let _e32 = dx_1;
     let _e35 = dy_1;
     let _e37 = dy_1;
-    footprint.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
-    let _e46 = footprint;
-    let _e49 = footprint;
+    footprint_1.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
+    let _e46 = footprint_1;
+    let _e49 = footprint_1;
     mean = (0.5f * (_e46.covariance.x + _e49.covariance.y));
-    let _e56 = footprint;
-    let _e59 = footprint;
-    let _e64 = footprint;
+    let _e56 = footprint_1;
+    let _e59 = footprint_1;
+    let _e64 = footprint_1;
     axis = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
     let _e69 = axis;
     apart = length(_e69);
@@ -1003,14 +1419,14 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
         let _e94 = larger;
         let _e96 = side;
         let _e98 = mean;
-        local_9 = min(((_e93 / _e94) * _e96), _e98);
+        local_10 = min(((_e93 / _e94) * _e96), _e98);
     } else {
-        local_9 = 0f;
+        local_10 = 0f;
     }
-    let _e102 = local_9;
+    let _e102 = local_10;
     smaller = _e102;
-    let _e105 = footprint;
-    footprint.resolved = _e105.covariance;
+    let _e105 = footprint_1;
+    footprint_1.resolved = _e105.covariance;
     let _e107 = larger;
     if (_e107 > 0.25f) {
         {
@@ -1021,318 +1437,55 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e114 > 0f) {
                 let _e119 = smaller;
                 let _e122 = apart;
-                local_10 = ((0.5f * (0.25f - _e119)) / _e122);
+                local_11 = ((0.5f * (0.25f - _e119)) / _e122);
             } else {
-                local_10 = 0f;
+                local_11 = 0f;
             }
-            let _e126 = local_10;
+            let _e126 = local_11;
             axis = (_e113 * _e126);
             let _e131 = smaller;
             let _e134 = axis;
             let _e136 = axis;
             let _e141 = (vec2((0.5f * (0.25f + _e131))) + vec2<f32>(_e134.x, -(_e136.x)));
             let _e142 = axis;
-            footprint.resolved = vec3<f32>(_e141.x, _e141.y, _e142.y);
+            footprint_1.resolved = vec3<f32>(_e141.x, _e141.y, _e142.y);
         }
     }
-    let _e147 = footprint;
+    let _e147 = footprint_1;
     return _e147;
 }
 
 // The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
 // periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec3<f32> {
-    var kernel_10: GaborKernel;
-    var wave_2: vec2<f32>;
-    var transmitted: f32;
-    var s_2: vec3<f32>;
-    var blurred: vec2<f32>;
-    var m: vec2<f32>;
-    var c_8: vec2<f32>;
-    var rho: f32;
-    var r_1: f32;
-    var lambda: f32;
-    var weights: vec3<f32>;
-    var g_1: vec2<f32>;
-    var across: GaborBand;
-    var along: GaborBand;
-    var reach: vec2<f32>;
-    var first_3: vec2<f32>;
-    var count: vec2<i32>;
-    var x_1: vec2<f32>;
-    var node_1: vec2<i32>;
-    var turns: vec2<f32>;
-    var time_6: vec2<f32>;
-    var salt_4: u32;
-    var word_8: array<u32, 5>;
-    var column_2: array<GaborFactors, 5>;
-    var turn_1: vec2<f32>;
-    var step_2: vec2<f32>;
-    var back: vec2<f32>;
-    var phase_1: vec2<f32> = vec2<f32>(1f, 0f);
-    var i_4: i32 = 0i;
-    var factors: GaborFactors;
-    var sum_5: vec2<f32> = vec2(0f);
-    var j_1: i32 = 0i;
-    var row_word_1: u32;
-    var row_4: GaborFactors;
-    var words: vec2<u32>;
-    var left: GaborFactors;
-    var right: GaborFactors;
-    var i_5: i32;
-    var factors_1: GaborFactors;
-    var part: vec2<f32>;
-    var amplitude_3: f32;
+    var kernel_16: GaborKernel;
+    var removed_1: f32;
+    var value_3: vec2<f32>;
 
-    kernel_10 = kernel;
-    let _e5 = kernel_10;
-    wave_2 = (_e5.wave * (vec2(1.5f) / place.radius));
-    let _e16 = wave_2;
-    let _e18 = gabor_impl_transmitted(_e16, footprint.covariance);
-    transmitted = _e18;
-    let _e20 = transmitted;
-    if (_e20 < 0.0000000001f) {
-        return vec3<f32>(0f, 0f, 1f);
-    }
-    s_2 = footprint.resolved;
-    let _e29 = s_2;
-    let _e30 = wave_2;
-    let _e31 = gabor_impl_symmetric(_e29, _e30);
-    blurred = _e31;
-    let _e33 = s_2;
-    m = (_e33.xy + vec2(0.13069098f));
-    let _e39 = m;
-    let _e40 = _e39.yx;
-    let _e41 = s_2;
-    let _e47 = blurred;
-    let _e48 = gabor_impl_symmetric(vec3<f32>(_e40.x, _e40.y, -(_e41.z)), _e47);
-    let _e49 = s_2;
-    let _e51 = s_2;
-    let _e54 = m;
-    let _e56 = m;
-    c_8 = (_e48 / vec2(((_e49.z * _e51.z) - (_e54.x * _e56.y))));
-    let _e63 = s_2;
-    let _e65 = m;
-    let _e67 = m;
-    rho = (_e63.z * inverseSqrt((_e65.x * _e67.y)));
-    let _e74 = rho;
-    let _e75 = rho;
-    r_1 = sqrt((1f - (_e74 * _e75)));
-    let _e80 = rho;
-    let _e82 = r_1;
-    lambda = (_e80 / (1f + _e82));
-    let _e89 = lambda;
-    let _e92 = lambda;
-    let _e94 = lambda;
-    weights = vec3<f32>(1f, (-2f * _e89), ((0.5f * _e92) * _e94));
-    let _e99 = r_1;
-    let _e101 = m;
-    g_1 = ((19.739208f * _e99) * _e101);
-    let _e104 = s_2;
-    let _e107 = g_1;
-    let _e109 = c_8;
-    let _e111 = gabor_impl_band(sqrt(_e104.x), _e107.x, _e109.x);
-    across = _e111;
-    let _e113 = s_2;
-    let _e116 = g_1;
-    let _e118 = c_8;
-    let _e120 = gabor_impl_band(sqrt(_e113.y), _e116.y, _e118.y);
-    along = _e120;
-    let _e122 = across;
-    let _e124 = along;
-    reach = vec2<f32>(_e122.reach, _e124.reach);
-    let _e133 = reach;
-    first_3 = (floor((place.local - (1.5f * _e133))) + vec2(1f));
-    let _e147 = reach;
-    count = vec2<i32>(ceil(((3f * _e147) - vec2(0.001f))));
-    let _e156 = first_3;
-    x_1 = (place.local - _e156);
-    let _e160 = first_3;
-    node_1 = (place.cell + vec2<i32>(_e160));
-    let _e169 = reach;
-    turns = (vec2(0.5f) / (1.5f * _e169));
-    let _e175 = gabor_impl_wave(place.time);
-    time_6 = _e175;
-    let _e177 = gabor_impl_salt(seed);
-    salt_4 = _e177;
-    let _e181 = turns;
-    let _e183 = x_1;
-    let _e186 = gabor_impl_wave((_e181.x * _e183.x));
-    turn_1 = _e186;
-    let _e188 = turns;
-    let _e191 = gabor_impl_wave(-(_e188.x));
-    step_2 = _e191;
-    let _e193 = kernel_10;
-    let _e196 = kernel_10;
-    back = vec2<f32>(_e193.step_x.x, -(_e196.step_x.y));
-    loop {
-        let _e208 = i_4;
-        if !((_e208 < 5i)) {
-            break;
-        }
-        {
-            let _e215 = i_4;
-            let _e217 = node_1;
-            let _e219 = i_4;
-            let _e223 = gabor_impl_wrap((_e217.x + _e219), place.period.x);
-            let _e224 = salt_4;
-            let _e225 = gabor_impl_line_word(_e223, _e224);
-            word_8[_e215] = _e225;
-            let _e226 = across;
-            let _e227 = x_1;
-            let _e229 = i_4;
-            let _e237 = turn_1;
-            let _e238 = gabor_impl_factors(_e226, ((_e227.x - f32(_e229)) / 1.5f), _e237);
-            factors = _e238;
-            let _e240 = i_4;
-            let _e242 = phase_1;
-            let _e244 = factors;
-            let _e247 = phase_1;
-            let _e249 = factors;
-            let _e253 = phase_1;
-            let _e255 = factors;
-            let _e258 = phase_1;
-            let _e260 = factors;
-            column_2[_e240] = GaborFactors(((_e242.x * _e244.real) - (_e247.y * _e249.imaginary)), ((_e253.x * _e255.imaginary) + (_e258.y * _e260.real)));
-            let _e265 = turn_1;
-            let _e266 = step_2;
-            let _e267 = gabor_impl_product(_e265, _e266);
-            turn_1 = _e267;
-            let _e268 = phase_1;
-            let _e269 = back;
-            let _e270 = gabor_impl_product(_e268, _e269);
-            phase_1 = _e270;
-        }
-        continuing {
-            let _e212 = i_4;
-            i_4 = (_e212 + 1i);
-        }
-    }
-    let _e271 = turns;
-    let _e273 = x_1;
-    let _e276 = gabor_impl_wave((_e271.y * _e273.y));
-    turn_1 = _e276;
-    let _e277 = turns;
-    let _e280 = gabor_impl_wave(-(_e277.y));
-    step_2 = _e280;
-    let _e281 = kernel_10;
-    let _e284 = kernel_10;
-    back = vec2<f32>(_e281.step_y.x, -(_e284.step_y.y));
-    let _e289 = kernel_10;
-    let _e293 = x_1;
-    let _e295 = gabor_impl_wave(dot((_e289.wave / place.radius), _e293));
-    phase_1 = _e295;
-    loop {
-        {
-            let _e301 = node_1;
-            let _e303 = j_1;
-            let _e307 = gabor_impl_wrap((_e301.y + _e303), place.period.y);
-            let _e308 = salt_4;
-            let _e311 = gabor_impl_line_word(_e307, (_e308 ^ 1540483477u));
-            row_word_1 = _e311;
-            row_4 = GaborFactors(vec3(0f), vec3(0f));
-            let _e322 = word_8[0];
-            let _e323 = row_word_1;
-            let _e324 = gabor_impl_node_word(_e322, _e323);
-            let _e327 = column_2[0];
-            let _e329 = time_6;
-            gabor_impl_add_filtered((&row_4), _e324, _e327, place.animated, _e329);
-            let _e333 = word_8[1];
-            let _e336 = word_8[2];
-            words = vec2<u32>(_e333, _e336);
-            let _e341 = column_2[1];
-            left = _e341;
-            let _e345 = column_2[2];
-            right = _e345;
-            i_5 = 3i;
-            loop {
-                {
-                    let _e350 = words;
-                    let _e352 = row_word_1;
-                    let _e353 = gabor_impl_node_word(_e350.x, _e352);
-                    let _e354 = left;
-                    let _e356 = time_6;
-                    gabor_impl_add_filtered((&row_4), _e353, _e354, place.animated, _e356);
-                    let _e359 = words;
-                    let _e361 = row_word_1;
-                    let _e362 = gabor_impl_node_word(_e359.y, _e361);
-                    let _e363 = right;
-                    let _e365 = time_6;
-                    gabor_impl_add_filtered((&row_4), _e362, _e363, place.animated, _e365);
-                    let _e369 = word_8[3];
-                    let _e372 = word_8[4];
-                    words = vec2<u32>(_e369, _e372);
-                    let _e376 = column_2[3];
-                    left = _e376;
-                    let _e379 = column_2[4];
-                    right = _e379;
-                    let _e380 = i_5;
-                    i_5 = (_e380 + 2i);
-                }
-                let _e383 = i_5;
-                let _e384 = count;
-                if !((_e383 < (_e384.x + 2i))) {
-                    break;
-                }
-            }
-            let _e390 = along;
-            let _e391 = x_1;
-            let _e393 = j_1;
-            let _e401 = turn_1;
-            let _e402 = gabor_impl_factors(_e390, ((_e391.y - f32(_e393)) / 1.5f), _e401);
-            factors_1 = _e402;
-            let _e404 = weights;
-            let _e405 = factors_1;
-            let _e407 = row_4;
-            let _e410 = factors_1;
-            let _e412 = row_4;
-            let _e417 = weights;
-            let _e418 = factors_1;
-            let _e420 = row_4;
-            let _e423 = factors_1;
-            let _e425 = row_4;
-            part = vec2<f32>(dot(_e404, ((_e405.real * _e407.real) - (_e410.imaginary * _e412.imaginary))), dot(_e417, ((_e418.real * _e420.imaginary) + (_e423.imaginary * _e425.real))));
-            let _e432 = sum_5;
-            let _e433 = part;
-            let _e434 = phase_1;
-            let _e435 = gabor_impl_product(_e433, _e434);
-            sum_5 = (_e432 + _e435);
-            let _e437 = turn_1;
-            let _e438 = step_2;
-            let _e439 = gabor_impl_product(_e437, _e438);
-            turn_1 = _e439;
-            let _e440 = phase_1;
-            let _e441 = back;
-            let _e442 = gabor_impl_product(_e440, _e441);
-            phase_1 = _e442;
-            let _e443 = j_1;
-            j_1 = (_e443 + 1i);
-        }
-        let _e446 = j_1;
-        let _e447 = count;
-        if !((_e446 < _e447.y)) {
-            break;
-        }
-    }
-    let _e452 = lambda;
-    let _e453 = lambda;
-    let _e459 = wave_2;
-    let _e460 = c_8;
-    let _e462 = blurred;
-    amplitude_3 = (sqrt((1f - (_e452 * _e453))) * exp((-19.739208f * dot((_e459 + _e460), _e462))));
-    if any((footprint.resolved != footprint.covariance)) {
-        let _e472 = amplitude_3;
-        let _e473 = transmitted;
-        let _e474 = wave_2;
-        let _e475 = s_2;
-        let _e476 = gabor_impl_transmitted(_e474, _e475);
-        amplitude_3 = (_e472 * sqrt((_e473 / _e476)));
-    }
-    let _e480 = amplitude_3;
-    let _e485 = sum_5;
-    let _e486 = ((_e480 / 1642449700000000000000000000f) * _e485);
-    let _e488 = transmitted;
-    return vec3<f32>(_e486.x, _e486.y, (1f - _e488));
+    kernel_16 = kernel;
+    let _e6 = kernel_16;
+    let _e9 = gabor_impl_seen(place, _e6, footprint, seed, (&removed_1));
+    value_3 = _e9.value;
+    let _e12 = value_3;
+    let _e13 = removed_1;
+    return vec3<f32>(_e12.x, _e12.y, _e13);
+}
+
+// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
+fn gabor_field_filtered_gradient(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec4<f32> {
+    var kernel_18: GaborKernel;
+    var removed_2: f32;
+    var field_6: GaborField;
+
+    kernel_18 = kernel;
+    let _e6 = kernel_18;
+    let _e9 = gabor_impl_seen(place, _e6, footprint, seed, (&removed_2));
+    field_6 = _e9;
+    let _e11 = field_6;
+    let _e14 = field_6;
+    let _e17 = field_6;
+    let _e20 = removed_2;
+    return vec4<f32>(_e11.value.y, _e14.slope_x.y, _e17.slope_y.y, _e20);
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -1340,7 +1493,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
 // steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
 // in the place and in both steps.
-// Cost: 9 nodes up to steps of 0.16 kernel radii, 16 up to 0.54, 25 beyond: on lavapipe 3.4 to 4.9 times gabor_noise.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond with 25 some 4.5 times.
+// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_kernel(frequency, orientation);
@@ -1349,60 +1503,86 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
     return _e16.yz;
 }
 
-// The noise of several lobes at p, as gabor_noise_lobes, and filtered as gabor_noise_filtered.
-fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
+// The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
+fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e14 = gabor_kernel(frequency, orientation);
+    let _e15 = gabor_footprint(dx, dy);
+    let _e16 = gabor_field_filtered_gradient(_e13, _e14, _e15, seed);
+    return _e16;
+}
+
+// The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
+fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
-    var sum_6: vec2<f32> = vec2(0f);
+    var sum_9: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
-    var i_6: i32 = 0i;
+    var i_4: i32 = 0i;
     var lobe_1: GaborLobe;
-    var value_2: vec2<f32>;
-    var local_11: vec2<f32>;
+    var unit_1: f32;
+    var noise_1: vec4<f32>;
+    var local_12: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
-        let _e13 = i_6;
+        let _e13 = i_4;
         let _e14 = lobes_9;
         if !((_e13 < _e14.count)) {
             break;
         }
         {
-            let _e21 = i_6;
+            let _e21 = i_4;
             let _e24 = lobes_9.lobe[_e21];
             lobe_1 = _e24;
-            let _e26 = lobe_1;
-            let _e30 = lobe_1;
-            let _e34 = lobe_1;
-            let _e38 = lobe_1;
-            let _e40 = lobe_1;
-            let _e43 = lobe_1;
-            let _e45 = i_6;
-            let _e46 = gabor_lobe_seed(seed, _e45);
-            let _e47 = gabor_noise_filtered((p / vec2(_e26.radius)), (dx / vec2(_e30.radius)), (dy / vec2(_e34.radius)), (_e38.frequency * _e40.radius), _e43.orientation, _e46);
-            value_2 = _e47;
-            let _e49 = sum_6;
-            let _e50 = lobe_1;
-            let _e53 = lobe_1;
-            let _e56 = value_2;
-            sum_6 = (_e49 + (vec2<f32>(sqrt(_e50.power), _e53.power) * _e56));
-            let _e59 = power_2;
-            let _e60 = lobe_1;
-            power_2 = (_e59 + _e60.power);
+            let _e27 = lobe_1;
+            unit_1 = (1f / _e27.radius);
+            let _e31 = unit_1;
+            let _e33 = unit_1;
+            let _e35 = unit_1;
+            let _e37 = lobe_1;
+            let _e39 = lobe_1;
+            let _e42 = lobe_1;
+            let _e44 = i_4;
+            let _e45 = gabor_lobe_seed(seed, _e44);
+            let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
+            noise_1 = _e46;
+            let _e48 = sum_9;
+            let _e49 = lobe_1;
+            let _e53 = unit_1;
+            let _e54 = unit_1;
+            let _e56 = (sqrt(_e49.power) * vec3<f32>(1f, _e53, _e54));
+            let _e57 = lobe_1;
+            let _e63 = noise_1;
+            sum_9 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
+            let _e66 = power_2;
+            let _e67 = lobe_1;
+            power_2 = (_e66 + _e67.power);
         }
         continuing {
-            let _e18 = i_6;
-            i_6 = (_e18 + 1i);
+            let _e18 = i_4;
+            i_4 = (_e18 + 1i);
         }
     }
-    let _e63 = power_2;
-    if (_e63 > 0f) {
-        let _e66 = sum_6;
-        let _e67 = power_2;
-        let _e70 = power_2;
-        local_11 = (_e66 * vec2<f32>(inverseSqrt(_e67), (1f / _e70)));
+    let _e70 = power_2;
+    if (_e70 > 0f) {
+        let _e73 = sum_9;
+        let _e74 = power_2;
+        let _e76 = vec3(inverseSqrt(_e74));
+        let _e78 = power_2;
+        local_12 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
     } else {
-        local_11 = vec2(0f);
+        local_12 = vec4(0f);
     }
-    let _e77 = local_11;
-    return _e77;
+    let _e88 = local_12;
+    return _e88;
+}
+
+// The noise alone, and the removed variance.
+fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
+    var lobes_11: GaborLobes;
+
+    lobes_11 = lobes;
+    let _e6 = lobes_11;
+    let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
+    return _e7.xw;
 }

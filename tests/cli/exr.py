@@ -46,6 +46,36 @@ class Exr:
         return self.channels["Y"]
 
 
+class Texture:
+    """An uncompressed file of tiles in levels, each half of the one before, rounded down. levels: for each level, name ->
+    array of height x width."""
+
+    def __init__(self, path):
+        data = pathlib.Path(path).read_bytes()
+        assert data.startswith(struct.pack("<ii", 20000630, 2 | 0x200)), "not an OpenEXR file of tiles"
+        self.attributes, at = read_attributes(data, len(START))
+        assert self.attributes["compression"][1] == b"\0", "compressed"
+        side, other, mode = struct.unpack("<iiB", self.attributes["tiles"][1])
+        assert (side, other, mode) == (64, 64, 1), "tiles of 64 x 64, mip-mapped, rounding down"
+        left, top, right, bottom = struct.unpack("<4i", self.attributes["dataWindow"][1])
+        self.window = left, top, right - left + 1, bottom - top + 1
+        types = read_channel_types(self.attributes["channels"][1])
+        _, _, width, height = self.window
+        sizes = [(max(1, width >> level), max(1, height >> level)) for level in range(max(width, height).bit_length())]
+        tiles = [(level, x, y) for level, (w, h) in enumerate(sizes) for y in range(-(-h // side)) for x in range(-(-w // side))]
+        offsets = struct.unpack_from(f"<{len(tiles)}Q", data, at)
+        assert sorted(offsets)[0] == at + 8 * len(tiles)
+        self.levels = [{name: np.full((h, w), np.nan, kind) for name, kind in types.items()} for w, h in sizes]
+        for (level, x, y), offset in zip(tiles, offsets):
+            assert struct.unpack_from("<4i", data, offset) == (x, y, level, level)
+            w, h = (min(side, length - side * i) for length, i in zip(sizes[level], (x, y)))
+            row = np.dtype([(name, kind, (w,)) for name, kind in types.items()])
+            assert struct.unpack_from("<i", data, offset + 16)[0] == h * row.itemsize
+            rows = np.frombuffer(data, row, h, offset + 20)
+            for name in types:
+                self.levels[level][name][64 * y:64 * y + h, 64 * x:64 * x + w] = rows[name]
+
+
 def read_name(data, at):
     end = data.index(b"\0", at)
     return data[at:end].decode(), end + 1

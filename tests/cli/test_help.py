@@ -23,8 +23,8 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--compression", "--device", "--verbose", "--yaw", "--pitch", "--zoom",
-                              "--material"),
+                              "--png", "--texture", "--half", "--compression", "--device", "--verbose", "--yaw", "--pitch",
+                              "--zoom", "--material"),
                    "join": ("REGION", "-o,--output"),
                    "merge": ("PART", "-o,--output", "--device"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
@@ -46,7 +46,7 @@ class Help(ProgramTest):
         for recipe in recipes:
             self.assertIn(f"{recipe['name']} ", text)
             self.assertIn(recipe["file"], text)
-        self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-[\w-]+\.png\) \| `([\w-]+)`", readme),
+        self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-[\w-]+\.jpg\) \| `([\w-]+)`", readme),
                          [recipe["name"] for recipe in recipes])
         for recipe in recipes:
             row = re.search(rf"(?m)^\|[^|]*\| `{recipe['name']}` \| (\d+) \|.*\|([^|]*)\|$", readme)

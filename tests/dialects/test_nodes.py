@@ -1,8 +1,10 @@
-"""Packages for editors that do not run here: their files refer to each other as they must."""
+"""Packages: their files are all there, and refer to each other as they must."""
 
 import json
 import pathlib
 import re
+import shutil
+import subprocess
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -75,6 +77,21 @@ class Unity(unittest.TestCase):
     def test_version(self):
         package = json.loads((ROOT / "package.json").read_text())
         self.assertEqual(json.loads((UNITY / "package.json").read_text())["version"], package["version"])
+
+
+class Package(unittest.TestCase):
+    def test_npm_packs_every_file(self):
+        if not shutil.which("npm"):
+            self.skipTest("npm is not installed")
+        said = subprocess.run(["npm", "pack", "--dry-run", "--json", "--offline"], cwd=ROOT, check=True, capture_output=True)
+        packed = {each["path"] for each in json.loads(said.stdout)[0]["files"]}
+        wanted = {str(path.relative_to(ROOT)) for folder in ("translations", "nodes")
+                  for path in (ROOT / "shaders" / folder).rglob("*")
+                  if path.is_file() and path.suffix != ".oso" and "node_modules" not in path.parts}
+        wanted |= {str(path.with_suffix(".glsl").relative_to(ROOT)).replace("translations/", "")
+                   for path in (ROOT / "shaders" / "translations").glob("*.hlsl")}
+        self.assertGreater(len(wanted), 50)
+        self.assertEqual(wanted - packed, set())
 
 
 if __name__ == "__main__":

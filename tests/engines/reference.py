@@ -81,15 +81,15 @@ def window(d, taps):
     return (1 - s) / np.hypot(1 - s, s)
 
 
-def lattice(cell, x, y, taps=3):
-    """The lattice's noise at cell + (x, y), in node spacings."""
+def lattice(cell, x, y, taps=3, period=2**32):
+    """The lattice's noise at cell + (x, y), in node spacings; it may repeat after a whole number of them."""
     radius = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     total = np.zeros(np.broadcast(x, y).shape, complex)
     for j in range(-1, 3):  # the nodes within two spacings
         for i in range(-1, 3):
-            node = amplitude(line_word(cell[0] + column + i, 0) * line_word(cell[1] + row + j, 1))
+            node = amplitude(line_word((cell[0] + column + i) % period, 0) * line_word((cell[1] + row + j) % period, 1))
             dx, dy = (x - (column + i)) / radius, (y - (row + j)) / radius
             total += node * window(dx, taps) * window(dy, taps) * np.exp(2j * np.pi * (WAVE[0] * dx + WAVE[1] * dy))
     return total.imag / energy
@@ -101,6 +101,7 @@ SCENES = {
     "lattice": ("gabor_lattice", {}, lattice, 1.5),
     "lattice 2": ("gabor_lattice", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
     "lattice 4": ("gabor_lattice", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
+    "tiled": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 8 kernel radii, for nodes that tile
 }
 
 

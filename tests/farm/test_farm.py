@@ -20,19 +20,19 @@ from program import PROGRAM, ProgramTest  # noqa: E402
 
 FARM = ROOT / "tools" / "farm"
 OPENJD = ROOT / "build" / "farm" / "bin" / "openjd"
-SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_partition=all", "mem_mb=200", "runtime=30",
+SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_partition=farm", "mem_mb=200", "runtime=30",
          "--slurm-status-command", "squeue", "--slurm-init-seconds-before-status-checks", "5", "--latency-wait", "30",
          "--retries", "2"]
 OPTIONS = "--scale=8 --frequency=1.5 --orientation-spread=90 --seed=7"
 CONFIGURATION = f"""
 gabor: {{gabor}}
 pictures: {{{{grain: {{{{size: 600x500, strips: 4, options: {OPTIONS} --compression=zip}}}}}}}}
-levels: {{{{bark: {{{{size: 128x128, scale: 8, levels: 2, strips: 2, options: --tileable}}}}}}}}
-frames: {{{{water: {{{{size: 64x64, frames: 3, options: {OPTIONS}}}}}}}}}
-udims: {{{{skin: {{{{size: 64x64, across: 2, down: 1, options: {OPTIONS}}}}}}}}}
+levels: {{{{bark: {{{{size: 128x128, scale: 8, levels: 2, options: --tileable}}}}}}}}
+frames: {{{{water: {{{{size: 64x64, frames: 2, options: {OPTIONS}}}}}}}}}
+udims: {{{{skin: {{{{size: 64x64, across: 1, down: 2, options: {OPTIONS}}}}}}}}}
 studies: {{{{paper: {{{{study: figure1, parts: 2, quick: true}}}}}}}}
 """
-TASKS = 4 + 1 + (2 + 1) + (1 + 1) + 3 + 2 + 2 + 1
+TASKS = (4 + 1) + 2 * (1 + 1) + 2 + 2 + (2 + 1)
 
 
 class FarmTest(ProgramTest):
@@ -60,6 +60,12 @@ class FarmTest(ProgramTest):
         return subprocess.Popen([FARM / "run", "farm.yaml", *options], cwd=self.folder, stdout=self.log, stderr=self.log,
                                 start_new_session=True, env=os.environ | {"DELAY": str(delay)})
 
+    def wait(self, run, condition):
+        def met():
+            self.assertIsNone(run.poll(), (self.folder / "run.log").read_text()[-5000:])
+            return condition()
+        slurm.wait_for(met, 1200)
+
     def finish(self, run):
         self.assertEqual(run.wait(1800), 0, (self.folder / "run.log").read_text()[-5000:])
 
@@ -69,21 +75,22 @@ class FarmTest(ProgramTest):
         for level in range(2):
             self.succeed("render", f"--size={128 >> level}x{128 >> level}", f"--scale={8 / 2**level}", "--filter", "--tileable",
                          "-o", f"one/bark.{level}.exr")
-        self.succeed("render", "--size=64x64", *options, "--frames=3", "-o", "one/water.exr")
-        for x, number in enumerate((1001, 1002)):
-            self.succeed("render", "--texture", "--size=128x64", *options, f"--region={64 * x},0,64,64", "-o",
+        self.succeed("render", "--size=64x64", *options, "--frames=2", "-o", "one/water.exr")
+        for number, y in ((1001, 64), (1011, 0)):
+            self.succeed("render", "--texture", "--size=64x128", *options, f"--region=0,{y},64,64", "-o",
                          f"one/skin.{number}.exr")
         self.succeed("study", "figure1", "--quick", "-o", "one/paper")
         files = self.files()
         whole = [name for name, content in files.items() if name.startswith("one/") and content is not None]
-        self.assertEqual(len(whole), 1 + 2 + 3 + 2 + 1)
+        self.assertEqual(len(whole), 1 + 2 + 2 + 2 + 1)
         for name in whole:
             self.assertEqual(files[name.removeprefix("one/")], files[name], name)
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")
 
-    def assert_nothing_done_twice(self):
+    def assert_nothing_done_twice(self, but=0):
+        """`but` for so many tasks whose jobs were cancelled, perhaps after all that counts was done."""
         counts = collections.Counter(self.ended())
-        self.assertEqual([task for task, count in counts.items() if count > 1], [])
+        self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(counts), TASKS)
 
     def setUpFolders(self):
@@ -93,7 +100,7 @@ class FarmTest(ProgramTest):
 class Local(FarmTest):
     def test_one_machine_killed_and_resumed(self):
         run = self.start("--cores", "2", delay=0.5)
-        slurm.wait_for(lambda: len(self.ended()) >= 5, 300)
+        self.wait(run, lambda: len(self.ended()) >= 5)
         second = subprocess.run([FARM / "run", "farm.yaml"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
         self.assertEqual((second.returncode, second.stderr), (1, "run: another run is under way in this folder\n"))
         os.killpg(run.pid, signal.SIGKILL)
@@ -117,11 +124,11 @@ class Slurm(FarmTest):
 
     def test_a_job_cancelled_and_snakemake_killed(self):
         run = self.start(*SLURM, delay=2)
-        slurm.wait_for(lambda: len(self.ended()) >= 2 and slurm.jobs("RUNNING"), 900)
+        self.wait(run, lambda: len(self.ended()) >= 2 and slurm.jobs("RUNNING"))
         cancelled = slurm.jobs("RUNNING")[0]
         subprocess.run(["scancel", cancelled], check=True)
         ended = len(self.ended())
-        slurm.wait_for(lambda: len(self.ended()) >= ended + 3 and len(slurm.jobs()) > 1, 900)
+        self.wait(run, lambda: len(self.ended()) >= ended + 3 and len(slurm.jobs()) > 1)
         run.kill()
         run.wait()
         left = slurm.jobs()
@@ -133,7 +140,7 @@ class Slurm(FarmTest):
         self.assertIn("cancelling", (self.folder / "run.log").read_text())
         self.setUpFolders()
         self.assert_as_on_one_machine()
-        self.assert_nothing_done_twice()
+        self.assert_nothing_done_twice(but=1)
 
     def test_a_plain_array(self):
         began = time.monotonic()

@@ -9,10 +9,11 @@ import sys
 import unittest
 
 import numpy as np
+import PIL.Image
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "cli"))
-from exr import Exr
+from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
@@ -42,11 +43,12 @@ class FitTest(ProgramTest):
         return Exr(self.folder / "fit.exr")
 
     def test_known_lobes_are_found(self):
-        known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=1.2, orientation=-60, radius=0.3, power=0.6)]
+        known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=3.5, orientation=-60, radius=0.4, power=0.6)]
         scale = 24
         (self.folder / "lobes.json").write_text(json.dumps(known))
         self.succeed("render", "--lobes", "lobes.json", "--scale", str(scale), "--size", "1024x1024", "--seed", "3", "-o", "noise.exr")
         fitted = self.fit("noise.exr")
+        self.assertNotIn("random-phase noise has lost", self.said)
         unit = fitted["scale"]
         total = sum(lobe["power"] for lobe in fitted["lobes"])
         for lobe in known:
@@ -62,14 +64,14 @@ class FitTest(ProgramTest):
             self.assertLess(abs(power - 1), 0.1)
 
     def test_grey_photographs(self):
-        for name, l1_most, l2_most in (("grass", 0.06, 0.05), ("gravel", 0.06, 0.05), ("brick", 0.06, 0.05)):
+        for name, l1_most, l2_most in (("grass", 0.06, 0.05), ("gravel", 0.06, 0.05), ("brick", 0.06, 0.08)):
             try:
                 path = photograph(name)
             except OSError as error:
                 self.skipTest(str(error))
             fitted = self.fit(str(path))
             self.assertLessEqual(len(fitted["lobes"]), 16)
-            self.assertEqual("random-phase noise has lost" in self.said, name == "brick", self.said)
+            self.assertIn("random-phase noise has lost", self.said) # blades, stones, bricks
             exemplar = without_trend(read_grey_png(path)[..., None] / 255.0)
             noise = self.render("--size", "1024x1024").pixels[..., None].astype(float)
             expected = welch(exemplar) / exemplar.var()
@@ -125,7 +127,7 @@ void main()
         context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
         values = np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(256, 128, 4)
 
-        # The picture's deviation is 0.1. Near a sixth of the nodes a place is rounded to another cell.
+        # The picture's deviation is 0.1. Vulkan and OpenGL drivers round the filter's exponentials differently.
         drawn = rgb(self.render("--size", "128x128"))
         difference = np.abs(values[:128, :, :3] - drawn)
         print(f"glsl: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
@@ -134,7 +136,7 @@ void main()
         filtered = self.render("--size", "128x128", "--filter")
         difference = np.abs(values[128:, :, :3] - rgb(filtered))
         print(f"filtered: largest difference {difference.max():.2g}")
-        self.assertLess(difference.max(), 1e-4)
+        self.assertLess(difference.max(), 5e-4)
         removed = values[128:, :, 3]
         self.assertGreater(removed.min(), 0)
         self.assertLess(removed.max(), 0.5)
@@ -166,6 +168,22 @@ void main()
         ratio = np.array(faint["mixing"]) / np.array(sixteen["mixing"])
         self.assertLess(np.abs(ratio - 0.01).max(), 0.0005)
 
+    def test_jpeg(self):
+        picture = PIL.Image.fromarray(np.rint(255 * np.clip(colour_noise(192), 0, 1)).astype("u1"))
+        picture.save(self.folder / "good.jpg", quality=95)
+        picture.convert("L").save(self.folder / "grey.jpg", progressive=True)
+        picture.convert("CMYK").save(self.folder / "cmyk.jpg")
+        whole = (self.folder / "good.jpg").read_bytes()
+        (self.folder / "cut.jpg").write_bytes(whole[:len(whole) // 2])
+        picture.save(self.folder / "good.png")
+        by_png = self.fit("good.png", "--lobes", "2")["colour"]["mean"]
+        by_jpeg = self.fit("good.jpg", "--lobes", "2")["colour"]["mean"]
+        self.assertLess(np.abs(np.array(by_png) - by_jpeg).max(), 0.005)
+        self.assertNotIn("colour", self.fit("grey.jpg", "--lobes", "2"))
+        (self.folder / "fit.json").unlink()
+        self.assert_refused(["cmyk.jpg", "CMYK", "grey or RGB"], "fit", "cmyk.jpg", "-o", "fit.json")
+        self.assert_refused(["cut.jpg"], "fit", "cut.jpg", "-o", "fit.json")
+
     def test_wrong_pictures_are_refused(self):
         write_png(self.folder / "small.png", colour_noise(96))
         write_png(self.folder / "constant.png", np.full((256, 256), 0.5))
@@ -175,10 +193,13 @@ void main()
         (self.folder / "cut.png").write_bytes((self.folder / "good.png").read_bytes()[:20000])
         (self.folder / "video.mp4").write_bytes(b"\0\0\0\x20ftypisom" + bytes(200))
         (self.folder / "folder").mkdir()
+        values = colour_noise(160).astype("f4")
+        values[100, 50, 2] = np.nan
+        write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
         for words, image in ((["small.png", "96 x 96", "128 x 128"], "small.png"), (["constant.png", "constant"], "constant.png"),
                              (["trend.png", "constant"], "trend.png"), (["cut.png"], "cut.png"),
                              (["video.mp4", "PNG, JPEG or OpenEXR"], "video.mp4"),
-                             (["folder", "not a regular file"], "folder"), (["none.png", "No such file"], "none.png")):
+                             (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):
             self.assert_refused(words, "fit", image, "-o", "fit.json")
         for words, options in ((["--lobes", "1 to 16"], ["--lobes", "17"]), (["--lobes", "1 to 16"], ["--lobes", "x"]),
                                (["--glsl", "texture.glsl"], ["--glsl", "texture.glsl"]),

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace gabor::noise {
@@ -27,28 +26,47 @@ std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Ve
     return {{{c * longer, s * longer}, {-s * shorter, c * shorter}}};
 }
 
+void add(double& sum, double weight, double value) {
+    sum += weight * value;
+}
+
+void add(Spectrum::Field& sum, double weight, const Spectrum::Field& field) {
+    sum.value += weight * field.value;
+    sum.slope_x += weight * field.slope_x;
+    sum.slope_y += weight * field.slope_y;
+}
+
+template <typename T>
+T scaled(const T& value, double factor) {
+    T result{};
+    add(result, factor, value);
+    return result;
+}
+
 // The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule
 // over six deviations each way: `step` is the longest allowed along an axis.
-double normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
-                   const std::function<double(double, double)>& function) {
+template <typename Function>
+auto normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
+                 const Function& function) {
     std::array<int, 2> half{};
     for (std::size_t i = 0; i < 2; ++i) {
         const double deviation = widening * std::hypot(axes[i][0], axes[i][1]);
         half[i] = deviation < 1e-7 ? 0 : std::max(18, static_cast<int>(std::ceil(6 * deviation / step)));
     }
-    double sum = 0;
+    decltype(function(0.0, 0.0)) sum{};
     double weights = 0;
     for (int j = -half[1]; j <= half[1]; ++j) {
         for (int i = -half[0]; i <= half[0]; ++i) {
             const double u = half[0] ? 6.0 * i / half[0] : 0;
             const double v = half[1] ? 6.0 * j / half[1] : 0;
             const double weight = std::exp(-(u * u + v * v) / 2);
-            sum += weight * function(widening * (u * axes[0][0] + v * axes[1][0]),
-                                     widening * (u * axes[0][1] + v * axes[1][1]));
+            add(sum, weight,
+                function(widening * (u * axes[0][0] + v * axes[1][0]),
+                         widening * (u * axes[0][1] + v * axes[1][1])));
             weights += weight;
         }
     }
-    return sum / weights;
+    return scaled(sum, 1 / weights);
 }
 
 // integral of h(t) h(t + x) over that of h^2: with c = cos(pi x), the overlap of two Hann windows x apart.
@@ -100,18 +118,35 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
     return lobes;
 }
 
+// The place in units of a lobe's own kernel radius, with the nodes that it has there.
+static LatticePlace placed(const LatticePlace& place, double radius) {
+    LatticePlace result = place;
+    const auto along = [&](std::int32_t cell, std::int32_t period, double nodes, double& local,
+                           double& lobe_nodes, std::int32_t& lobe_period) {
+        const double length = period / (nodes * radius);
+        if (period) {
+            lobe_period = std::max(3, static_cast<int>(std::lround(1.5 * length)));
+            lobe_nodes = lobe_period / length;
+        } else {
+            lobe_nodes = 1.5;
+        }
+        local = (cell + local) / (nodes * radius) * lobe_nodes;
+    };
+    along(place.cell_x, place.period_x, place.radius_x, result.local_x, result.radius_x, result.period_x);
+    along(place.cell_y, place.period_y, place.radius_y, result.local_y, result.radius_y, result.period_y);
+    result.cell_x = result.cell_y = 0;
+    return result;
+}
+
 // Each lobe is a noise of its own, in units of its own kernel radius.
-Spectrum::Field Spectrum::field(double x, double y) const {
+Spectrum::Field Spectrum::field(const LatticePlace& place) const {
     double power = 0;
     for (const SpectrumLobe& lobe : lobes_)
         power += lobe.power;
     Field sum{};
     for (const SpectrumLobe& lobe : lobes_) {
         const Lattice lattice(taps, lobe.frequency * lobe.radius, lobe.orientation, lobe.seed);
-        LatticePlace place;
-        place.local_x = x / lobe.radius * place.radius_x;
-        place.local_y = y / lobe.radius * place.radius_y;
-        const Lattice::Field field = lattice.field(place);
+        const Lattice::Field field = lattice.field(lobe.radius == 1 ? place : placed(place, lobe.radius));
         const double scale = std::sqrt(lobe.power / power);
         sum.value += scale * field.value;
         sum.slope_x += scale / lobe.radius * field.slope_x;
@@ -120,12 +155,19 @@ Spectrum::Field Spectrum::field(double x, double y) const {
     return sum;
 }
 
-double Spectrum::filtered(double x, double y, Vector dx, Vector dy) const {
+Spectrum::Field Spectrum::field(double x, double y) const {
+    LatticePlace place;
+    place.local_x = x * place.radius_x;
+    place.local_y = y * place.radius_y;
+    return field(place);
+}
+
+Spectrum::Field Spectrum::filtered(double x, double y, Vector dx, Vector dy) const {
     double step = 1;
     for (const SpectrumLobe& lobe : lobes_)
         step = std::min({step, 0.06 * lobe.radius, 0.15 / (lobe.frequency + 1e-9)});
     return normal_mean(principal_axes(dx, dy), 1, step,
-                       [&](double u, double v) { return field(x - u, y - v).value.imag(); });
+                       [&](double u, double v) { return field(x - u, y - v); });
 }
 
 // The filtered noise's variance is the mean of its covariance between two points that the filter draws

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reference/lattice.hpp"
+
 #include <array>
 #include <complex>
 #include <cstdint>
@@ -38,11 +40,15 @@ class Spectrum {
 
     Field field(double x, double y) const;
 
+    /// The same at a place. A lobe whose kernel radius is not 1 has other nodes: 3/2 of them in its radius,
+    /// or as many as make a whole number in a period, at least 3.
+    Field field(const LatticePlace& place) const;
+
     using Vector = std::array<double, 2>;
 
     /// The noise through a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
     /// against the normal density.
-    double filtered(double x, double y, Vector dx, Vector dy) const;
+    Field filtered(double x, double y, Vector dx, Vector dy) const;
 
     /// The share of its variance that the same filter removes, by quadrature of the noise's covariance.
     double removed(Vector dx, Vector dy) const;

@@ -13,18 +13,20 @@ DROP_FILE = os.environ["GABOR_DROP_FILE"]
 
 class Events(ViewerTest):
     def open(self, *arguments):
+        self.preset = next((name for name in arguments if name.endswith(".json")), "noise.json")
         self.process = self.start(*arguments)
         self.addCleanup(self.process.kill)
         self.window = self.wait_for(self.find_window)
         self.xdotool("windowfocus", "--sync", self.window)
         self.xdotool("mousemove", "--window", self.window, 200, 200)
         self.wait_for(self.answers)
-        (self.folder / "noise.json").unlink()
+        if self.preset not in arguments:
+            (self.folder / self.preset).unlink()
 
     def answers(self):
         """Whether the viewer takes keys already: it saves the preset."""
-        self.keys("ctrl+s")
-        return self.read("noise.json")
+        self.keys("ctrl+s", "Return")
+        return b'"viewer"' in (self.read(self.preset) or b"")
 
     def find_window(self):
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Gabor noise$"],
@@ -50,7 +52,19 @@ class Events(ViewerTest):
 
     def close(self):
         self.keys("ctrl+q")
+        if self.process.poll() is None:
+            self.keys("d") # where it asks: without saving
         self.finish(self.process)
+
+    def assert_goes_on(self):
+        time.sleep(1)
+        self.assertIsNone(self.process.poll(), "it ended")
+
+    def saved(self, name="noise.json"):
+        """What Ctrl S writes now."""
+        (self.folder / name).unlink(missing_ok=True)
+        self.keys("ctrl+s")
+        return json.loads(self.wait_for(lambda: self.read(name)))
 
     def drop(self, name):
         subprocess.run([DROP_FILE, self.window, self.folder / name], env=self.environment(), check=True, timeout=60)
@@ -82,6 +96,50 @@ class Events(ViewerTest):
         self.close()
         remembered = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
         self.assertEqual((remembered["width"], remembered["height"]), (900, 600))
+
+    def test_changes_are_not_lost_on_closing(self):
+        self.open("--window", "1000x700")
+        self.keys("n", "Tab", "3", "ctrl+q")
+        self.assert_goes_on()
+        self.keys("Escape")
+        self.assert_goes_on()
+        self.keys("ctrl+q", "d")
+        self.finish(self.process)
+        self.assertIsNone(self.read("noise.json"))
+        self.open("--window", "1000x700") # the session comes back
+        self.assertEqual(self.saved()["viewer"]["output"], "phase")
+        self.keys("n", "ctrl+q")
+        self.assert_goes_on()
+        self.keys("Return") # saves
+        self.finish(self.process)
+        last = json.loads(self.read("noise.json"))
+        self.assertEqual((last["seed"], last["viewer"]["output"]), (2, "phase"))
+        self.assertEqual(last["viewer"]["compared"]["impulses"], 30)
+        self.gabor("render", "--like", "noise.json", "--size", "16x16", "-o", "again.exr")
+        remembered = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
+        self.assertEqual(remembered["recent"], [str(self.folder / "noise.json")])
+
+    def test_an_export_is_not_lost_on_closing(self):
+        for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
+            (self.folder / "body.json").write_text(json.dumps({"width": size, "height": size, "view": "sphere",
+                                                               "frequency": 2}))
+            self.open("--window", "600x400", "body.json")
+            self.keys("ctrl+e", "ctrl+q")
+            self.assertTrue(complete or self.process.poll() is None)
+            self.keys(answer)
+            self.finish(self.process)
+            self.assertEqual(self.read("noise.exr") is not None, complete, answer)
+
+    def test_the_wheel_zooms_the_view_alone(self):
+        self.open("--window", "1000x700")
+        for _ in range(3):
+            self.xdotool("click", 4)
+        self.wait_for(lambda: self.saved()["viewer"]["camera"]["zoom"] > 1.4)
+        self.assertEqual(self.saved()["scale"], 32)
+        self.keys("Home")
+        self.assertEqual(self.saved()["viewer"]["camera"]["zoom"], 1)
+        self.keys("F11", "F11")
+        self.close()
 
     def test_quick_chords_are_not_lost(self):
         self.open("--window", "1000x700")

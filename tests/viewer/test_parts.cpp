@@ -1,4 +1,6 @@
 #include "viewer/document.hpp"
+#include "viewer/document_json.hpp"
+#include "viewer/effect.hpp"
 #include "viewer/noise_pass.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/snippet.hpp"
@@ -64,6 +66,72 @@ TEST_CASE("undo goes back step by step, and looking around is no step") {
     history.now.request.seed = 10;
     history.commit();
     CHECK_FALSE(history.can_redo());
+}
+
+TEST_CASE("documents go through JSON") {
+    render::Request request{.width = 320, .height = 200, .scale = 24, .seed = 9};
+    request.lobes = {{.frequency = 3}, {.frequency = 5, .orientation = 70, .power = 0.5}};
+    Document document = document_of(request);
+    document.camera = document.camera.moved(-1e9, 3);
+    document.camera.zoom = 2.5;
+    document.output = Output::phase;
+    document.colours = 3;
+    document.contrast = 1.5f;
+    for (const std::optional<Comparison>& compared :
+         {std::optional<Comparison>(), std::optional<Comparison>(study::recommended),
+          std::optional<Comparison>(noise::find_recipe("lattice-4"))}) {
+        document.comparison = compared;
+        CHECK(document_from_json(to_json(document)) == document);
+        CHECK(render::from_json(to_json(document)) == request); // gabor render takes it too
+    }
+    CHECK(document_from_json(R"({"seed": 9})", document).colours == 3);
+    CHECK_THROWS_WITH(document_from_json(R"({"viewer": {"output": "slope"}})"),
+                      Catch::Contains("output \"slope\": it takes value, gradient"));
+    for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})",
+                              R"({"viewer": {"compared": {"recipe": "best"}}})"})
+        CHECK_THROWS_AS(document_from_json(wrong), RequestError);
+}
+
+TEST_CASE("a zoomed view shows places nearer to each other, and the same noise") {
+    Document document = document_of({.width = 64, .height = 64});
+    const NoisePass noise = noise_passes(document).front();
+    const Extent extent{64, 64};
+    const GridInput before = view_grid(noise, document.camera, extent, 1, {});
+    document.camera.zoom = 2;
+    CHECK(noise_passes(document).front() == noise);
+    const GridInput after = view_grid(noise, document.camera, extent, 1, {});
+    REQUIRE(after.columns.size() == before.columns.size());
+    const auto place = [](const passes::Line& line) { return line.cell + double{line.local}; };
+    for (std::size_t i = 1; i < after.columns.size(); ++i)
+        CHECK(place(after.columns[i]) - place(after.columns[0]) ==
+              Approx((place(before.columns[i]) - place(before.columns[0])) / 2).margin(1e-5));
+}
+
+TEST_CASE("controls without effect say why") {
+    const auto with = [](std::string_view name, const render::Value& value) {
+        Document document = document_of({});
+        set_parameter(document, name, value);
+        return document;
+    };
+    const Document plain = document_of({});
+    for (const char* control : {"recipe", "frequency", "orientation", "lobes", "paint", "filter", "colours",
+                                "contrast", "comparison", "seed"})
+        CHECK(without_effect(plain, control).empty());
+    Document body = with("view", std::string("sphere"));
+    for (const char* control : {"recipe", "comparison", "paint"})
+        CHECK_FALSE(without_effect(body, control).empty());
+    CHECK(without_effect(body, "orientation").empty());
+    body.request.lobes.front().orientation_spread = 90;
+    CHECK_FALSE(without_effect(body, "orientation").empty());
+    Document painted = plain;
+    painted.request.paint = "painted.exr";
+    for (const char* control : {"frequency", "orientation", "lobes"})
+        CHECK_FALSE(without_effect(painted, control).empty());
+    Document gradient = plain;
+    gradient.output = Output::gradient;
+    CHECK_FALSE(without_effect(gradient, "filter").empty());
+    CHECK_FALSE(without_effect(gradient, "colours").empty());
+    CHECK(without_effect(gradient, "contrast").empty());
 }
 
 TEST_CASE("a shader's error names the file and the line") {

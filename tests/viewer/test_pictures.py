@@ -109,6 +109,24 @@ class Pictures(ViewerTest):
             quit""")
         self.assertEqual({**json.loads((self.folder / "again.json").read_text()), **json.loads(preset.read_text())},
                          json.loads((self.folder / "again.json").read_text()))
+        self.play("""
+            set output 3
+            set colours 2
+            set contrast 3
+            compare advice
+            scroll 200 200 2
+            save shown.json
+            set output 0
+            set colours 0
+            compare off
+            key home
+            open shown.json
+            save back.json
+            quit""")
+        shown = (self.folder / "shown.json").read_bytes()
+        self.assertEqual(json.loads(shown)["viewer"]["output"], "intensity")
+        self.assertEqual((self.folder / "back.json").read_bytes(), shown)
+        self.gabor("render", "--like", "shown.json", "--size", "16x16", "-o", "shown.exr")
 
     def test_the_snippet_draws_the_same(self):
         import moderngl

@@ -1,35 +1,66 @@
 extends Node
-## Shows the noise with a canvas shader; or draws it into a viewport, or with a compute shader, and writes the values:
-## godot --path . [-- VALUES.raw canvas|compute]
+## Shows the noise with a canvas shader; or draws it into a viewport, with a canvas shader or the addon's node, or with a
+## compute shader, and writes the values: godot --path . [-- VALUES.raw canvas|node|compute]
 
 func _ready() -> void:
 	var arguments := OS.get_cmdline_user_args()
 	if arguments.is_empty():
-		add_child(rectangle(true))
+		add_child(rectangle(load("res://noise.gdshader"), true))
 		return
-	var values := compute() if arguments[1] == "compute" else await canvas()
+	var node := arguments[1] == "node"
+	var values := compute() if arguments[1] == "compute" else await canvas(visual() if node else load("res://noise.gdshader"))
+	if node: # it has no gabor_noise_at
+		values.resize(256 * 256)
 	FileAccess.open("res://" + arguments[0], FileAccess.WRITE).store_buffer(values.to_byte_array())
 	print(JSON.stringify({
 		engine = "Godot", version = Engine.get_version_info().string,
-		dialect = "GLSL 450, compute" if arguments[1] == "compute" else "Godot, canvas",
+		dialect = {compute = "GLSL 450, compute", canvas = "Godot, canvas", node = "Godot, visual shader"}[arguments[1]],
 		driver = "%s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()],
 	}))
 	get_tree().quit()
 
-func rectangle(shown: bool) -> ColorRect:
+func rectangle(shader: Shader, shown: bool) -> ColorRect:
 	var result := ColorRect.new()
 	result.size = Vector2(256, 257)
 	result.material = ShaderMaterial.new()
-	result.material.shader = load("res://noise.gdshader")
+	result.material.shader = shader
 	result.material.set_shader_parameter("shown", shown)
 	return result
 
-func canvas() -> PackedFloat32Array:
+## A visual shader: the place, the addon's node, and the noise's 32 bits as four bytes.
+func visual() -> VisualShader:
+	var shader := VisualShader.new()
+	shader.set_mode(Shader.MODE_CANVAS_ITEM)
+	shader.set("modes/blend", 5) # disabled
+	shader.set("flags/unshaded", true)
+	var place := VisualShaderNodeExpression.new()
+	place.add_output_port(0, VisualShaderNode.PORT_TYPE_VECTOR_2D, "place")
+	place.expression = "place = FRAGCOORD.xy / 32.0;"
+	var bytes := VisualShaderNodeExpression.new()
+	bytes.add_input_port(0, VisualShaderNode.PORT_TYPE_SCALAR, "noise")
+	bytes.add_output_port(0, VisualShaderNode.PORT_TYPE_VECTOR_3D, "colour")
+	bytes.add_output_port(1, VisualShaderNode.PORT_TYPE_SCALAR, "alpha")
+	bytes.expression = """uint bits = floatBitsToUint(noise);
+		colour = vec3(uvec3(bits, bits >> 8u, bits >> 16u) & uvec3(255u)) / 255.0;
+		alpha = float(bits >> 24u) / 255.0;"""
+	var noise: VisualShaderNodeCustom = load("res://addons/gabor_noise/gabor_noise.gd").new()
+	for port in noise._get_input_port_count(): # as the editor does
+		noise.set_input_port_default_value(port, noise._get_input_port_default_value(port))
+	var nodes := [place, noise, bytes]
+	for i in nodes.size():
+		shader.add_node(VisualShader.TYPE_FRAGMENT, nodes[i], Vector2(300 * i, 0), i + 2)
+	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 2, 0, 3, 0)
+	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 3, 0, 4, 0)
+	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 4, 0, 0, 0)
+	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 4, 1, 0, 1)
+	return shader
+
+func canvas(shader: Shader) -> PackedFloat32Array:
 	var viewport := SubViewport.new()
 	viewport.size = Vector2i(256, 257)
 	viewport.transparent_bg = true # or there is no alpha to write to
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
-	viewport.add_child(rectangle(false))
+	viewport.add_child(rectangle(shader, false))
 	add_child(viewport)
 	for frame in 3:
 		await RenderingServer.frame_post_draw

@@ -1,4 +1,4 @@
-"""Godot in the system under ROOT: run.py ROOT canvas|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]"""
+"""Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import pathlib
 import shutil
@@ -14,6 +14,7 @@ root = pathlib.Path(root)
 with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     project = pathlib.Path(folder)
     shutil.copytree(HERE, project, dirs_exist_ok=True)
+    shutil.copytree(SHADERS / "nodes" / "godot", project, dirs_exist_ok=True, ignore=shutil.ignore_patterns("README.md", "*.png"))
     defines = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
     for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
         (project / f"gabor_lattice{path.suffix}").write_text(defines + path.read_text())

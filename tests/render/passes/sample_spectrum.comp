@@ -21,6 +21,10 @@ struct Sample {
     uint seed;
     float padding;
     float lobes[12]; // frequency, orientation, radius, power of each
+    ivec2 cell;      // of a place
+    vec2 local;
+    vec2 period;     // kernel radii
+    float time;
 };
 
 struct Answer {
@@ -32,6 +36,11 @@ struct Answer {
     float spread_alone;
     vec3 lobes;
     float lobes_alone;
+    vec4 filtered_gradient;
+    vec4 lobes_filtered_gradient;
+    vec2 placed_spread;
+    vec2 placed_lobes;
+    vec3 placed_filtered;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -71,5 +80,18 @@ void main()
         answers[i].lobes_alone = gabor_noise_lobes(s.p, lobes, s.seed);
         answers[i].lobes_complex = gabor_noise_lobes_complex(s.p, lobes, s.seed);
         answers[i].lobes_filtered = gabor_noise_lobes_filtered(s.p, s.dx, s.dy, lobes, s.seed);
+        answers[i].filtered_gradient =
+            gabor_noise_filtered_gradient(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed);
+        answers[i].lobes_filtered_gradient = gabor_noise_lobes_filtered_gradient(s.p, s.dx, s.dy, lobes, s.seed);
+        GaborPlace place = gabor_place_tiled(vec2(0.0), s.period);
+        place.cell = s.cell;
+        place.local = s.local;
+        place.animated = true;
+        place.time = s.time;
+        answers[i].placed_spread = gabor_field_spread(place, s.frequency, s.orientation, s.frequency_spread,
+                                                      s.orientation_spread, s.seed).value;
+        answers[i].placed_lobes = gabor_field_lobes(place, lobes, s.seed).value;
+        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(s.frequency, s.orientation), place.radius);
+        answers[i].placed_filtered = gabor_field_filtered(place, kernel, gabor_footprint(s.dx, s.dy), s.seed);
     }
 }

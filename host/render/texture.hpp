@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/file.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace gabor::render {
+
+/// How a texture is kept.
+struct TextureFormat {
+    std::string_view compression = "none";
+    bool half = false; ///< 16-bit floats
+};
+
+/// Throws RequestError unless `region` can be a texture: seen flat through the filter, its sides powers of
+/// two, and its corner and the picture's sides multiples of them.
+void check_texture(const Request& request, const image::Window& region);
+
+/// Renders `region` of a checked request as a mip-mapped texture, a picture of its own: each level as the
+/// filter of a pixel of its own size sees the noise, instead of an average of the level before. `advance` as
+/// for render_file.
+FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
+                         const std::filesystem::path& path, const TextureFormat& format,
+                         const std::function<void(std::uint64_t)>& advance);
+
+} // namespace gabor::render

@@ -1,0 +1,129 @@
+#include "viewer/document_json.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace gabor::viewer {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> outputs{"value", "gradient", "phase", "intensity", "variance"};
+constexpr std::array<std::string_view, 5> colours{"grey", "viridis", "cool to warm", "ember", "sea"};
+
+// Which of these names stands at `key`.
+template <typename Names>
+std::size_t index_of(const json& object, const char* key, const Names& names) {
+    const json& value = object.at(key);
+    const auto found = value.is_string() ? std::ranges::find(names, value.get<std::string>()) : names.end();
+    if (found == names.end())
+        throw RequestError(fmt::format("{} {}: it takes {}", key, value.dump(), fmt::join(names, ", ")));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+template <typename Enum, std::size_t count>
+void read(const json& object, const char* key, const std::array<Enum, count>& all, Enum& into) {
+    std::array<std::string, count> names;
+    std::ranges::transform(all, names.begin(), [](Enum each) { return std::string(study::name(each)); });
+    into = all.at(index_of(object, key, names));
+}
+
+ordered_json json_of(const Comparison& comparison) {
+    if (const auto* recipe = std::get_if<noise::Recipe>(&comparison))
+        return {{"recipe", noise::spelled_out(*recipe)}};
+    const auto& ingredients = std::get<study::Ingredients>(comparison);
+    return {{"points", study::name(ingredients.points)},
+            {"weights", study::name(ingredients.weights)},
+            {"kernel", study::name(ingredients.kernel)},
+            {"envelope", study::name(ingredients.envelope)},
+            {"impulses", ingredients.impulses}};
+}
+
+Comparison comparison_of(const json& object) {
+    if (object.contains("recipe"))
+        return noise::find_recipe(object["recipe"].get<std::string>());
+    study::Ingredients ingredients;
+    read(object, "points", study::all_points, ingredients.points);
+    read(object, "weights", study::all_weights, ingredients.weights);
+    read(object, "kernel", study::all_kernels, ingredients.kernel);
+    read(object, "envelope", study::all_envelopes, ingredients.envelope);
+    ingredients.impulses = std::clamp(object.at("impulses").get<int>(), 1, most_impulses);
+    return ingredients;
+}
+
+ordered_json json_of(const Camera& camera) {
+    return {{"x", {camera.x.whole, camera.x.part}},
+            {"y", {camera.y.whole, camera.y.part}},
+            {"zoom", camera.zoom}};
+}
+
+Camera camera_of(const json& object) {
+    const auto coordinate = [&](const char* axis) {
+        return Coordinate{object.at(axis).at(0).get<std::int64_t>(), 0}.moved(
+            object.at(axis).at(1).get<double>());
+    };
+    return {coordinate("x"), coordinate("y"), std::clamp(object.at("zoom").get<double>(), 1e-3, 1e3)};
+}
+
+void read_view(const json& view, Document& document) {
+    if (view.contains("output"))
+        document.output = static_cast<Output>(index_of(view, "output", outputs));
+    if (view.contains("colours"))
+        document.colours = static_cast<int>(index_of(view, "colours", colours));
+    if (view.contains("contrast"))
+        document.contrast = std::clamp(view["contrast"].get<float>(), least_contrast, most_contrast);
+    if (view.contains("compared"))
+        document.comparison =
+            view["compared"].is_null() ? std::nullopt : std::optional(comparison_of(view["compared"]));
+    if (view.contains("camera"))
+        document.camera = camera_of(view["camera"]);
+}
+
+} // namespace
+
+std::span<const std::string_view> output_names() {
+    return outputs;
+}
+
+std::span<const std::string_view> colour_names() {
+    return colours;
+}
+
+std::string to_json(const Document& document) {
+    ordered_json object = ordered_json::parse(render::to_json(document.request));
+    object["viewer"] = {{"output", outputs.at(static_cast<std::size_t>(document.output))},
+                        {"colours", colours.at(static_cast<std::size_t>(document.colours))},
+                        {"contrast", document.contrast},
+                        {"compared", document.comparison ? json_of(*document.comparison) : ordered_json()},
+                        {"camera", json_of(document.camera)}};
+    return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+Document document_from_json(std::string_view text, const Document& defaults) {
+    Document document = document_of(render::from_json(text));
+    document.output = defaults.output;
+    document.colours = defaults.colours;
+    document.contrast = defaults.contrast;
+    document.comparison = defaults.comparison;
+    const json object = json::parse(text);
+    if (!object.contains("viewer"))
+        return document;
+    try {
+        read_view(object["viewer"], document);
+    } catch (const json::exception& error) {
+        throw RequestError(fmt::format("viewer: {}", error.what()));
+    } catch (const RequestError& error) {
+        throw RequestError(fmt::format("viewer: {}", error.what()));
+    }
+    return document;
+}
+
+} // namespace gabor::viewer

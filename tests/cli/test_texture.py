@@ -1,0 +1,116 @@
+"""`gabor render --texture`: tiles and levels, each of which is the flat picture of its size, seen through the filter."""
+
+import struct
+import unittest
+
+import numpy as np
+
+from exr import Exr, Texture
+from program import ProgramTest
+
+NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
+SCALED = 4 # levels with a scale that a flat picture may have
+
+
+def text(texture, name):
+    kind, value = texture.attributes[name]
+    assert kind == "string"
+    return value.decode()
+
+
+class TextureTest(ProgramTest):
+    def flat(self, width, height, scale, *options):
+        self.succeed("render", f"--size={width}x{height}", *NOISE, f"--scale={scale}", "--filter", "-o", "flat.exr",
+                     *options)
+        return Exr(self.folder / "flat.exr")
+
+    def texture(self, width, height, *options, scale=16):
+        self.succeed("render", "--texture", f"--size={width}x{height}", *NOISE, f"--scale={scale}", "-o", "texture.exr",
+                     *options)
+        return Texture(self.folder / "texture.exr")
+
+
+class Levels(TextureTest):
+    def test_every_level_is_the_filtered_picture_of_its_size(self):
+        for options in ([], ["--tileable"]):
+            texture = self.texture(256, 128, *options)
+            self.assertEqual([level["Y"].shape for level in texture.levels],
+                             [(max(1, 128 >> k), 256 >> k) for k in range(9)])
+            for k in range(SCALED):
+                flat = self.flat(256 >> k, 128 >> k, 16 / 2**k, *options)
+                for channel in ("Y", "removed"):
+                    np.testing.assert_array_equal(texture.levels[k][channel], flat.channels[channel], f"level {k}")
+            last, before = texture.levels[8], texture.levels[7]
+            self.assertEqual(last["Y"][0, 0], (before["Y"][0, 0] + before["Y"][0, 1]) / 2)
+
+    def test_levels_lose_the_variance_that_is_said_to_be_removed(self):
+        texture = self.texture(512, 512, scale=8)
+        kept = [(level["Y"].astype(float)**2).mean() for level in texture.levels]
+        said = [1 - level["removed"].mean() for level in texture.levels]
+        np.testing.assert_allclose(kept[:3], said[:3], rtol=0.08) # of 64 x 64 radii: a fiftieth is chance
+        self.assertGreater(said[0], 0.6)
+        self.assertLess(max(kept[4:]), 0.01)
+        self.assertGreater(min(level["removed"].min() for level in texture.levels[5:]), 0.99)
+
+    def test_a_tile_of_a_larger_picture(self):
+        whole = self.flat(256, 256, 16)
+        texture = self.texture(256, 256, "--region=128,64,128,64")
+        self.assertEqual(texture.window, (0, 0, 128, 64))
+        np.testing.assert_array_equal(texture.levels[0]["Y"], whole.pixels[64:128, 128:])
+        half = self.flat(128, 128, 8)
+        np.testing.assert_array_equal(texture.levels[1]["Y"], half.pixels[32:64, 64:])
+
+    def test_half(self):
+        single, half = self.texture(128, 128), self.texture(128, 128, "--half")
+        for a, b in zip(single.levels, half.levels):
+            self.assertEqual(b["Y"].dtype, np.float16)
+            np.testing.assert_array_equal(a["Y"].astype(np.float16), b["Y"])
+
+
+class Attributes(TextureTest):
+    def test_those_of_a_texture(self):
+        texture = self.texture(256, 128)
+        self.assertEqual(text(texture, "textureformat"), "Plain Texture")
+        self.assertEqual(text(texture, "wrapmodes"), "black,black")
+        self.assertEqual(struct.unpack("<f", texture.attributes["fovcot"][1])[0], 2)
+        means = [texture.levels[0][channel].astype(float).mean() for channel in ("Y", "removed")]
+        said = [float(mean) for mean in text(texture, "oiio:AverageColor").split(",")]
+        np.testing.assert_allclose(said, means, rtol=1e-6)
+        self.assertEqual(text(self.texture(256, 128, "--tileable"), "wrapmodes"), "periodic,periodic")
+        tile = self.texture(256, 128, "--tileable", "--region=0,0,128,128")
+        self.assertEqual(text(tile, "wrapmodes"), "black,black")
+
+    def test_it_is_rendered_again_from_its_header(self):
+        texture = self.texture(128, 128)
+        self.succeed("render", "--like=texture.exr", "--texture", "-o", "again.exr")
+        self.assertEqual(self.files()["again.exr"], self.files()["texture.exr"])
+        self.assertTrue(text(texture, "gabor").startswith("{"))
+        self.assertTrue(text(texture, "software").startswith("gabor "))
+
+    def test_compressed(self):
+        self.texture(128, 128)
+        self.succeed("render", "--like=texture.exr", "--texture", "--compression=zip", "-o", "zip.exr")
+        self.succeed("stats", "texture.exr", "--json=a.json")
+        self.succeed("stats", "zip.exr", "--json=b.json")
+        files = self.files()
+        self.assertEqual(files["a.json"], files["b.json"])
+        self.assertLess(len(files["zip.exr"]), len(files["texture.exr"]))
+
+
+class Refused(TextureTest):
+    def test_what_is_no_texture(self):
+        for words, options in {
+            "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
+            "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
+            "exclude each other": ["--size=64x64", "--gradient"],
+        }.items():
+            self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
+        self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", "-o", "new.png")
+        self.assert_refused(["--texture"], "render", "--half", "--size=64x64", "-o", "new.exr")
+
+    def test_a_full_disk(self):
+        self.assert_fails(1, ["/dev/full"], "render", "--texture", "--size=64x64", "-o", "/dev/full")
+
+
+if __name__ == "__main__":
+    unittest.main()
