@@ -371,7 +371,9 @@ void add_render_command(CLI::App& app) {
     command
         ->add_option(
             "--preset", options->preset,
-            fmt::format("Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes", fmt::join(render::preset_names(), ", ")))
+            fmt::format(
+                "Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes",
+                fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,

@@ -227,10 +227,11 @@ std::vector<Noise> six_lobes(const vulkan::Device& device, const Ingredients& in
 }
 
 std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
+    constexpr double scale = 80; // so that the thinnest lines of the colour map have some pixels
     std::vector<float> total(std::size_t{1} << 2 * bits);
     std::uint32_t seed = 0;
     for (Noise& noise : sum)
-        std::ranges::transform(total, picture(noise, bits, ++seed), total.begin(), std::plus<>());
+        std::ranges::transform(total, picture(noise, bits, ++seed, scale), total.begin(), std::plus<>());
     return total;
 }
 

@@ -33,8 +33,8 @@ void for_each_batch(std::span<Noise> sum, const Grid& grid, std::uint64_t instan
 
 constexpr double pixels_per_radius = 32;
 
-Grid picture_grid(int bits) {
-    return {static_cast<unsigned>(bits), std::ldexp(1 / pixels_per_radius, bits), false};
+Grid picture_grid(int bits, double scale = pixels_per_radius) {
+    return {static_cast<unsigned>(bits), std::ldexp(1 / scale, bits), false};
 }
 
 } // namespace
@@ -113,9 +113,9 @@ std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timin
     return medians;
 }
 
-std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed) {
+std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale) {
     std::vector<float> pixels(std::size_t{1} << 2 * bits);
-    noise.fill(pixels, picture_grid(bits), 0, seed, 1);
+    noise.fill(pixels, picture_grid(bits, scale), 0, seed, 1);
     return pixels;
 }
 

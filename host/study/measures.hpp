@@ -46,7 +46,7 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
 /// `timings` rounds in which the noises take turns, so that what else the machine does touches all alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
-/// The picture itself: its pixels, row by row.
-std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed);
+/// Such a picture, or one with as many pixels to a kernel radius as `scale` says: its pixels, row by row.
+std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale = 32);
 
 } // namespace gabor::study

@@ -235,7 +235,7 @@ void App::panels() {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
+    ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     // Tab goes from one field to the next only while one is edited: else it splits the view.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     struct Section {

@@ -1,5 +1,7 @@
 #include "viewer/noise_pass.hpp"
 
+#include "render/material.hpp"
+
 #include "noise/spectrum.hpp"
 
 #include <fmt/format.h>
@@ -156,6 +158,8 @@ std::vector<NoisePass> noise_passes(const Document& document) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
+    request.colour.reset(); // the window shows the noise, an export colours and materials
+    request.material = render::no_material;
     request = with_output(request, document.output);
     std::vector<NoisePass> passes{of_drop_in(request)};
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone

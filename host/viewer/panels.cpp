@@ -129,7 +129,7 @@ void recipe_ingredients(render::Request& request) {
 
 // Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
 // export.
-constexpr std::array<std::string_view, 19> placed{"recipe",
+constexpr std::array<std::string_view, 18> placed{"recipe",
                                                   "scale",
                                                   "seed",
                                                   "paint",
@@ -294,7 +294,7 @@ void files_panel(Session& session) {
     if (ImGui::BeginCombo("begin with", "a preset")) {
         for (const render::Preset& preset : render::presets()) {
             const std::string name(preset.name);
-            if (ImGui::Selectable(name.c_str()))
+            if (!render::has_material(render::preset(name)) && ImGui::Selectable(name.c_str()))
                 open_preset(session, name);
         }
         for (std::size_t i = 0; i < session.recent.size(); ++i) {
@@ -306,9 +306,7 @@ void files_panel(Session& session) {
         }
         ImGui::EndCombo();
     }
-    tooltip("Presets that come with the program, the paper's figure 6 and materials, and files that were "
-            "opened or "
-            "saved lately");
+    tooltip("Presets of noise that come with the program, and files that were opened or saved lately");
     ImGui::InputText("preset", &session.preset_path);
     tooltip(
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "

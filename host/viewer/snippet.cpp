@@ -41,6 +41,7 @@ float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint
 std::string of_plane(const Document& document, Extent extent) {
     render::Request request = document.request;
     request.paint.clear();
+    request.colour.reset();
     const double scale = request.scale * document.camera.zoom;
     const bool horizon = std::holds_alternative<render::Horizon>(request.view);
     std::string text = of_wave(request);

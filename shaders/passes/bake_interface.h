@@ -28,10 +28,10 @@ struct BakeWave {
 
 // The noises of one kernel radius: their pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
-    vec2 radius;  // as in GaborPlace
-    ivec2 period; // as in GaborPlace
-    float time;   // as in GaborPlace, within [0, 1)
-    float pixel;  // kernel radii per pixel
+    vec2 radius;   // as in GaborPlace
+    ivec2 period;  // as in GaborPlace
+    float time;    // as in GaborPlace, within [0, 1)
+    float pixel;   // kernel radii per pixel
     float stretch; // kernel radii per unit of length, in which derivatives are
     uint first_wave;
     uint wave_count;

@@ -19,7 +19,7 @@ struct PixelsWave {
     float radius;      // of its kernels, in those of the picture
     float amplitude;   // the root of its share of the variance
     uint seed;
-    int table; // of lines
+    int table;       // of lines
     vec2 weights[3]; // in the components of colours, of (quadrature, noise)
 };
 
@@ -32,10 +32,10 @@ struct PixelsColour {
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
-    ivec2 paint_size;  // samples
-    vec2 paint_scale;  // samples of the paint per pixel
-    vec2 paint_corner; // of the region, in samples
-    float time;        // as in GaborPlace
+    ivec2 paint_size;   // samples
+    vec2 paint_scale;   // samples of the paint per pixel
+    vec2 paint_corner;  // of the region, in samples
+    float time;         // as in GaborPlace
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
     float focal_length; // pixels, in perspective
     int waves;

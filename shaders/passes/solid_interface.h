@@ -21,9 +21,9 @@ struct SolidWave {
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
-    vec2 center;    // of the picture, in pixels from its corner
-    vec2 yaw;       // cosine and sine of the eye's angle around the axis z
-    vec2 pitch;     // and of its height above the plane z = 0
+    vec2 center; // of the picture, in pixels from its corner
+    vec2 yaw;    // cosine and sine of the eye's angle around the axis z
+    vec2 pitch;  // and of its height above the plane z = 0
     float pixel; // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
     float unit;  // kernel radii in the unit of bodies, the radius of the sphere
     float depth; // z of the slice, kernel radii

@@ -364,7 +364,8 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
     int2 node = place.cell + (int2)(first);
     uint salt = gabor_impl_salt(seed);
     GaborWindows none = GaborWindows_of((float4)(0.0), (float4)(0.0));
-    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel_.step_x, gabor_impl_windows(offset.x), none);
+    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel_.step_x,
+                                        gabor_impl_windows(offset.x), none);
     GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y,
                                      gabor_impl_windows(offset.y), none);
     float2 base = gabor_impl_wave(dot(kernel_.wave, offset * (1.0 / place.radius)));
@@ -440,6 +441,8 @@ float gabor_noise(float2 p, float frequency, float orientation, uint seed)
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+// Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
+// of their deviation at frequency 1, by 1.1 of it at 0.
 float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
 {
     GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);

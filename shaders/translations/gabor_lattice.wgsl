@@ -1247,6 +1247,8 @@ fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
+// Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
+// of their deviation at frequency 1, by 1.1 of it at 0.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var field: GaborField;

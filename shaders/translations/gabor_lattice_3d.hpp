@@ -107,9 +107,12 @@ GABOR_INLINE GaborNodes3d gabor_impl_nodes(GaborPlace3d place, gabor_vec3 wave, 
     std::uint32_t salt = gabor_impl_salt(seed);
     n.offset = place.local - first - 1.0f;
     n.turns = wave / place.radius;
-    n.x = gabor_impl_axis(node.x, n.offset.x, place.period.x, salt, gabor_impl_wave(n.turns.x));
-    n.y = gabor_impl_axis(node.y, n.offset.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y));
-    n.z = gabor_impl_axis(node.z, n.offset.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z));
+    GaborWindows none = GaborWindows{gabor_vec4(0.0f), gabor_vec4(0.0f)};
+    n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
+    n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
+                          gabor_impl_windows(n.offset.y), none);
+    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z),
+                          gabor_impl_windows(n.offset.z), none);
     n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
     n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
     n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);

@@ -44,22 +44,22 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_11: GaborPlace;
-    var kernel_11: GaborKernel;
+    var place_15: GaborPlace;
+    var kernel_19: GaborKernel;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_11 = _e14;
+    place_15 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
-    kernel_11 = _e16;
+    kernel_19 = _e16;
     if pixel.filtered {
-        let _e19 = place_11;
-        let _e20 = kernel_11;
+        let _e19 = place_15;
+        let _e20 = kernel_19;
         let _e25 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
         let _e26 = gabor_field_filtered(_e19, _e20, _e25, seed);
         return _e26;
     }
-    let _e27 = place_11;
-    let _e28 = kernel_11;
+    let _e27 = place_15;
+    let _e28 = kernel_19;
     let _e29 = gabor_field(_e27, _e28, seed);
     return vec3<f32>(_e29.value.x, _e29.value.y, 0f);
 }
@@ -73,28 +73,28 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_7: vec3<f32> = vec3(0f);
+    var sum_10: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
     var amplitude_4: f32 = 1f;
-    var i_7: i32 = 0i;
+    var i_5: i32 = 0i;
 
     density_3 = density;
     loop {
-        let _e15 = i_7;
+        let _e15 = i_5;
         if !((_e15 < count)) {
             break;
         }
         {
-            let _e21 = sum_7;
+            let _e21 = sum_10;
             let _e22 = amplitude_4;
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
             let _e25 = amplitude_4;
             let _e28 = density_3;
-            let _e29 = i_7;
+            let _e29 = i_5;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_7 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_10 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
@@ -105,11 +105,11 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             density_3 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_7;
-            i_7 = (_e18 + 1i);
+            let _e18 = i_5;
+            i_5 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_7;
+    let _e44 = sum_10;
     let _e45 = power_3;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_3;
@@ -118,22 +118,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_12: GaborPlace;
-    var field_6: GaborField;
+    var place_16: GaborPlace;
+    var field_7: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_12 = _e13;
-    let _e15 = place_12;
+    place_16 = _e13;
+    let _e15 = place_16;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_6 = _e19;
-    let _e23 = field_6;
+    field_7 = _e19;
+    let _e23 = field_7;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_6;
+    let _e29 = field_7;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_6;
+    let _e34 = field_7;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;
@@ -143,15 +143,15 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 
 // The place in axes turned by an angle.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_2: vec2<f32>;
+    var turn_1: vec2<f32>;
 
     let _e5 = gabor_impl_wave((-0.15915494f * angle));
-    turn_2 = _e5;
-    let _e7 = turn_2;
+    turn_1 = _e5;
+    let _e7 = turn_1;
     let _e9 = gabor_impl_product(_e7, pixel.p);
-    let _e10 = turn_2;
+    let _e10 = turn_1;
     let _e12 = gabor_impl_product(_e10, pixel.dx);
-    let _e13 = turn_2;
+    let _e13 = turn_1;
     let _e15 = gabor_impl_product(_e13, pixel.dy);
     return GaborPixel(_e9, _e12, _e15, pixel.filtered);
 }
@@ -159,23 +159,85 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_2: f32;
+    var x_3: f32;
 
-    x_2 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_2;
-    let _e20 = x_2;
-    let _e22 = x_2;
+    x_3 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_3;
+    let _e20 = x_3;
+    let _e22 = x_3;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-fn gabor_impl_line(noise: f32, removed: f32, width: f32) -> f32 {
-    var variance: f32;
+fn gabor_impl_line(noise: GaborLine, removed: GaborBand, width: i32) -> GaborLine {
+    var line_1: GaborLine;
+    var two_1: vec2<f32>;
+    var three: vec2<f32>;
+    var four: vec2<f32>;
+    var cosine_2: vec4<f32>;
+    var sine_2: vec4<f32>;
+    var real_4: vec3<f32>;
+    var imaginary_4: vec3<f32>;
+    var fade_1: f32;
+    var phase_1: vec2<f32>;
 
-    variance = ((width * width) + removed);
-    let _e6 = variance;
-    let _e13 = variance;
-    return ((width * inverseSqrt(_e6)) * exp((((-0.5f * noise) * noise) / _e13)));
+    line_1 = noise;
+    let _e8 = gabor_impl_wrap((removed.first + width), removed.period);
+    let _e10 = gabor_impl_line_word(_e8, removed.salt);
+    line_1.word = _e10;
+    let _e12 = line_1;
+    let _e18 = gabor_impl_product(_e12.turn, vec2<f32>(0.309017f, -0.95105654f));
+    line_1.turn = _e18;
+    let _e20 = line_1;
+    let _e23 = gabor_impl_product(_e20.phase, removed.back);
+    line_1.phase = _e23;
+    let _e24 = line_1;
+    let _e26 = line_1;
+    let _e28 = gabor_impl_product(_e24.turn, _e26.turn);
+    two_1 = _e28;
+    let _e30 = two_1;
+    let _e31 = line_1;
+    let _e33 = gabor_impl_product(_e30, _e31.turn);
+    three = _e33;
+    let _e35 = two_1;
+    let _e36 = two_1;
+    let _e37 = gabor_impl_product(_e35, _e36);
+    four = _e37;
+    let _e39 = line_1;
+    let _e42 = two_1;
+    let _e44 = three;
+    let _e46 = four;
+    cosine_2 = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
+    let _e50 = line_1;
+    let _e53 = two_1;
+    let _e55 = three;
+    let _e57 = four;
+    sine_2 = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
+    let _e63 = cosine_2;
+    let _e66 = cosine_2;
+    let _e69 = cosine_2;
+    real_4 = (removed.mean + vec3<f32>(dot(removed.even_0_, _e63), dot(removed.even_1_, _e66), dot(removed.even_2_, _e69)));
+    let _e75 = sine_2;
+    let _e78 = sine_2;
+    let _e81 = sine_2;
+    imaginary_4 = vec3<f32>(dot(removed.odd_0_, _e75), dot(removed.odd_1_, _e78), dot(removed.odd_2_, _e81));
+    fade_1 = clamp((5.555556f - (2.222222f * abs((removed.offset - f32(width))))), 0f, 1f);
+    let _e97 = fade_1;
+    let _e98 = fade_1;
+    let _e102 = fade_1;
+    let _e106 = line_1;
+    phase_1 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
+    let _e111 = phase_1;
+    let _e113 = real_4;
+    let _e115 = phase_1;
+    let _e117 = imaginary_4;
+    let _e120 = phase_1;
+    let _e122 = imaginary_4;
+    let _e124 = phase_1;
+    let _e126 = real_4;
+    line_1.window = GaborFactors(((_e111.x * _e113) - (_e115.y * _e117)), ((_e120.x * _e122) + (_e124.y * _e126)));
+    let _e130 = line_1;
+    return _e130;
 }
 
 // A factor of mean 1: exp(contrast noise - contrast^2 / 2).
@@ -197,47 +259,47 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_8: f32 = 0.33333334f;
+    var sum_11: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
-    var wave_3: vec2<f32> = vec2<f32>(1f, 0f);
-    var m_1: i32 = 1i;
-    var x_3: f32;
+    var wave_7: vec2<f32> = vec2<f32>(1f, 0f);
+    var m_2: i32 = 1i;
+    var x_4: f32;
     var r_2: f32;
 
     damping = dot(phase, phase);
     loop {
-        let _e13 = m_1;
+        let _e13 = m_2;
         if !((_e13 < 7i)) {
             break;
         }
         {
             let _e20 = power_4;
-            let _e21 = wave_3;
+            let _e21 = wave_7;
             let _e22 = gabor_impl_product(_e21, phase);
-            wave_3 = (_e20 * _e22);
+            wave_7 = (_e20 * _e22);
             let _e24 = power_4;
             let _e25 = damping;
             power_4 = (_e24 * _e25);
-            let _e28 = m_1;
-            x_3 = (0.44879895f * f32(_e28));
-            let _e33 = m_1;
+            let _e28 = m_2;
+            x_4 = (0.44879895f * f32(_e28));
+            let _e33 = m_2;
             r_2 = (0.3183099f / f32(_e33));
-            let _e37 = sum_8;
-            let _e38 = x_3;
-            let _e40 = x_3;
+            let _e37 = sum_11;
+            let _e38 = x_4;
+            let _e40 = x_4;
             let _e42 = r_2;
             let _e44 = r_2;
-            let _e45 = wave_3;
-            let _e48 = wave_3;
-            sum_8 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
+            let _e45 = wave_7;
+            let _e48 = wave_7;
+            sum_11 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
-            let _e17 = m_1;
-            m_1 = (_e17 + 1i);
+            let _e17 = m_2;
+            m_2 = (_e17 + 1i);
         }
     }
-    let _e53 = sum_8;
+    let _e53 = sum_11;
     return _e53;
 }
 
@@ -315,7 +377,7 @@ fn gabor_impl_wood(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 }
 
 fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var count_2: f32 = 12f;
+    var count_1: f32 = 12f;
     var cloth: GaborPixel;
     var upright: vec3<f32>;
     var level: vec3<f32>;
@@ -324,48 +386,48 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_12: f32;
+    var local_13: f32;
     var parity: f32;
     var thick: vec2<f32>;
-    var inside: vec2<f32>;
+    var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_4: bool;
+    var first_5: bool;
     var top: f32;
-    var local_13: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_14: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_15: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_15: f32;
-    var share_1: f32;
+    var local_16: f32;
+    var share_3: f32;
     var colour_2: vec3<f32>;
 
     let _e9 = gabor_lobe_seed(seed, 0i);
     let _e10 = gabor_impl_warp(pixel, vec2(0.7f), vec2(0.02f), _e9);
     cloth = _e10;
     let _e12 = cloth;
-    let _e14 = count_2;
+    let _e14 = count_1;
     let _e19 = gabor_lobe_seed(seed, 1i);
     let _e20 = gabor_impl_spots(_e12, vec2<f32>((0.7f * _e14), 1.1f), _e19);
     upright = _e20;
     let _e22 = cloth;
-    let _e25 = count_2;
+    let _e25 = count_1;
     let _e29 = gabor_lobe_seed(seed, 2i);
     let _e30 = gabor_impl_spots(_e22, vec2<f32>(1.1f, (0.7f * _e25)), _e29);
     level = _e30;
     let _e32 = cloth;
-    let _e36 = count_2;
+    let _e36 = count_1;
     let _e39 = gabor_lobe_seed(seed, 3i);
     let _e40 = gabor_impl_spots(_e32, (vec2<f32>(14f, 2f) * _e36), _e39);
     upright_fibre = _e40;
     let _e42 = cloth;
-    let _e46 = count_2;
+    let _e46 = count_1;
     let _e49 = gabor_lobe_seed(seed, 4i);
     let _e50 = gabor_impl_spots(_e42, (vec2<f32>(2f, 14f) * _e46), _e49);
     level_fibre = _e50;
-    let _e52 = count_2;
+    let _e52 = count_1;
     let _e53 = cloth;
     let _e57 = upright;
     let _e59 = level;
@@ -378,11 +440,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_12 = -1f;
+        local_13 = -1f;
     } else {
-        local_12 = 1f;
+        local_13 = 1f;
     }
-    let _e89 = local_12;
+    let _e89 = local_13;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -391,41 +453,41 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e106 = within_1;
     let _e108 = thick;
     let _e109 = thick;
-    inside = (vec2(1f) - (((4.2f * _e104) * _e106) / (_e108 * _e109)));
+    inside_1 = (vec2(1f) - (((4.2f * _e104) * _e106) / (_e108 * _e109)));
     let _e115 = thick;
-    let _e116 = inside;
+    let _e116 = inside_1;
     let _e126 = parity;
     let _e129 = within_1;
-    let _e140 = inside;
+    let _e140 = inside_1;
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_4 = (_e151.x > _e153.y);
+    first_5 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_4;
+    let _e166 = first_5;
     if _e166 {
         let _e167 = upright;
-        local_13 = _e167;
+        local_14 = _e167;
     } else {
         let _e168 = level;
-        local_13 = _e168;
+        local_14 = _e168;
     }
-    let _e170 = local_13;
+    let _e170 = local_14;
     tone_1 = _e170;
-    let _e172 = first_4;
+    let _e172 = first_5;
     if _e172 {
         let _e173 = upright_fibre;
-        local_14 = _e173;
+        local_15 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_14 = _e174;
+        local_15 = _e174;
     }
-    let _e176 = local_14;
+    let _e176 = local_15;
     fibre_1 = _e176;
-    let _e178 = count_2;
-    let _e179 = count_2;
+    let _e178 = count_1;
+    let _e179 = count_1;
     let _e181 = cloth;
     let _e183 = cloth;
     let _e186 = cloth;
@@ -437,16 +499,16 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e210 = top;
     let _e212 = kept;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_4;
+    let _e216 = first_5;
     if _e216 {
-        local_15 = 1f;
+        local_16 = 1f;
     } else {
-        local_15 = 0f;
+        local_16 = 0f;
     }
-    let _e220 = local_15;
+    let _e220 = local_16;
     let _e221 = kept;
-    share_1 = mix(0.5f, _e220, _e221);
-    let _e232 = share_1;
+    share_3 = mix(0.5f, _e220, _e221);
+    let _e232 = share_3;
     let _e237 = light;
     colour_2 = (mix(vec3<f32>(0.6f, 0.53f, 0.42f), vec3<f32>(0.5f, 0.43f, 0.33f), vec3(_e232)) * mix(0.18f, 1f, _e237));
     let _e241 = colour_2;
@@ -461,7 +523,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e259 = top;
     let _e260 = kept;
     let _e264 = fibre_1;
-    let _e268 = count_2;
+    let _e268 = count_1;
     let _e272 = gabor_impl_material(_e256, (((0.3f * mix(0.146f, _e259, _e260)) + (0.035f * _e264.y)) / _e268), 0.85f, 0f);
     return _e272;
 }
@@ -474,8 +536,8 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var fine: vec3<f32>;
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
-    var a_4: vec2<f32>;
-    var b_4: vec2<f32>;
+    var a_6: vec2<f32>;
+    var b_8: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
     var kept_1: f32;
@@ -512,14 +574,14 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
     let _e62 = one;
     let _e64 = powers;
-    a_4 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
+    a_6 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
     let _e71 = other;
     let _e73 = powers;
-    b_4 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
-    let _e80 = a_4;
-    let _e82 = b_4;
-    let _e85 = a_4;
-    let _e86 = b_4;
+    b_8 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
+    let _e80 = a_6;
+    let _e82 = b_8;
+    let _e85 = a_6;
+    let _e86 = b_8;
     let _e87 = gabor_impl_product(_e85, _e86);
     cells = ((_e80.x + _e82.x) + _e87.x);
     let _e91 = powers;
@@ -562,7 +624,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 
 // A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
 fn gabor_impl_vein(layer: vec3<f32>, width: f32, threshold: f32) -> f32 {
-    let _e5 = gabor_impl_line(layer.x, layer.z, width);
+    let _e5 = gabor_impl_line_1(layer.x, layer.z, width);
     let _e9 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
     return (_e5 * _e9);
 }
@@ -720,63 +782,63 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_3: f32 = 0f;
+    var removed_6: f32 = 0f;
     var power_5: f32 = 0f;
-    var i_8: i32 = 0i;
+    var i_6: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_4: vec3<f32>;
+    var wave_8: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
 
     loop {
-        let _e12 = i_8;
+        let _e12 = i_6;
         if !((_e12 < 14i)) {
             break;
         }
         {
-            let _e21 = i_8;
+            let _e21 = i_6;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e29 = i_8;
+            let _e29 = i_6;
             angle_1 = (2.3f * fract(((0.618034f * f32(_e29)) + 0.1f)));
             let _e37 = waves;
             let _e42 = angle_1;
-            let _e43 = i_8;
+            let _e43 = i_6;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
-            wave_4 = _e45;
+            wave_8 = _e45;
             let _e48 = waves;
             amplitude_6 = (0.018f / pow(_e48, 1.35f));
             let _e53 = height_3;
             let _e54 = amplitude_6;
-            let _e55 = wave_4;
-            let _e58 = wave_4;
-            let _e60 = wave_4;
-            let _e63 = wave_4;
-            let _e65 = wave_4;
+            let _e55 = wave_8;
+            let _e58 = wave_8;
+            let _e60 = wave_8;
+            let _e63 = wave_8;
+            let _e65 = wave_8;
             height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
             let _e73 = crest_1;
             let _e74 = amplitude_6;
-            let _e75 = wave_4;
+            let _e75 = wave_8;
             crest_1 = (_e73 + (_e74 * _e75.x));
-            let _e79 = removed_3;
+            let _e79 = removed_6;
             let _e80 = amplitude_6;
             let _e81 = amplitude_6;
-            let _e83 = wave_4;
-            removed_3 = (_e79 + ((_e80 * _e81) * _e83.z));
+            let _e83 = wave_8;
+            removed_6 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
             let _e88 = amplitude_6;
             let _e89 = amplitude_6;
             power_5 = (_e87 + (_e88 * _e89));
         }
         continuing {
-            let _e16 = i_8;
-            i_8 = (_e16 + 1i);
+            let _e16 = i_6;
+            i_6 = (_e16 + 1i);
         }
     }
     let _e92 = crest_1;
     let _e93 = power_5;
-    let _e96 = removed_3;
+    let _e96 = removed_6;
     let _e97 = power_5;
     let _e101 = gabor_impl_above((_e92 * inverseSqrt(_e93)), (_e96 / _e97), 0.5f, 1f);
     light_1 = _e101;
@@ -789,21 +851,21 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_4: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_9: i32 = 0i;
+    var i_7: i32 = 0i;
     var fine_1: f32;
     var streak: vec3<f32>;
 
     loop {
-        let _e9 = i_9;
+        let _e9 = i_7;
         if !((_e9 < 5i)) {
             break;
         }
         {
-            let _e16 = i_9;
+            let _e16 = i_7;
             fine_1 = exp2(f32(_e16));
             let _e22 = fine_1;
             let _e26 = fine_1;
-            let _e29 = i_9;
+            let _e29 = i_7;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
             streak = _e31;
@@ -816,8 +878,8 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
         }
         continuing {
-            let _e13 = i_9;
-            i_9 = (_e13 + 1i);
+            let _e13 = i_7;
+            i_7 = (_e13 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -832,40 +894,40 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
-    var i_10: i32 = 0i;
+    var i_8: i32 = 0i;
     var size: f32;
-    var turned_1: GaborPixel;
-    var noise_4: vec3<f32>;
+    var turned_2: GaborPixel;
+    var noise_5: vec3<f32>;
     var scratch: f32;
     var colour_6: vec3<f32>;
 
     loop {
-        let _e8 = i_10;
+        let _e8 = i_8;
         if !((_e8 < 14i)) {
             break;
         }
         {
-            let _e17 = i_10;
+            let _e17 = i_8;
             size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_10;
+            let _e24 = i_8;
             let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
-            turned_1 = _e28;
-            let _e30 = turned_1;
-            let _e38 = i_10;
+            turned_2 = _e28;
+            let _e30 = turned_2;
+            let _e38 = i_8;
             let _e40 = gabor_lobe_seed(seed, (2i * _e38));
             let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
-            turned_1 = _e41;
-            let _e42 = turned_1;
+            turned_2 = _e41;
+            let _e42 = turned_2;
             let _e46 = size;
-            let _e50 = i_10;
+            let _e50 = i_8;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
-            noise_4 = _e55;
-            let _e57 = noise_4;
-            let _e59 = noise_4;
+            noise_5 = _e55;
+            let _e57 = noise_5;
+            let _e59 = noise_5;
             let _e63 = gabor_impl_above(_e57.x, _e59.z, 2.4f, 0.2f);
-            let _e64 = noise_4;
-            let _e66 = noise_4;
+            let _e64 = noise_5;
+            let _e66 = noise_5;
             let _e70 = gabor_impl_above(_e64.y, _e66.z, 0.3f, 0.7f);
             scratch = (_e63 * _e70);
             let _e73 = whole;
@@ -878,8 +940,8 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             height_5 = (_e84 - ((0.0025f * _e86) * _e88));
         }
         continuing {
-            let _e12 = i_10;
-            i_10 = (_e12 + 1i);
+            let _e12 = i_8;
+            i_8 = (_e12 + 1i);
         }
     }
     let _e99 = whole;
@@ -990,7 +1052,7 @@ fn gabor_impl_bark(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e84 = gabor_impl_above((_e67.x + (0.2f * _e70.x)), (_e74.z + (0.04f * _e77.z)), -0.15f, 0.35f);
     let _e87 = crack;
     let _e89 = crack;
-    let _e92 = gabor_impl_line(_e87.x, _e89.z, 0.13f);
+    let _e92 = gabor_impl_line_1(_e87.x, _e89.z, 0.13f);
     plate = (_e84 * (1f - (0.55f * _e92)));
     let _e105 = plate;
     colour_8 = mix(vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.2f, 0.145f, 0.1f), vec3(_e105));
@@ -1023,19 +1085,19 @@ fn gabor_impl_bark(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 
 // A 2/2 twill: each tow goes over two, under two, and each row is one further on.
 fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var count_3: f32 = 4f;
+    var count_2: f32 = 4f;
     var cloth_1: GaborPixel;
     var upright_1: vec3<f32>;
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_3: f32;
-    var first_5: bool;
-    var local_16: vec3<f32>;
+    var turn_2: f32;
+    var first_6: bool;
+    var local_17: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_17: vec2<f32>;
+    var local_18: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_18: f32;
+    var local_19: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1047,60 +1109,60 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e10 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), _e9);
     cloth_1 = _e10;
     let _e12 = cloth_1;
-    let _e16 = count_3;
+    let _e16 = count_2;
     let _e19 = gabor_lobe_seed(seed, 1i);
     let _e20 = gabor_impl_spots(_e12, (vec2<f32>(20f, 0.6f) * _e16), _e19);
     upright_1 = _e20;
     let _e22 = cloth_1;
-    let _e26 = count_3;
+    let _e26 = count_2;
     let _e29 = gabor_lobe_seed(seed, 2i);
     let _e30 = gabor_impl_spots(_e22, (vec2<f32>(0.6f, 20f) * _e26), _e29);
     level_1 = _e30;
-    let _e32 = count_3;
+    let _e32 = count_2;
     let _e33 = cloth_1;
     tow = floor((_e32 * _e33.p));
-    let _e38 = count_3;
+    let _e38 = count_2;
     let _e39 = cloth_1;
     let _e42 = tow;
     within_2 = ((_e38 * _e39.p) - _e42);
     let _e47 = tow;
     let _e49 = tow;
-    turn_3 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
-    let _e60 = turn_3;
-    first_5 = (_e60 < 1.5f);
-    let _e64 = first_5;
+    turn_2 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
+    let _e60 = turn_2;
+    first_6 = (_e60 < 1.5f);
+    let _e64 = first_6;
     if _e64 {
         let _e65 = upright_1;
-        local_16 = _e65;
+        local_17 = _e65;
     } else {
         let _e66 = level_1;
-        local_16 = _e66;
+        local_17 = _e66;
     }
-    let _e68 = local_16;
+    let _e68 = local_17;
     fibre_2 = _e68;
-    let _e70 = first_5;
+    let _e70 = first_6;
     if _e70 {
         let _e71 = within_2;
-        local_17 = _e71.yx;
+        local_18 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_17 = _e73;
+        local_18 = _e73;
     }
-    let _e75 = local_17;
+    let _e75 = local_18;
     along_across = _e75;
     let _e78 = along_across;
-    let _e81 = turn_3;
+    let _e81 = turn_2;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_18 = 0f;
+        local_19 = 0f;
     } else {
-        local_18 = 1f;
+        local_19 = 1f;
     }
-    let _e91 = local_18;
+    let _e91 = local_19;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);
-    let _e102 = count_3;
-    let _e103 = count_3;
+    let _e102 = count_2;
+    let _e103 = count_2;
     let _e105 = cloth_1;
     let _e107 = cloth_1;
     let _e110 = cloth_1;
@@ -1124,7 +1186,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = colour_9;
     let _e168 = bulge;
     let _e171 = fibre_2;
-    let _e175 = count_3;
+    let _e175 = count_2;
     let _e179 = gabor_impl_material(_e166, (((0.16f * _e168) + (0.006f * _e171.x)) / _e175), 0.3f, 0f);
     return _e179;
 }
@@ -1132,7 +1194,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_strata(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var rock: GaborPixel;
     var broad: vec3<f32>;
-    var band_2: vec3<f32>;
+    var band: vec3<f32>;
     var thin_1: vec3<f32>;
     var lamina: vec3<f32>;
     var grain_1: vec3<f32>;
@@ -1158,7 +1220,7 @@ fn gabor_impl_strata(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e39 = rock;
     let _e44 = gabor_lobe_seed(seed, 4i);
     let _e45 = gabor_impl_spots(_e39, vec2<f32>(0.14f, 6f), _e44);
-    band_2 = _e45;
+    band = _e45;
     let _e47 = rock;
     let _e52 = gabor_lobe_seed(seed, 5i);
     let _e53 = gabor_impl_spots(_e47, vec2<f32>(0.25f, 17f), _e52);
@@ -1170,8 +1232,8 @@ fn gabor_impl_strata(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e69 = gabor_lobe_seed(seed, 7i);
     let _e70 = gabor_impl_octaves(pixel, vec2<f32>(16f, 24f), 4i, 0.8f, _e69);
     grain_1 = _e70;
-    let _e72 = band_2;
-    let _e74 = band_2;
+    let _e72 = band;
+    let _e74 = band;
     let _e78 = gabor_impl_above(_e72.x, _e74.z, 0.5f, 0.22f);
     soft = _e78;
     let _e88 = broad;

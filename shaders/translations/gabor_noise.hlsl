@@ -220,6 +220,15 @@ struct GaborKernel { // see gabor_kernel
     float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
 };
 
+GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor)
+{
+    GaborKernel made;
+    made.wave = wave;
+    made.amplitude = amplitude;
+    made.variance_factor = variance_factor;
+    return made;
+}
+
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
 float2 gabor_impl_window(float x)
 {

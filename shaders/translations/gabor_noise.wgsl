@@ -339,6 +339,13 @@ fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
     return ((dot(energy.e4567_, _e185) + (energy.e8_ * _e188.y)) / energy.sum);
 }
 
+// ---- Kernels -------------------------------------------------------------------------------------------------------
+struct GaborKernel {
+    wave: vec2<f32>,
+    amplitude: f32,
+    variance_factor: f32,
+}
+
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
 fn gabor_impl_window(x: f32) -> vec2<f32> {
     var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);

@@ -2,11 +2,12 @@
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
-// Functions to call, at the end of the file:
-//     gabor_noise_lobes, gabor_noise_lobes_gradient, gabor_noise_lobes_complex     a sum of lobes
-//     gabor_noise_spread, gabor_noise_spread_gradient, gabor_noise_spread_complex  a range of waves, up to isotropic
-//     gabor_noise_filtered, gabor_noise_lobes_filtered                             as a pixel sees it
-//     gabor_lobe, gabor_footprint, gabor_field_filtered                            their parts
+// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+//     gabor_noise_lobes                                  a sum of lobes
+//     gabor_noise_spread                                 a range of waves, up to isotropic
+//     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_lobe, gabor_footprint                        what these are given
+//     gabor_field_...                                    the same by place
 //
 // The unit of length is the kernel radius, as in gabor_lattice.hpp, and every function's variance is exactly 1.
 //
@@ -104,7 +105,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c)
     return gabor_vec3((2.0f * float(i) + 1.0f) * width - 1.0f, share * width, float(i + (n & 1) * 64));
 }
 
-// The noise of a range of waves at a place, as gabor_noise_spread, with its quadrature and derivatives per kernel radius.
+// The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
                               float orientation_spread, std::uint32_t seed)
 {
@@ -138,16 +139,20 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 //
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
-// Along one axis that is a sum over q = a / 2w, a = -3 ... 3, where the filtered window ends at +-w, which a taper sees
-// to: for w = 1 it is h itself, which has three of these waves. The filter widens w from 1 to 5/3, so that 3, 4 or 5
-// nodes along each axis take part; the filter is for GABOR_TAPS 3. The axes meet in the factor exp(-4 pi^2 S_xy q_x
-// q_y). With H as wide as a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), v = 1/3 - 2/pi^2 the variance of
-// h, Mehler's formula (DLMF 18.18.28) separates it: with M = S + v, the center c = -M^-1 S F of the filtered lobe, rho
-// = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and z =
-// sqrt(2 g) (q - c),
+// Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
+// the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
+// deviation while the filter's is at most 0.11 radii. With w = 5/3 the nine waves a = -4 ... 4 have room for what the
+// filter widens, up to a deviation of 0.5, with five nodes along the axis. From 0.08 to 0.11 one takes over from the
+// other. These are the windows of GABOR_TAPS 3.
+//
+// The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
+// For nine, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
+// variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F of the
+// filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
+// g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
-//                                      (1 - 2 lambda z_x z_y + lambda^2 / 2 (2 z_x^2 - 1) (2 z_y^2 - 1) - ...),
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...),
 //
 // of which these three terms are used; |lambda| is at most 0.26.
 
@@ -176,96 +181,231 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     return gabor_cpp_exp(-gabor_cpp_min(exponent, 80.0f)) * gabor_cpp_inversesqrt(determinant);
 }
 
-// The filtered windows of one axis for the factors 1, z and 2 z^2 - 1. At a distance d from the node, with the cosine
-// and sine of pi d / w, a window's real part is a polynomial in the cosine, its imaginary part the sine times another.
-struct GaborBand {
-    float reach; // w, in kernel radii
-    float slope; // of the taper
-    gabor_vec3 real_0, real_1, real_2, real_3;
-    gabor_vec3 imaginary_0, imaginary_1, imaginary_2;
-};
-
-//   deviation  of the filter along the axis
-//   g, c       see above
-GABOR_INLINE GaborBand gabor_impl_band(float deviation, float g, float c)
+// Of three waves: the windows of an axis' three nodes, in two parts, real and imaginary. A wave q of Hann's window has
+// the factor exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), q = -1/2, 0, 1/2. Half a deviation from its end a window begins to
+// fade.
+//   x         offset from the second node, in [-1/2, 1/2) node spacings
+//   variance  S along the axis
+//   blurred   S F
+GABOR_INLINE void gabor_impl_filtered_windows(float x, float variance, float blurred, GaborWindows& real,
+                                 GaborWindows& imaginary)
 {
-    GaborBand band;
-    float wide = gabor_cpp_clamp(25.0f * deviation - 2.0f, 0.0f, 1.0f);
-    float widest = gabor_cpp_clamp(5.8823529f * deviation - 1.5882353f, 0.0f, 1.0f);
-    float t = (wide + widest) / 3.0f;
-    band.reach = 1.0f + t;
-    float taper = gabor_cpp_min(0.625f * deviation, 0.05f) + 0.35f * wide - 0.3f * gabor_cpp_clamp(12.5f * deviation - 2.125f, 0.0f, 1.0f)
-                + 0.1f * widest;
-    band.slope = 1.0f / gabor_cpp_max(taper, 0.001f);
-
-    // H(a / 2w) / 2w for a = 1, 2, 3 by a polynomial in w - 1; 1 / 2w for 0.
-    gabor_vec3 h = gabor_vec3(0.1581287f, -0.3374857f, 0.6033444f) * t + gabor_vec3(-0.4607931f, 0.8628952f, -1.266219f);
-    h = h * t + gabor_vec3(0.6127236f, -0.850095f, 0.8539023f);
-    h = h * t + gabor_vec3(-0.4679222f, 0.271717f, -0.05810602f);
-    h = h * t + gabor_vec3(0.1246983f, 0.1670957f, -0.06381795f);
-    h = h * t + gabor_vec3(0.25f, 0.0f, 0.0f);
-
-    // H e^(2 pi^2 v q^2 - g (q - c)^2).
-    float q = 0.5f / band.reach;
-    float center = gabor_cpp_exp(-g * c * c);
-    float curve = gabor_cpp_exp((2.5797363f - g) * q * q);
-    float rise = gabor_cpp_exp(2.0f * g * c * q);
-    gabor_vec3 rises = gabor_vec3(rise, rise * rise, rise * rise * rise);
-    float curve_4 = curve * curve * curve * curve;
-    h *= center * gabor_vec3(curve, curve_4, curve_4 * curve_4 * curve);
-    float scale = gabor_cpp_sqrt(2.0f * g);
-    gabor_vec3 z = scale * q * gabor_vec3(1.0f, 2.0f, 3.0f);
-    c *= scale;
-
-    // Sums and differences of the waves a and -a, a = 1 to 3, for each factor; then Chebyshev's polynomials.
-    gabor_vec3 even = h * (rises + 1.0f / rises);
-    gabor_vec3 odd = h * (rises - 1.0f / rises);
-    gabor_vec3 even_z = z * odd - c * even;
-    gabor_vec3 odd_z = z * even - c * odd;
-    gabor_vec3 even_zz = 2.0f * (z * odd_z - c * even_z) - even;
-    gabor_vec3 odd_zz = 2.0f * (z * even_z - c * odd_z) - odd;
-    gabor_vec3 first = gabor_vec3(even.x, even_z.x, even_zz.x);
-    gabor_vec3 second = gabor_vec3(even.y, even_z.y, even_zz.y);
-    gabor_vec3 third = gabor_vec3(even.z, even_z.z, even_zz.z);
-    band.real_0 = center * q * gabor_vec3(1.0f, -c, 2.0f * c * c - 1.0f) - second;
-    band.real_1 = first - 3.0f * third;
-    band.real_2 = 2.0f * second;
-    band.real_3 = 4.0f * third;
-    first = gabor_vec3(odd.x, odd_z.x, odd_zz.x);
-    second = gabor_vec3(odd.y, odd_z.y, odd_zz.y);
-    third = gabor_vec3(odd.z, odd_z.z, odd_zz.z);
-    band.imaginary_0 = first - third;
-    band.imaginary_1 = 2.0f * second;
-    band.imaginary_2 = 4.0f * third;
-    return band;
+    float rise = gabor_cpp_exp(19.739209f * blurred);
+    gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
+    GaborWindows hann = gabor_impl_windows(x);
+    gabor_vec3 inside = 1.0f - gabor_cpp_abs(x + gabor_vec3(1.0f, 0.0f, -1.0f)) / GABOR_RADIUS;
+    gabor_vec4 fade = gabor_vec4(gabor_cpp_clamp(inside / gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f), 0.0f, 1.0f), 0.0f);
+    fade *= fade * (3.0f - 2.0f * fade);
+    gabor_vec4 wave = fade * (hann.value - 0.5f); // cos(pi d) / 2, and slope -pi/2 sin(pi d)
+    hann.slope *= fade;
+    real = GaborWindows{0.5f * fade + part.x * wave, part.x * hann.slope};
+    imaginary = GaborWindows{0.31830989f * part.y * hann.slope, -3.1415927f * part.y * wave};
 }
 
-// The windows of a node at a distance, in kernel radii, as complex numbers, and their sums over the nodes of a row.
+// The noise at a place, filtered by three waves along each axis.
+GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, GaborKernel kernel, gabor_vec2 wave, gabor_vec3 s, std::uint32_t seed)
+{
+    gabor_vec2 first = gabor_cpp_floor(place.local - GABOR_RADIUS) + 1.0f;
+    gabor_vec2 offset = place.local - first - 1.0f;
+    gabor_ivec2 node = place.cell + gabor_ivec2(first);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
+    GaborWindows real;
+    GaborWindows imaginary;
+    gabor_impl_filtered_windows(offset.x, s.x, blurred.x, real, imaginary);
+    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel.step_x, real, imaginary);
+    gabor_impl_filtered_windows(offset.y, s.y, blurred.y, real, imaginary);
+    GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel.step_y, real, imaginary);
+    GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
+    gabor_vec2 base = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS));
+    gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x) + s.z * sum.slope_xy, base);
+    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
+    return GaborField{value, gabor_impl_product(sum.slope_x, base) + wave.x * turned,
+                      gabor_impl_product(sum.slope_y, base) + wave.y * turned, gabor_vec4(0.0f)};
+}
+
+// Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
 struct GaborFactors {
     gabor_vec3 real;
     gabor_vec3 imaginary;
 };
 
-//   turn  e^(pi i distance / w)
-GABOR_INLINE GaborFactors gabor_impl_factors(GaborBand band, float distance, gabor_vec2 turn)
+// An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
+// q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
+struct GaborBand {
+    float g;
+    float c;
+    gabor_vec3 mean;
+    gabor_vec4 even_0, even_1, even_2;
+    gabor_vec4 odd_0, odd_1, odd_2;
+    float offset; // from the first of its five nodes, in node spacings
+    int first;
+    int period;
+    std::uint32_t salt;
+    gabor_vec2 back; // what the wave turns from one node to the next
+};
+
+// With the windows; `m` is r M.
+GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, std::uint32_t salt, gabor_vec2 step)
 {
-    float taper = gabor_cpp_clamp((band.reach - gabor_cpp_abs(distance)) * band.slope, 0.0f, 1.0f);
-    taper *= taper * (3.0f - 2.0f * taper);
-    float c = turn.x;
-    gabor_vec3 real = ((band.real_3 * c + band.real_2) * c + band.real_1) * c + band.real_0;
-    gabor_vec3 imaginary = (band.imaginary_2 * c + band.imaginary_1) * c + band.imaginary_0;
-    return GaborFactors{taper * real, taper * turn.y * imaginary};
+    GaborBand b;
+    b.g = 19.739209f * m;
+    b.c = c;
+    float center = gabor_cpp_exp(-b.g * c * c);
+    float fall = gabor_cpp_exp(0.23217617f - 1.7765288f * m); // e^(-2 pi^2 (m - v) 0.3^2)
+    float fall_4 = fall * fall * fall * fall;
+    float rise = gabor_cpp_exp(0.6f * b.g * c);
+    gabor_vec4 rises = gabor_vec4(rise, rise * rise, rise * rise * rise, rise * rise * rise * rise);
+    gabor_vec4 wave = gabor_vec4(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f); // H(q) / 2w
+    wave *= center * gabor_vec4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    gabor_vec4 q = gabor_vec4(0.3f, 0.6f, 0.9f, 1.2f);
+    float z = gabor_cpp_sqrt(2.0f * b.g);
+    b.mean = 0.3f * center * gabor_vec3(1.0f, -z * c, z * c * z * c - 0.5f);
+    b.even_0 = wave * rises + wave / rises;
+    b.odd_0 = wave * rises - wave / rises;
+    b.even_1 = z * (q * b.odd_0 - c * b.even_0);
+    b.odd_1 = z * (q * b.even_0 - c * b.odd_0);
+    b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5f * b.even_0;
+    b.odd_2 = z * (q * b.even_1 - c * b.odd_1) - 0.5f * b.odd_0;
+    b.offset = offset;
+    b.first = first;
+    b.period = period;
+    b.salt = salt;
+    b.back = gabor_vec2(step.x, -step.y);
+    return b;
 }
 
-GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, std::uint32_t word, GaborFactors column, bool animated, gabor_vec2 time)
+// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+struct GaborLine {
+    std::uint32_t word;
+    GaborFactors window;
+    gabor_vec2 turn;  // e^(2 pi i 0.3 d)
+    gabor_vec2 phase; // of the noise's wave
+};
+
+// Line `index`, 0 to 4, from the turn and the phase of the one before.
+GABOR_INLINE GaborLine gabor_impl_line(GaborLine line, GaborBand b, int index)
 {
-    gabor_vec2 amplitude = gabor_impl_amplitude(word);
+    line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
+    line.turn = gabor_impl_product(line.turn, gabor_vec2(0.30901699f, -0.95105652f)); // 2/3 of a kernel radius
+    line.phase = gabor_impl_product(line.phase, b.back);
+    gabor_vec2 two = gabor_impl_product(line.turn, line.turn);
+    gabor_vec2 three = gabor_impl_product(two, line.turn);
+    gabor_vec2 four = gabor_impl_product(two, two);
+    gabor_vec4 cosine = gabor_vec4(line.turn.x, two.x, three.x, four.x);
+    gabor_vec4 sine = gabor_vec4(line.turn.y, two.y, three.y, four.y);
+    gabor_vec3 real = b.mean + gabor_vec3(gabor_cpp_dot(b.even_0, cosine), gabor_cpp_dot(b.even_1, cosine), gabor_cpp_dot(b.even_2, cosine));
+    gabor_vec3 imaginary = gabor_vec3(gabor_cpp_dot(b.odd_0, sine), gabor_cpp_dot(b.odd_1, sine), gabor_cpp_dot(b.odd_2, sine));
+    float fade = gabor_cpp_clamp(5.5555556f - 2.2222222f * gabor_cpp_abs(b.offset - float(index)), 0.0f, 1.0f); // over 0.3 kernel radii
+    gabor_vec2 phase = fade * fade * (3.0f - 2.0f * fade) * line.phase;
+    line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    return line;
+}
+
+GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, std::uint32_t row_word, bool animated, gabor_vec2 time)
+{
+    std::uint32_t word = gabor_impl_node_word(column.word, row_word);
     std::uint32_t second = gabor_impl_next_word(word);
+    gabor_vec2 a = gabor_impl_amplitude(word);
     if (animated)
-        amplitude = gabor_impl_amplitude_at(time, amplitude, gabor_impl_amplitude(second),
-                                            gabor_impl_amplitude(gabor_impl_next_word(second)));
-    row.real += amplitude.x * column.real - amplitude.y * column.imaginary;
-    row.imaginary += amplitude.x * column.imaginary + amplitude.y * column.real;
+        a = gabor_impl_amplitude_at(time, a, gabor_impl_amplitude(second),
+                                    gabor_impl_amplitude(gabor_impl_next_word(second)));
+    row.real += a.x * column.window.real - a.y * column.window.imaginary;
+    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+}
+
+// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
+GABOR_INLINE GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
+{
+    float z = gabor_cpp_inversesqrt(2.0f * b.g);
+    return GaborFactors{z * gabor_vec3(f.real.y, f.real.z + 0.5f * f.real.x, f.real.y) + b.c * f.real,
+                        z * gabor_vec3(f.imaginary.y, f.imaginary.z + 0.5f * f.imaginary.x, f.imaginary.y)
+                            + b.c * f.imaginary};
+}
+
+// The sum over the factors of both axes.
+GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights)
+{
+    return gabor_vec2(gabor_cpp_dot(weights, a.real * b.real - a.imaginary * b.imaginary),
+                gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
+}
+
+// The noise at a place, filtered by nine waves along each axis.
+GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t seed)
+{
+    gabor_vec2 m = s.xy() + 0.13069097f; // v
+    gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
+    gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y);
+    float r = gabor_cpp_sqrt(1.0f - rho * rho);
+    float lambda = rho / (1.0f + r);
+    gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * lambda, 2.0f * lambda * lambda);
+
+    gabor_vec2 first = gabor_cpp_floor(place.local + 0.5f) - 2.0f;
+    gabor_vec2 offset = place.local - first;
+    gabor_ivec2 node = place.cell + gabor_ivec2(first);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    gabor_vec2 time = gabor_impl_wave(place.time);
+    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, kernel.step_x);
+    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      kernel.step_y);
+    GaborLine line;
+    line.turn = gabor_impl_wave(0.2f * (offset.x + 1.0f));
+    line.phase = kernel.step_x;
+    GaborLine c0 = gabor_impl_line(line, across, 0);
+    GaborLine c1 = gabor_impl_line(c0, across, 1);
+    GaborLine c2 = gabor_impl_line(c1, across, 2);
+    GaborLine c3 = gabor_impl_line(c2, across, 3);
+    GaborLine c4 = gabor_impl_line(c3, across, 4);
+    line.turn = gabor_impl_wave(0.2f * (offset.y + 1.0f));
+    line.phase = gabor_impl_product(gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS)), kernel.step_y);
+    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f)};
+    for (int j = 0; j < rows; ++j) {
+        line = gabor_impl_line(line, along, j);
+        GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+        gabor_impl_add_filtered(row, c0, line.word, place.animated, time);
+        gabor_impl_add_filtered(row, c1, line.word, place.animated, time);
+        gabor_impl_add_filtered(row, c2, line.word, place.animated, time);
+        gabor_impl_add_filtered(row, c3, line.word, place.animated, time);
+        gabor_impl_add_filtered(row, c4, line.word, place.animated, time);
+        sum.value += gabor_impl_contracted(row, line.window, weights);
+        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
+        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
+    }
+    float amplitude = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave + c, blurred));
+    gabor_vec2 x = 6.2831853f * (sum.slope_x + wave.x * sum.value);
+    gabor_vec2 y = 6.2831853f * (sum.slope_y + wave.y * sum.value);
+    return GaborField{amplitude * sum.value, amplitude * gabor_vec2(-x.y, x.x), amplitude * gabor_vec2(-y.y, y.x), gabor_vec4(0.0f)};
+}
+
+// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
+// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
+GABOR_INLINE GaborField gabor_impl_seen(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed, float& removed)
+{
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 wave = kernel.wave / stretch;
+    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
+    removed = 1.0f - transmitted;
+    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f)};
+    if (transmitted < 1.0e-10f)
+        return sum;
+    gabor_vec3 s = footprint.resolved;
+    float amplitude = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
+        amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
+    float wide = gabor_cpp_clamp(33.333333f * gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y)) - 2.6666667f, 0.0f, 1.0f);
+    if (wide < 1.0f) {
+        float share = (1.0f - wide) * amplitude;
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, kernel, wave, s, seed), share, share);
+    }
+    if (wide > 0.0f) {
+        float share = wide * amplitude;
+        int rows = wide > 0.0f ? 5 : 0; // for compilers that run both sides of a branch
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, kernel, wave, s, rows, seed), share, share);
+    }
+    sum.slope_x *= stretch.x;
+    sum.slope_y *= stretch.y;
+    return sum;
 }
 #endif
 
@@ -370,82 +510,17 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy)
 // periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
 GABOR_INLINE gabor_vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed)
 {
-    gabor_vec2 wave = kernel.wave * (GABOR_RADIUS / place.radius);
-    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
-    if (transmitted < 1.0e-10f)
-        return gabor_vec3(0.0f, 0.0f, 1.0f);
+    float removed;
+    gabor_vec2 value = gabor_impl_seen(place, kernel, footprint, seed, removed).value;
+    return gabor_vec3(value, removed);
+}
 
-    gabor_vec3 s = footprint.resolved;
-    gabor_vec2 blurred = gabor_impl_symmetric(s, wave); // S F
-    gabor_vec2 m = s.xy() + 0.13069097f;
-    gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
-    float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y);
-    float r = gabor_cpp_sqrt(1.0f - rho * rho);
-    float lambda = rho / (1.0f + r);
-    gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * lambda, 0.5f * lambda * lambda);
-    gabor_vec2 g = 19.739209f * r * m;
-    GaborBand across = gabor_impl_band(gabor_cpp_sqrt(s.x), g.x, c.x);
-    GaborBand along = gabor_impl_band(gabor_cpp_sqrt(s.y), g.y, c.y);
-
-    gabor_vec2 reach = gabor_vec2(across.reach, along.reach);
-    gabor_vec2 first = gabor_cpp_floor(place.local - GABOR_RADIUS * reach) + 1.0f;
-    gabor_ivec2 count = gabor_ivec2(gabor_cpp_ceil(2.0f * GABOR_RADIUS * reach - 0.001f)); // nodes within reach
-    gabor_vec2 x = place.local - first;
-    gabor_ivec2 node = place.cell + gabor_ivec2(first);
-    gabor_vec2 turns = 0.5f / (GABOR_RADIUS * reach);
-    gabor_vec2 time = gabor_impl_wave(place.time);
-
-    // Columns, of which three are always within reach.
-    std::uint32_t salt = gabor_impl_salt(seed);
-    std::uint32_t word[5];
-    GaborFactors column[5];
-    gabor_vec2 turn = gabor_impl_wave(turns.x * x.x);
-    gabor_vec2 step = gabor_impl_wave(-turns.x);
-    gabor_vec2 back = gabor_vec2(kernel.step_x.x, -kernel.step_x.y);
-    gabor_vec2 phase = gabor_vec2(1.0f, 0.0f);
-    for (int i = 0; i < 5; ++i) {
-        word[i] = gabor_impl_line_word(gabor_impl_wrap(node.x + i, place.period.x), salt);
-        GaborFactors factors = gabor_impl_factors(across, (x.x - float(i)) / GABOR_RADIUS, turn);
-        column[i] = GaborFactors{phase.x * factors.real - phase.y * factors.imaginary,
-                                 phase.x * factors.imaginary + phase.y * factors.real};
-        turn = gabor_impl_product(turn, step);
-        phase = gabor_impl_product(phase, back);
-    }
-
-    turn = gabor_impl_wave(turns.y * x.y);
-    step = gabor_impl_wave(-turns.y);
-    back = gabor_vec2(kernel.step_y.x, -kernel.step_y.y);
-    phase = gabor_impl_wave(gabor_cpp_dot(kernel.wave / place.radius, x));
-    gabor_vec2 sum = gabor_vec2(0.0f);
-    int j = 0;
-    do {
-        std::uint32_t row_word = gabor_impl_line_word(gabor_impl_wrap(node.y + j, place.period.y), salt ^ GABOR_IMPL_ROWS);
-        GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
-        gabor_impl_add_filtered(row, gabor_impl_node_word(word[0], row_word), column[0], place.animated, time);
-        gabor_uvec2 words = gabor_uvec2(word[1], word[2]);
-        GaborFactors left = column[1];
-        GaborFactors right = column[2];
-        int i = 3;
-        do {
-            gabor_impl_add_filtered(row, gabor_impl_node_word(words.x, row_word), left, place.animated, time);
-            gabor_impl_add_filtered(row, gabor_impl_node_word(words.y, row_word), right, place.animated, time);
-            words = gabor_uvec2(word[3], word[4]);
-            left = column[3];
-            right = column[4];
-            i += 2;
-        } while (i < count.x + 2);
-        GaborFactors factors = gabor_impl_factors(along, (x.y - float(j)) / GABOR_RADIUS, turn);
-        gabor_vec2 part = gabor_vec2(gabor_cpp_dot(weights, factors.real * row.real - factors.imaginary * row.imaginary),
-                         gabor_cpp_dot(weights, factors.real * row.imaginary + factors.imaginary * row.real));
-        sum += gabor_impl_product(part, phase);
-        turn = gabor_impl_product(turn, step);
-        phase = gabor_impl_product(phase, back);
-        ++j;
-    } while (j < count.y);
-    float amplitude = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave + c, blurred));
-    if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
-        amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    return gabor_vec3(amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * sum, 1.0f - transmitted);
+// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
+GABOR_INLINE gabor_vec4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed)
+{
+    float removed;
+    GaborField field = gabor_impl_seen(place, kernel, footprint, seed, removed);
+    return gabor_vec4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
@@ -453,26 +528,41 @@ GABOR_INLINE gabor_vec3 gabor_field_filtered(GaborPlace place, GaborKernel kerne
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
 // steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
 // in the place and in both steps.
-// Cost: 9 nodes up to steps of 0.16 kernel radii, 16 up to 0.54, 25 beyond: on lavapipe 3.4 to 4.9 times gabor_noise.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond with 25 some 4.5 times.
+// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
 {
     return gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
                                 gabor_footprint(dx, dy), seed).yz();
 }
 
-// The noise of several lobes at p, as gabor_noise_lobes, and filtered as gabor_noise_filtered.
-GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
+// The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
+GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
 {
-    gabor_vec2 sum = gabor_vec2(0.0f);
+    return gabor_field_filtered_gradient(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
+                                         gabor_footprint(dx, dy), seed);
+}
+
+// The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
+GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
+{
+    gabor_vec4 sum = gabor_vec4(0.0f);
     float power = 0.0f;
     for (int i = 0; i < lobes.count; ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        gabor_vec2 value = gabor_noise_filtered(p / lobe.radius, dx / lobe.radius, dy / lobe.radius,
-                                          lobe.frequency * lobe.radius, lobe.orientation, gabor_lobe_seed(seed, i));
-        sum += gabor_vec2(gabor_cpp_sqrt(lobe.power), lobe.power) * value;
+        float unit = 1.0f / lobe.radius;
+        gabor_vec4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,
+                                                   lobe.orientation, gabor_lobe_seed(seed, i));
+        sum += gabor_vec4(gabor_cpp_sqrt(lobe.power) * gabor_vec3(1.0f, unit, unit), lobe.power) * noise;
         power += lobe.power;
     }
-    return power > 0.0f ? sum * gabor_vec2(gabor_cpp_inversesqrt(power), 1.0f / power) : gabor_vec2(0.0f);
+    return power > 0.0f ? sum * gabor_vec4(gabor_vec3(gabor_cpp_inversesqrt(power)), 1.0f / power) : gabor_vec4(0.0f);
+}
+
+// The noise alone, and the removed variance.
+GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
+{
+    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw();
 }
 
 #endif // GABOR_TAPS == 3

@@ -1,4 +1,4 @@
-"""Decodes the one kind of PNG that the program writes for one channel: 8-bit grey, not interlaced."""
+"""Decodes the two kinds of PNG that the program writes: 8 bits, grey for one channel and RGB for three, not interlaced."""
 
 import pathlib
 import struct
@@ -10,6 +10,16 @@ SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def read_grey_png(path):
+    """height x width"""
+    return read(path, 0, 1)[..., 0]
+
+
+def read_colour_png(path):
+    """height x width x 3"""
+    return read(path, 2, 3)
+
+
+def read(path, colour_type, channels):
     data = pathlib.Path(path).read_bytes()
     assert data.startswith(SIGNATURE), "not a PNG"
     chunks, at = [], len(SIGNATURE)
@@ -21,9 +31,10 @@ def read_grey_png(path):
         at += 12 + size
     assert chunks[0][0] == b"IHDR" and chunks[-1] == (b"IEND", b"")
     width, height, *form = struct.unpack(">IIBBBBB", chunks[0][1])
-    assert form == [8, 0, 0, 0, 0], "not 8-bit grey"
+    assert form == [8, colour_type, 0, 0, 0], f"not 8 bits of {channels} channels"
     rows = zlib.decompress(b"".join(body for kind, body in chunks if kind == b"IDAT"))
-    return unfilter(np.frombuffer(rows, np.uint8).reshape(height, 1 + width))
+    rows = np.frombuffer(rows, np.uint8).reshape(height, 1 + width * channels)
+    return np.dstack([unfilter(np.hstack([rows[:, :1], rows[:, 1 + channel::channels]])) for channel in range(channels)])
 
 
 def unfilter(rows):

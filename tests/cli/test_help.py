@@ -46,7 +46,7 @@ class Help(ProgramTest):
         for recipe in recipes:
             self.assertIn(f"{recipe['name']} ", text)
             self.assertIn(recipe["file"], text)
-        self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-[\w-]+\.png\) \| `([\w-]+)`", readme),
+        self.assertEqual(re.findall(r"(?m)^\| !\[\]\(docs/recipe-[\w-]+\.jpg\) \| `([\w-]+)`", readme),
                          [recipe["name"] for recipe in recipes])
         for recipe in recipes:
             row = re.search(rf"(?m)^\|[^|]*\| `{recipe['name']}` \| (\d+) \|.*\|([^|]*)\|$", readme)

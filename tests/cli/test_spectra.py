@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 
 from exr import Exr, write_exr
+from png import read_colour_png
 from program import ProgramTest
 
 LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "orientation": 45, "power": 2.5, "radius": 2},
@@ -153,7 +154,7 @@ class Spectra(SpectraTest):
             self.assertEqual(part[name].tobytes(), values[5:15, 7:27].tobytes(), name)
         light = np.clip(np.dstack([whole[f"lit.{colour}"] for colour in "RGB"]).astype(float), 0, 1)
         shown = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-        self.assertLess(np.abs(read_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
+        self.assertLess(np.abs(read_colour_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
 
     def test_requests_that_make_no_sense(self):
         good = self.write_lobes(LOBES)

@@ -86,7 +86,8 @@ class Package(unittest.TestCase):
         said = subprocess.run(["npm", "pack", "--dry-run", "--json", "--offline"], cwd=ROOT, check=True, capture_output=True)
         packed = {each["path"] for each in json.loads(said.stdout)[0]["files"]}
         wanted = {str(path.relative_to(ROOT)) for folder in ("translations", "nodes")
-                  for path in (ROOT / "shaders" / folder).rglob("*") if path.is_file()}
+                  for path in (ROOT / "shaders" / folder).rglob("*")
+                  if path.is_file() and path.suffix != ".oso" and "node_modules" not in path.parts}
         wanted |= {str(path.with_suffix(".glsl").relative_to(ROOT)).replace("translations/", "")
                    for path in (ROOT / "shaders" / "translations").glob("*.hlsl")}
         self.assertGreater(len(wanted), 50)

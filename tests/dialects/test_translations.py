@@ -123,8 +123,8 @@ class Translations(unittest.TestCase):
         """The values of a shader, compiled by a command that takes its file and that of SPIR-V."""
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
         shader.write_text(source)
-        subprocess.run([*compiler, shader, spirv], check=True, timeout=60, stdout=subprocess.DEVNULL)
-        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True, timeout=60,
+        subprocess.run([*compiler, shader, spirv], check=True, timeout=120, stdout=subprocess.DEVNULL)
+        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True, timeout=120,
                        stdout=subprocess.DEVNULL)
         return np.fromfile(values, "<f4")
 
@@ -177,7 +177,7 @@ class Translations(unittest.TestCase):
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + source
         said = subprocess.run(compiler, input=source, text=True, timeout=120, stderr=subprocess.PIPE)
         self.assertEqual(said.returncode, 0, said.stderr)
-        subprocess.run([program, values], check=True, timeout=60)
+        subprocess.run([program, values], check=True, timeout=120)
         return np.fromfile(values, "<u4"), said.stderr
 
     def test_cpp(self):

@@ -87,9 +87,10 @@ class FarmTest(ProgramTest):
             self.assertEqual(files[name.removeprefix("one/")], files[name], name)
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")
 
-    def assert_nothing_done_twice(self):
+    def assert_nothing_done_twice(self, but=0):
+        """`but` for so many tasks whose jobs were cancelled, perhaps after all that counts was done."""
         counts = collections.Counter(self.ended())
-        self.assertEqual([task for task, count in counts.items() if count > 1], [])
+        self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(counts), TASKS)
 
     def setUpFolders(self):
@@ -139,7 +140,7 @@ class Slurm(FarmTest):
         self.assertIn("cancelling", (self.folder / "run.log").read_text())
         self.setUpFolders()
         self.assert_as_on_one_machine()
-        self.assert_nothing_done_twice()
+        self.assert_nothing_done_twice(but=1)
 
     def test_a_plain_array(self):
         began = time.monotonic()

@@ -1,7 +1,8 @@
-// As test_golden.cpp, for the lattice noise with 2, 3 and 4 taps.
+// As test_golden.cpp, for the lattice noise with 2, 3 and 4 taps, and in space.
 
 #include "golden.hpp"
 #include "lattice_sampler.hpp"
+#include "sampler_lattice_3d.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -61,6 +62,51 @@ TEST_CASE("values of the lattice noise are those of this version", "[golden]") {
                 block(fmt::format("gabor_noise_four, {}", c), tight,
                       [c](const LatticeAnswer& a) { return a.four[c]; });
         }
+    }
+    golden.finish();
+}
+
+TEST_CASE("values of the noise on the lattice in space are those of this version", "[golden]") {
+    constexpr std::size_t count = Golden::side * Golden::side;
+    constexpr double tight = 5e-5;
+    constexpr double loose = tight * 25; // derivatives
+    struct Function {
+        const char* name;
+        test::Entry3d entry;
+        std::vector<double> tolerances; // of what it answers
+    };
+    const vulkan::Device device;
+    Golden golden("lattice_3d");
+    for (const auto& [name, entry, tolerances] :
+         {Function{"gabor_noise_3d_gradient", test::Entry3d::gradient, {tight, loose, loose, loose}},
+          Function{"gabor_noise_3d_complex", test::Entry3d::complex, {tight, tight}},
+          Function{"gabor_noise_3d_four", test::Entry3d::four, {tight, tight, tight, tight}},
+          Function{"gabor_noise_3d_tiled", test::Entry3d::tiled, {tight}},
+          Function{"gabor_noise_3d_animated", test::Entry3d::animated, {tight}},
+          Function{"gabor_noise_3d_filtered", test::Entry3d::filtered, {tight, tight}},
+          Function{"gabor_noise_3d_isotropic", test::Entry3d::noise_isotropic, {tight}},
+          Function{"gabor_noise_surface", test::Entry3d::noise_surface, {tight}},
+          Function{"gabor_noise_surface_isotropic", test::Entry3d::noise_surface_isotropic, {tight}}}) {
+        test::LatticeSampler3d sampler(device, count, entry);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float x = 0.375f * (static_cast<float>(i % Golden::side) - 3.5f);
+            const float y = 0.375f * (static_cast<float>(i / Golden::side) - 3.5f);
+            test::LatticeSample3d s;
+            s.p = {x, y, 0.5f * x - 0.25f * y};
+            s.place.time = 0.3f;
+            s.frequency = 1.5f;
+            s.direction = {0.6f, -0.5f, 0.3f};
+            s.normal = {x, 0.4f, y};
+            s.dx = {0.2f, 0, 0.05f};
+            s.dy = {0, 0.1f, 0.1f};
+            s.tile = {2.5f, 3.25f, 4};
+            s.seed = 7;
+            sampler.samples()[i] = s;
+        }
+        const auto answers = sampler.answers(count);
+        for (std::size_t c = 0; c < tolerances.size(); ++c)
+            golden.block(fmt::format("{}, {}", name, c), tolerances[c],
+                         [&](std::size_t i) { return answers[i].value[c]; });
     }
     golden.finish();
 }

@@ -90,7 +90,7 @@ TEST_CASE("files of earlier versions load", "[request]") {
         R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
             "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
             "orientation_spread":5.0,"lobes":[],"sum":false,"filter":false,"view":"flat","paint":"","phasor":true,
-            "values":2,"solid":false,"depth":0.0})");
+            "values":1,"solid":false,"depth":0.0})");
     CHECK(plain == Request{.width = 64,
                            .height = 48,
                            .scale = 17,
@@ -99,8 +99,7 @@ TEST_CASE("files of earlier versions load", "[request]") {
                            .seed = 9,
                            .time = 0.25,
                            .quadrature = true,
-                           .phasor = true,
-                           .values = 2});
+                           .phasor = true});
     const Request lobes = render::from_json(
         R"({"frequency":4.0,"orientation":0.0,"lobes":[{"frequency":9.0,"power":2}],"solid":true,"depth":1.0})");
     CHECK(lobes == Request{.lobes = {{.frequency = 9, .power = 2}}});

@@ -23,11 +23,11 @@ constexpr double patience = 300;   // seconds for anything to settle
 constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},    {"press", 0},      {"release", 0}, {"click", 2},   {"drag", 4},   {"scroll", 3},
-    {"key", 1},     {"type", 1},       {"set", 2},     {"compare", 1}, {"resize", 2}, {"minimize", 0},
-    {"restore", 0}, {"hide", 0},       {"show", 0},    {"open", 1},    {"save", 1},   {"copy", 1},
-    {"export", 1},  {"screenshot", 1}, {"window", 1},  {"wait", 1},    {"settle", 0}, {"sleep", 1},
-    {"expect", 2},  {"random", 2},     {"quit", 0}};
+    {"move", 2},     {"doubleclick", 2}, {"press", 0},      {"release", 0}, {"click", 2},   {"drag", 4},
+    {"scroll", 3},   {"key", 1},         {"type", 1},       {"set", 2},     {"compare", 1}, {"resize", 2},
+    {"minimize", 0}, {"restore", 0},     {"hide", 0},       {"show", 0},    {"open", 1},    {"save", 1},
+    {"copy", 1},     {"export", 1},      {"screenshot", 1}, {"window", 1},  {"wait", 1},    {"settle", 0},
+    {"sleep", 1},    {"expect", 2},      {"random", 2},     {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
     {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
@@ -134,6 +134,12 @@ bool Script::execute(const Command& command, App& app) {
         y_ = static_cast<float>(command.number(1));
         down_ = step_ == 1;
         return ++step_ == 3;
+    } else if (name == "doubleclick") {
+        x_ = static_cast<float>(command.number(0));
+        y_ = static_cast<float>(command.number(1));
+        down_ = step_ == 1 || step_ == 3;
+        ImGui::GetIO().MouseDoubleClickTime = step_ < 4 ? 10.0f : 0.3f; // however slow frames are
+        return ++step_ == 5;
     } else if (name == "drag") {
         return drag(command);
     } else if (name == "scroll") {

@@ -121,11 +121,11 @@ class Pictures(ViewerTest):
             compare off
             key home
             open shown.json
-            save again.json
+            save back.json
             quit""")
         shown = (self.folder / "shown.json").read_bytes()
         self.assertEqual(json.loads(shown)["viewer"]["output"], "intensity")
-        self.assertEqual((self.folder / "again.json").read_bytes(), shown)
+        self.assertEqual((self.folder / "back.json").read_bytes(), shown)
         self.gabor("render", "--like", "shown.json", "--size", "16x16", "-o", "shown.exr")
 
     def test_the_snippet_draws_the_same(self):

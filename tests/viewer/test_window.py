@@ -90,6 +90,46 @@ class Window(ViewerTest):
         self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
+    def test_lobes_are_worked_in_the_frequency_plane(self):
+        # Its middle is at 1040, 352 and the lobe of frequency 4 at 1118, 352.
+        self.play("""
+            settle
+            drag 1120 356 1042 284
+            save moved.json
+            click 990 420
+            drag 990 420 1000 400
+            key delete
+            save same.json
+            doubleclick 1095 407
+            save added.json
+            key delete
+            save removed.json
+            click 1178 269
+            wait 3
+            click 1178 292
+            wait 3
+            save more.json
+            key ctrl+z
+            key ctrl+z
+            wait 3
+            doubleclick 1000 480
+            save reset.json
+            quit""", "--window", "1280x800")
+
+        def lobes(name):
+            saved = json.loads((self.folder / f"{name}.json").read_text())
+            return [(lobe["frequency"], lobe["orientation"]) for lobe in saved.get("lobes", [saved])]
+
+        (frequency, orientation), = lobes("moved")
+        self.assertAlmostEqual(frequency, 4 * 72 / 78, delta=0.06) # as far from the pointer as when it was taken
+        self.assertAlmostEqual(orientation, -90, delta=0.7)
+        self.assertEqual(lobes("same"), lobes("moved")) # a click on nothing selects nothing
+        self.assertEqual(lobes("added")[0], lobes("moved")[0])
+        self.assertAlmostEqual(lobes("added")[1][1], 45, delta=1)
+        self.assertEqual(lobes("removed"), lobes("moved"))
+        self.assertEqual(len({round(orientation, 1) for _, orientation in lobes("more")}), 3)
+        self.assertEqual(lobes("reset")[0][0], 4)
+
     def test_what_has_no_effect_says_so(self):
         self.play("""
             set view sphere

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import shutil
 import sys
 import tempfile
 
@@ -26,7 +27,7 @@ class Said:
 
 def script_node(tree, path, **inputs):
     node = tree.nodes.new("ShaderNodeScript")
-    node.mode, node.filepath = "EXTERNAL", str(path)
+    node.mode, node.filepath = "EXTERNAL", path
     cycles.osl.update_script_node(node, Said())
     for name, value in inputs.items():
         if name in node.inputs:
@@ -68,7 +69,9 @@ material.use_nodes = True
 plane.data.materials.append(material)
 tree = material.node_tree
 tree.nodes.clear()
-noise = script_node(tree, shader, Scale=1.0, Frequency=4.0, Orientation=0.7854, Seed=7)
+folder = tempfile.TemporaryDirectory(prefix="gabor-")  # Blender puts what it compiles beside the shader
+shutil.copytree(pathlib.Path(shader).parent, folder.name, dirs_exist_ok=True)
+noise = script_node(tree, f"{folder.name}/{pathlib.Path(shader).name}", Scale=1.0, Frequency=4.0, Orientation=0.7854, Seed=7)
 output = noise.outputs.get("Noise") or noise.outputs[0]  # MaterialX's has one, and its inputs in the text
 position = tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"]
 pixel = math(tree, "ADD", math(tree, "FLOOR", position), (0.5, 0.5, 0.0))  # a sample may be anywhere in its pixel
@@ -94,11 +97,10 @@ scene.render.resolution_x = scene.render.resolution_y = 256
 scene.render.resolution_percentage = 100
 scene.render.image_settings.file_format = "OPEN_EXR"
 scene.render.image_settings.color_depth = "32"
-with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-    scene.render.filepath = f"{folder}/values.exr"
-    bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(scene.render.filepath)
-    image.colorspace_settings.name = "Non-Color"
-    pixels = np.array(image.pixels, "<f4").reshape(256, 256, 4)
+scene.render.filepath = f"{folder.name}/values.exr"
+bpy.ops.render.render(write_still=True)
+image = bpy.data.images.load(scene.render.filepath)
+image.colorspace_settings.name = "Non-Color"
+pixels = np.array(image.pixels, "<f4").reshape(256, 256, 4)
 pathlib.Path(values).write_bytes((pixels[..., 0] - pixels[..., 1]).tobytes())
 print(json.dumps({"engine": "Blender, Cycles", "version": bpy.app.version_string, "dialect": "OSL", "driver": "CPU"}))
