@@ -77,8 +77,8 @@ class FitTest(ProgramTest):
             expected = welch(exemplar) / exemplar.var()
             l1, l2 = relative_errors(welch(noise), expected)
             print(f"{name}: {len(fitted['lobes'])} lobes, L1 {l1:.3f}, L2 {l2:.3f} of a sample of 1024 x 1024")
-            # Of the sample itself, and of its windows on a coarser grid, 0.02 to 0.03 are chance.
-            self.assertLess(l1, l1_most + 0.02)
+            # Of a sample of that size 0.44 x 64 / 1024 is chance, and more by squares.
+            self.assertLess(l1, l1_most + 0.03)
             self.assertLess(l2, l2_most + 0.04)
 
     def test_colours(self):
