@@ -77,8 +77,8 @@ class FitTest(ProgramTest):
             expected = welch(exemplar) / exemplar.var()
             l1, l2 = relative_errors(welch(noise), expected)
             print(f"{name}: {len(fitted['lobes'])} lobes, L1 {l1:.3f}, L2 {l2:.3f} of a sample of 1024 x 1024")
-            # Of the sample itself, and of its windows on a coarser grid, 0.02 to 0.03 are chance.
-            self.assertLess(l1, l1_most + 0.02)
+            # Of a sample of that size 0.44 x 64 / 1024 is chance, and more by squares.
+            self.assertLess(l1, l1_most + 0.03)
             self.assertLess(l2, l2_most + 0.04)
 
     def test_colours(self):
@@ -127,7 +127,6 @@ void main()
         context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
         values = np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(256, 128, 4)
 
-        # The picture's deviation is 0.1. Vulkan and OpenGL drivers round the filter's exponentials differently.
         drawn = rgb(self.render("--size", "128x128"))
         difference = np.abs(values[:128, :, :3] - drawn)
         print(f"glsl: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
@@ -136,7 +135,7 @@ void main()
         filtered = self.render("--size", "128x128", "--filter")
         difference = np.abs(values[128:, :, :3] - rgb(filtered))
         print(f"filtered: largest difference {difference.max():.2g}")
-        self.assertLess(difference.max(), 5e-4)
+        self.assertLess(difference.max(), 1e-4)
         removed = values[128:, :, 3]
         self.assertGreater(removed.min(), 0)
         self.assertLess(removed.max(), 0.5)
