@@ -546,7 +546,7 @@ float4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel_, Gabo
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
 // steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
 // in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond with 25 some 4.5 times.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {

@@ -1493,7 +1493,7 @@ fn gabor_field_filtered_gradient(place: GaborPlace, kernel: GaborKernel, footpri
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
 // steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
 // in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond with 25 some 4.5 times.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
