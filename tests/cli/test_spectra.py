@@ -171,7 +171,7 @@ class Spectra(SpectraTest):
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["frequency", "a single lobe", "5, each with its own"], ["--lobes", good, "--frequency=3"]),
             (["values", "recipe", "the lattice's recipes"], ["--values=3", "--recipe=paper"]),
-            (["filter", "recipe lattice-4", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
+            (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
             (["depth", "the view slice"], ["--depth=3"]),
             (["solid", "sphere and torus"], ["--solid"]),
             (["--orientation-spread", "90"], ["--orientation-spread=91"]),
