@@ -563,7 +563,8 @@ vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lo
 // The noise alone, and the removed variance.
 vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
+    vec4 value = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return vec2(value.x, value.w);
 }
 
 #endif // GABOR_TAPS == 3

@@ -580,7 +580,8 @@ float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, Gabor
 // The noise alone, and the removed variance.
 float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
+    float4 value = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return float2(value.x, value.w);
 }
 
 #endif // GABOR_TAPS == 3

@@ -562,7 +562,8 @@ GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_
 // The noise alone, and the removed variance.
 GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw();
+    gabor_vec4 value = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return gabor_vec2(value.x, value.w);
 }
 
 #endif // GABOR_TAPS == 3

@@ -1580,9 +1580,13 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
 // The noise alone, and the removed variance.
 fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     var lobes_11: GaborLobes;
+    var value_4: vec4<f32>;
 
     lobes_11 = lobes;
     let _e6 = lobes_11;
     let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
-    return _e7.xw;
+    value_4 = _e7;
+    let _e9 = value_4;
+    let _e11 = value_4;
+    return vec2<f32>(_e9.x, _e11.w);
 }

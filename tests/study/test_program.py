@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -102,7 +103,7 @@ class StudyTest(ProgramTest):
             self.assertGreater(min(rows), 0, "no part is idle")
             self.succeed("merge", *parts[1:], parts[0], "-o", f"{name}.merged")
             files = self.files()
-            whole = [path for path in files if path.startswith(f"{name}.whole/")]
+            whole = [path for path in files if re.fullmatch(rf"{name}.whole/.*\.csv", path)]
             self.assertGreater(len(whole), 0)
             for path in whole:
                 self.assertEqual(files[path.replace("whole", "merged")], files[path], path)
