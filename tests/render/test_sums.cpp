@@ -265,8 +265,8 @@ TEST_CASE("the filter in a plane takes one recipe, and tiles two of the widest k
     request.view = render::Slice();
     CHECK_NOTHROW(render::check(request));
     render::Request tile{
-        .width = 95, .height = 95, .scale = 16, .lobes = several, .view = render::Plane{true}};
+        .width = 54, .height = 54, .scale = 16, .lobes = several, .view = render::Plane{true}};
     CHECK_THROWS_WITH(render::check(tile), Catch::Contains("widest lobe"));
-    tile.width = tile.height = 96;
+    tile.width = tile.height = 55; // two of 1.7 kernel radii, 54.4 pixels
     CHECK_NOTHROW(render::check(tile));
 }
