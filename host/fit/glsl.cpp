@@ -107,7 +107,7 @@ bool has_quadrature(const Colour& colour) {
 } // namespace
 
 std::string function_name(const std::filesystem::path& file) {
-    const std::string name = file.stem().string();
+    std::string name = file.stem().string();
     const auto letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (file.extension() != ".glsl" || !std::ranges::all_of(name, letter) || name.empty() ||
         std::isdigit(static_cast<unsigned char>(name[0])) != 0 || name.find("__") != std::string::npos ||

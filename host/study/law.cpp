@@ -322,22 +322,23 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
         double cells;
     };
     const unsigned bits = static_cast<unsigned>(effort.picture_bits) - 1;
-    const std::size_t side = std::size_t{1} << bits;
-    const std::size_t gap = side / 32;
+    const std::size_t across = std::size_t{1} << bits;
+    const std::size_t gap = across / 32;
     const std::array columns{"seminal", "advice", "one", "lattice_2", "lattice_3", "lattice_4"};
     const std::vector<Subject> all = subjects();
-    const std::size_t width = columns.size() * (side + gap) - gap;
+    const std::size_t width = columns.size() * (across + gap) - gap;
     std::vector<float> pixels;
     for (const View& view : {View{1.5, 8, 0}, {4, 8, 0}, {1.5, 2, 0}, {4, 2, 0}, {1.5, 0, 4095}}) {
         const std::size_t top = pixels.size() + (pixels.empty() ? 0 : gap * width);
-        pixels.resize(top + side * width, 1);
+        pixels.resize(top + across * width, 1);
         for (std::size_t column = 0; column < columns.size(); ++column) {
             const Subject& subject = *std::ranges::find(all, columns[column], &Subject::name);
             Noise noise = subject.make(device, {view.frequency, 0.5});
             const Grid grid{bits, view.radii + view.cells / subject.cells_per_radius, false};
             const std::vector<float> values = draw(noise, 1, grid, 1);
             for (std::size_t i = 0; i < values.size(); ++i)
-                pixels[top + i / side * width + column * (side + gap) + i % side] = 0.5f + 0.25f * values[i];
+                pixels[top + i / across * width + column * (across + gap) + i % across] =
+                    0.5f + 0.25f * values[i];
         }
     }
     image::PngWriter png(folder / "law_noises.png", static_cast<int>(width),

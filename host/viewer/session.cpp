@@ -127,7 +127,7 @@ Document load_document(const std::string& path, const Document& defaults) {
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
                                        "gabor rendered, or a preset's name",
                                        path));
-    const Document document = document_from_json(render::load_request(path).json, defaults);
+    Document document = document_from_json(render::load_request(path).json, defaults);
     render::load_paint(document.request.paint); // it must be there
     return document;
 }
