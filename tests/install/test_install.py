@@ -27,26 +27,9 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/bake_interface.h",
     "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/recipe.glsl",
-    "share/gabor-noise/shaders/translations/gabor_lattice.gdshaderinc",
-    "share/gabor-noise/shaders/translations/gabor_lattice.hlsl",
-    "share/gabor-noise/shaders/translations/gabor_lattice.metal",
-    "share/gabor-noise/shaders/translations/gabor_lattice.wgsl",
-    "share/gabor-noise/shaders/translations/gabor_lattice_3d.gdshaderinc",
-    "share/gabor-noise/shaders/translations/gabor_lattice_3d.hlsl",
-    "share/gabor-noise/shaders/translations/gabor_lattice_3d.metal",
-    "share/gabor-noise/shaders/translations/gabor_lattice_3d.wgsl",
-    "share/gabor-noise/shaders/translations/gabor_materials.gdshaderinc",
-    "share/gabor-noise/shaders/translations/gabor_materials.hlsl",
-    "share/gabor-noise/shaders/translations/gabor_materials.metal",
-    "share/gabor-noise/shaders/translations/gabor_materials.wgsl",
-    "share/gabor-noise/shaders/translations/gabor_noise.gdshaderinc",
-    "share/gabor-noise/shaders/translations/gabor_noise.hlsl",
-    "share/gabor-noise/shaders/translations/gabor_noise.metal",
-    "share/gabor-noise/shaders/translations/gabor_noise.wgsl",
-    "share/gabor-noise/shaders/translations/gabor_spectrum.gdshaderinc",
-    "share/gabor-noise/shaders/translations/gabor_spectrum.hlsl",
-    "share/gabor-noise/shaders/translations/gabor_spectrum.metal",
-    "share/gabor-noise/shaders/translations/gabor_spectrum.wgsl",
+    *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
+      for name in ("lattice", "lattice_3d", "materials", "noise", "spectrum")
+      for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")),
 }
 
 
