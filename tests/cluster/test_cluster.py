@@ -1,4 +1,4 @@
-"""tools/farm on this machine and on a real Slurm: the same bytes as one machine makes, nothing run twice, no job left.
+"""tools/cluster on this machine and on a real Slurm: the same bytes as one machine makes, nothing run twice, no job left.
 
 tools/test-long farm runs it; GABOR_PROGRAM is the program. What it measures it prints.
 """
@@ -18,8 +18,8 @@ ROOT = pathlib.Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 from program import PROGRAM, ProgramTest  # noqa: E402
 
-FARM = ROOT / "tools" / "farm"
-OPENJD = ROOT / "build" / "farm" / "bin" / "openjd"
+CLUSTER = ROOT / "tools" / "cluster"
+OPENJD = ROOT / "build" / "cluster" / "bin" / "openjd"
 SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_partition=farm", "mem_mb=200", "runtime=30",
          "--slurm-status-command", "squeue", "--slurm-init-seconds-before-status-checks", "5", "--latency-wait", "30",
          "--retries", "2"]
@@ -57,7 +57,7 @@ class FarmTest(ProgramTest):
     def start(self, *options, delay=0):
         self.log = open(self.folder / "run.log", "a")
         self.addCleanup(self.log.close)
-        return subprocess.Popen([FARM / "run", "farm.yaml", *options], cwd=self.folder, stdout=self.log, stderr=self.log,
+        return subprocess.Popen([CLUSTER / "run", "farm.yaml", *options], cwd=self.folder, stdout=self.log, stderr=self.log,
                                 start_new_session=True, env=os.environ | {"DELAY": str(delay)})
 
     def wait(self, run, condition):
@@ -101,7 +101,7 @@ class Local(FarmTest):
     def test_one_machine_killed_and_resumed(self):
         run = self.start("--cores", "2", delay=0.5)
         self.wait(run, lambda: len(self.ended()) >= 5)
-        second = subprocess.run([FARM / "run", "farm.yaml"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        second = subprocess.run([CLUSTER / "run", "farm.yaml"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
         self.assertEqual((second.returncode, second.stderr), (1, "run: another run is under way in this folder\n"))
         os.killpg(run.pid, signal.SIGKILL)
         run.wait()
@@ -144,7 +144,7 @@ class Slurm(FarmTest):
 
     def test_a_plain_array(self):
         began = time.monotonic()
-        subprocess.run([FARM / "array", "512x800", "16", "grain.exr", "--scale=8", "--seed=3"], cwd=self.folder, check=True,
+        subprocess.run([CLUSTER / "array", "512x800", "16", "grain.exr", "--scale=8", "--seed=3"], cwd=self.folder, check=True,
                        env=os.environ | {"GABOR": str(self.gabor)}, timeout=900)
         print(f"Slurm: an array of 16 strips and the join took {time.monotonic() - began:.1f} s")
         self.assertEqual(len(self.ended()), 17)
@@ -154,7 +154,7 @@ class Slurm(FarmTest):
         self.assertEqual([name for name in files if "strips." in name], [])
 
     def test_a_plain_array_that_fails(self):
-        failed = subprocess.run([FARM / "array", "512x800", "2", "grain.exr", "--scale=1"], cwd=self.folder,
+        failed = subprocess.run([CLUSTER / "array", "512x800", "2", "grain.exr", "--scale=1"], cwd=self.folder,
                                 stderr=subprocess.PIPE, text=True, env=os.environ | {"GABOR": str(self.gabor)}, timeout=900)
         self.assertEqual(failed.returncode, 1)
         self.assertIn("scale", failed.stderr)
@@ -162,11 +162,11 @@ class Slurm(FarmTest):
         self.assertEqual(slurm.jobs(), [])
 
 
-@unittest.skipUnless(OPENJD.exists(), "needs openjd in build/farm: pip install openjd-cli")
+@unittest.skipUnless(OPENJD.exists(), "needs openjd in build/cluster: pip install openjd-cli")
 class OpenJobDescription(FarmTest):
     def test_a_template(self):
-        subprocess.run([OPENJD, "check", FARM / "picture.openjd.yaml"], check=True, stdout=subprocess.DEVNULL)
-        subprocess.run([OPENJD, "run", FARM / "picture.openjd.yaml", "-p", "Size=512x800", "-p", "Output=grain.exr", "-p",
+        subprocess.run([OPENJD, "check", CLUSTER / "picture.openjd.yaml"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([OPENJD, "run", CLUSTER / "picture.openjd.yaml", "-p", "Size=512x800", "-p", "Output=grain.exr", "-p",
                         "Options=--scale=8 --seed=3", "-p", "Strips=4", "-p", f"Gabor={self.gabor}", "-p",
                         f"Folder={self.folder}"], check=True, stdout=subprocess.DEVNULL, timeout=900)
         self.assertEqual(len(self.ended()), 5)
