@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import metal
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -112,8 +113,8 @@ int main(int, char** argv)
     file.write(reinterpret_cast<const char*>(words.data()), 4 * words.size());
 }
 """
-GCC = "Free Software Foundation" in subprocess.run([os.environ.get("CXX", "c++"), "--version"], capture_output=True,
-                                                   text=True).stdout
+COMPILER = os.environ.get("CXX", "c++")
+GCC = metal.is_gcc(COMPILER)
 
 
 class Translations(unittest.TestCase):
@@ -193,7 +194,7 @@ class Translations(unittest.TestCase):
     def cpp(self, source, *options):
         """What a program of C++ writes, and what its compiler says."""
         program, values = self.folder / "program", self.folder / "values.raw"
-        compiler = [os.environ.get("CXX", "c++"), "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
+        compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + source
         said = subprocess.run(compiler, input=source, text=True, timeout=120, stderr=subprocess.PIPE)
         self.assertEqual(said.returncode, 0, said.stderr)
@@ -204,12 +205,8 @@ class Translations(unittest.TestCase):
         self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-I", SHADERS / "translations", "-I", self.made)
 
     def test_metal(self):
-        """As C++, which has no swizzles: they become calls. Constants without a suffix are float in Metal."""
         text = "".join(self.path(file, "metal").read_text() for file in FILES)
-        text = re.sub(r"\.([xyzw]{2,4}) = ([^;]*);", r".set_\1(\2);", text)
-        text = re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
-        single = ["-fsingle-precision-constant"] if GCC else ["-Xclang", "-cl-single-precision-constant"]
-        self.compare_cpp(text, "float", "-std=c++20", "-O1", "-Wno-unused", *single, "-I", HERE, "-I", ROOT / "tools")
+        self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
         """Each call, in a program of C++ after a text and with vectors of that name."""
