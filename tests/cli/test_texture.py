@@ -82,7 +82,7 @@ class Joined(TextureTest):
     def test_levels_become_the_texture(self):
         for width, height, options, half in ((128, 64, [*NOISE, "--scale=16", "--compression=zip"], ["--half"]),
                                              (32, 64, [*NOISE, "--scale=8", "--tileable"], []),
-                                             (8, 8, ["--scale=6", "--material=zebra"], [])):
+                                             (16, 16, [*NOISE, "--scale=6", "--quadrature", "--gradient"], [])):
             self.succeed("render", "--texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
             regions = self.levels(width, height, options)
             said = self.succeed("join", "--texture", *half, *regions[2:], *regions[:2], "-o", "joined.exr")
@@ -152,7 +152,7 @@ class Refused(TextureTest):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
             "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
-            "exclude each other": ["--size=64x64", "--gradient"],
+            "exclude each other": ["--size=64x64", "--recipe=paper"],
         }.items():
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
         self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", "-o", "new.png")

@@ -84,9 +84,9 @@ TEST_CASE("pixel by pixel it is the noise of the blocks", "[pixels]") {
                                           .recipe = noise::find_recipe(recipe),
                                           .lobes = {{4, 25}},
                                           .time = 0.2,
+                                          .view = render::Plane{.tileable = tileable},
                                           .quadrature = true,
-                                          .gradient = true,
-                                          .view = render::Plane{.tileable = tileable}};
+                                          .gradient = true};
             check_blocks_are_pixels(device, request, {0, 0, 300, 200},
                                     render::Pixels::make_pass(device, with_phasor(request)));
         }
