@@ -1,6 +1,7 @@
 #include "render/material.hpp"
 
 #include "render/pixels.hpp"
+#include "render/solid.hpp"
 
 #include "passes/material_bark.h"
 #include "passes/material_brushed_metal.h"
@@ -21,10 +22,6 @@ namespace gabor::render {
 
 namespace {
 
-bool in_perspective(const Request& request) {
-    return std::holds_alternative<Horizon>(request.view);
-}
-
 // A pass for each material, in their order: of one pass for all compilers take minutes.
 constexpr std::array<std::span<const std::uint32_t>, materials.size()> modules{
     material_wood_spirv,  material_fabric_spirv,  material_leather_spirv,       material_marble_spirv,
@@ -38,16 +35,41 @@ std::span<const std::uint32_t> module_of(const Request& request) {
 
 } // namespace
 
+std::vector<std::uint32_t> material_constants(const Request& request) {
+    const Body* body = std::get_if<Body>(&request.view);
+    constexpr std::uint32_t perspective = 3;
+    return {request.filter, body ? static_cast<std::uint32_t>(body->shape) + 1
+                            : std::holds_alternative<Horizon>(request.view) ? perspective
+                                                                            : 0};
+}
+
+passes::MaterialPush material_push(const Request& request, int width, int height, int stride) {
+    passes::MaterialPush push{};
+    const auto pixels = [&](double side) { return static_cast<float>(side / stride); };
+    push.size = {pixels(width), pixels(height)};
+    push.center = {pixels(width / 2.0), pixels(height / 2.0)};
+    push.pixel = static_cast<float>(stride / request.scale);
+    push.seed = request.seed;
+    if (std::holds_alternative<Horizon>(request.view)) {
+        // The scale is that of the bottom row.
+        const double sky = sky_rows(height);
+        push.sky = pixels(sky);
+        push.pixel = static_cast<float>((height - 0.5 - sky) / request.scale);
+    } else if (std::holds_alternative<Body>(request.view)) {
+        const passes::SolidPush seen = solid_push(request, width, height, stride);
+        push.pixel = seen.pixel;
+        push.unit = seen.unit;
+        push.yaw = seen.yaw;
+        push.pitch = seen.pitch;
+    }
+    push.width = (width + stride - 1) / stride;
+    push.height = (height + stride - 1) / stride;
+    return push;
+}
+
 Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : pass_(device, module_of(request), {1, sizeof(passes::MaterialPush)},
-            std::vector<std::uint32_t>{request.filter, in_perspective(request)}) {
-    const double sky = in_perspective(request) ? sky_rows(request.height) : 0;
-    // In perspective the scale is that of the bottom row.
-    const double rows = in_perspective(request) ? request.height - 0.5 - sky : 1;
-    push_.size = {static_cast<float>(request.width), static_cast<float>(request.height)};
-    push_.pixel = static_cast<float>(rows / request.scale);
-    push_.sky = static_cast<float>(sky);
-    push_.seed = request.seed;
+    : pass_(device, module_of(request), {1, sizeof(passes::MaterialPush)}, material_constants(request)),
+      push_(material_push(request, request.width, request.height)) {
     push_.first_column = region.x;
     push_.first_row = region.y;
     push_.width = region.width;
