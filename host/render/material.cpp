@@ -38,9 +38,9 @@ std::span<const std::uint32_t> module_of(const Request& request) {
 std::vector<std::uint32_t> material_constants(const Request& request) {
     const Body* body = std::get_if<Body>(&request.view);
     constexpr std::uint32_t perspective = 3;
-    return {request.filter, body ? static_cast<std::uint32_t>(body->shape) + 1
-                            : std::holds_alternative<Horizon>(request.view) ? perspective
-                                                                            : 0};
+    return {request.filter, body                      ? static_cast<std::uint32_t>(body->shape) + 1
+                            : in_perspective(request) ? perspective
+                                                      : 0};
 }
 
 passes::MaterialPush material_push(const Request& request, int width, int height, int stride) {
@@ -50,11 +50,9 @@ passes::MaterialPush material_push(const Request& request, int width, int height
     push.center = {pixels(width / 2.0), pixels(height / 2.0)};
     push.pixel = static_cast<float>(stride / request.scale);
     push.seed = request.seed;
-    if (std::holds_alternative<Horizon>(request.view)) {
-        // The scale is that of the bottom row.
-        const double sky = sky_rows(height);
-        push.sky = pixels(sky);
-        push.pixel = static_cast<float>((height - 0.5 - sky) / request.scale);
+    if (in_perspective(request)) {
+        push.sky = pixels(sky_rows(height));
+        push.pixel = static_cast<float>(pixel_length(request, height));
     } else if (std::holds_alternative<Body>(request.view)) {
         const passes::SolidPush seen = solid_push(request, width, height, stride);
         push.pixel = seen.pixel;
@@ -67,9 +65,19 @@ passes::MaterialPush material_push(const Request& request, int width, int height
     return push;
 }
 
+std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device,
+                                                        const Request& request) {
+    return std::make_shared<vulkan::Pass>(device, module_of(request),
+                                          vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
+                                          material_constants(request));
+}
+
 Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : pass_(device, module_of(request), {1, sizeof(passes::MaterialPush)}, material_constants(request)),
-      push_(material_push(request, request.width, request.height)) {
+    : Material(request, region, make_pass(device, request)) {}
+
+Material::Material(const Request& request, const image::Window& region,
+                   std::shared_ptr<const vulkan::Pass> pass)
+    : pass_(std::move(pass)), push_(material_push(request, request.width, request.height)) {
     push_.first_column = region.x;
     push_.first_row = region.y;
     push_.width = region.width;
@@ -81,16 +89,12 @@ std::vector<RegionRenderer::Band> Material::bands(int most_rows) const {
 }
 
 vulkan::Job Material::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {result}};
+    return {device, *pass_, {result}};
 }
 
 void Material::submit(vulkan::Job& job, const Band& band,
                       const std::optional<vulkan::Job::Copy>& copy) const {
-    passes::MaterialPush push = push_;
-    push.first_row += band.first_row;
-    push.height = band.rows;
-    job.submit(push, {groups(push.width, passes::material_group), groups(band.rows, passes::material_group)},
-               copy);
+    submit_band(job, push_, band, passes::material_group, copy);
 }
 
 } // namespace gabor::render
