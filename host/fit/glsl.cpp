@@ -169,14 +169,14 @@ const uint {name}_seed = 0u; // which instance of the noise
                                  arguments, line.quadrature, line.noise);
         else
             plain += fmt::format("    z += gabor_noise({}) * {};\n", arguments, line.noise);
-        filtered +=
-            fmt::format("    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
-                        "gabor_kernel({1}, {2}),\n"
-                        "                             gabor_footprint(dx / {0}, dy / {0}), {3});\n",
-                        line.radius, line.frequency, line.orientation, seed);
+        filtered += fmt::format(
+            "    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
+            "gabor_kernel({1}, {2}),\n"
+            "                             gabor_footprint(dx / {0}, dy / {0}), {3}, share).value;\n",
+            line.radius, line.frequency, line.orientation, seed);
         filtered += complex ? fmt::format("    z += n.x * {} + n.y * {};\n", line.quadrature, line.noise)
                             : fmt::format("    z += n.y * {};\n", line.noise);
-        filtered += fmt::format("    removed += n.z * {};\n", line.squares);
+        filtered += fmt::format("    removed += share * {};\n", line.squares);
     }
     text += fmt::format(R"(
 vec3 {name}(vec2 p)
@@ -206,7 +206,8 @@ vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
 {{
     vec3 z = vec3(0.0);
     vec3 removed = vec3(0.0);
-    vec3 n;
+    vec2 n;
+    float share;
 {filtered}    vec3 kept = 1.0 - min(removed, 1.0);
     vec3 left = kept * ({s1} + kept * ({s2} + kept * ({s3}
               + kept * ({s4} + kept * {s5}))));
