@@ -64,11 +64,7 @@ vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
 {
     for (int i = 0; i < place.channel; ++i)
         word = gabor_impl_next_word(word);
-    if (!place.animated)
-        return gabor_impl_amplitude(word);
-    uint second = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(gabor_impl_wave(place.time), gabor_impl_amplitude(word), gabor_impl_amplitude(second),
-                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
+    return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
 }
 
 // The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of

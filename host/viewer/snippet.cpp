@@ -29,13 +29,15 @@ std::string of_wave(const render::Request& request) {
 float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
 {{
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-{}    return {};
+{}{}    return {};
 }}
 )",
                        request.filter ? " GaborFootprint footprint," : "",
                        lattice ? "    kernel = gabor_kernel_stretched(kernel, place.radius);\n" : "",
-                       request.filter ? "gabor_field_filtered(place, kernel, footprint, seed).y"
-                                      : "gabor_field(place, kernel, seed).value.y");
+                       request.filter ? "    float removed; // share of the variance\n" : "",
+                       request.filter
+                           ? "gabor_field_filtered(place, kernel, footprint, seed, removed).value.y"
+                           : "gabor_field(place, kernel, seed).value.y");
 }
 
 std::string of_plane(const Document& document, Extent extent) {

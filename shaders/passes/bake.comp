@@ -58,16 +58,6 @@ GaborWindows windows_at(float x, float nodes_per_radius)
     return windows;
 }
 
-vec2 node_amplitude(uint word)
-{
-    vec2 a = gabor_impl_amplitude(word);
-    if (!animated)
-        return a;
-    uint second = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(gabor_impl_wave(time), a, gabor_impl_amplitude(second),
-                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
-}
-
 #endif
 
 // Writes a channel of the first noise, and adds those of the others.
@@ -100,14 +90,15 @@ void fill(Run across, Run down, uint index)
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
+    vec2 moment = gabor_impl_wave(time);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
         vec2 node[GABOR_TAPS];
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
             uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-                    * rotated(node_amplitude(gabor_impl_node_word(column_word, row_word)), gabor_impl_wave(turns));
+            vec2 a = gabor_impl_amplitude_at(gabor_impl_node_word(column_word, row_word), animated, moment);
+            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
         }
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
             vec2 sum = vec2(0.0);

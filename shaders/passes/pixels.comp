@@ -58,6 +58,16 @@ struct Footprint {
     vec2 dy;
 };
 
+Values values_of(GaborField field, float removed)
+{
+#ifdef GABOR_TAPS
+    vec4 four = values > 1 ? field.four : vec4(field.value.y);
+#else
+    vec4 four = vec4(field.value.y); // of which only the first is wanted
+#endif
+    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), removed, vec3(0.0), vec3(0.0));
+}
+
 Values wave_at(PixelsWave wave, Footprint here)
 {
     Line column = columns[here.pixel.x * tables + wave.table];
@@ -75,17 +85,12 @@ Values wave_at(PixelsWave wave, Footprint here)
 #if GABOR_TAPS == 3
     if (filtered) {
         vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
-        vec3 value = gabor_field_filtered(place, kernel, gabor_footprint(nodes * here.dx, nodes * here.dy), wave.seed);
-        return Values(vec4(value.y), value.xy, vec2(0.0), value.z, vec3(0.0), vec3(0.0));
+        float removed;
+        GaborFootprint footprint = gabor_footprint(nodes * here.dx, nodes * here.dy);
+        return values_of(gabor_field_filtered(place, kernel, footprint, wave.seed, removed), removed);
     }
 #endif
-    GaborField field = gabor_field(place, kernel, wave.seed);
-#ifdef GABOR_TAPS
-    vec4 four = values > 1 ? field.four : vec4(field.value.y);
-#else
-    vec4 four = vec4(field.value.y); // of which only the first is wanted
-#endif
-    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), 0.0, vec3(0.0), vec3(0.0));
+    return values_of(gabor_field(place, kernel, wave.seed), 0.0);
 }
 
 const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));

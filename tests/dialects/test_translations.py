@@ -1,5 +1,5 @@
-"""What stands on the lattice, translated: each call gives on the device what it gives in GLSL, which other tests compare
-with the reference."""
+"""What stands on the lattice, translated, and a texture by gabor fit: each call gives on the device what it gives in GLSL,
+which other tests compare with the reference."""
 
 import os
 import pathlib
@@ -14,10 +14,14 @@ import metal
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHADERS = HERE.parents[1] / "shaders"
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials"]
-GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", HERE.parents[1] / "build" / "godot"))
-DXC = pathlib.Path(os.environ.get("GABOR_DXC", HERE.parents[1] / "build" / "dxc" / "libdxcompiler.so"))
+ROOT = HERE.parents[1]
+SHADERS = ROOT / "shaders"
+sys.path.insert(0, str(HERE.parent / "fit"))
+from textures import colour_noise, write_png
+
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "sea"] # the last by gabor fit
+GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
+DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
 CALLS = [
     "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)",
@@ -29,6 +33,7 @@ CALLS = [
     "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
     "4.0 * gabor_zebra(p, 7u).colour.y",
     "60.0 * gabor_sand(p, 7u).height",  # filtered, it meets lavapipe's trouble with loops that lanes leave at different times
+    "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0",
 ]
 
 # More lobes than there are by default: the macro is alive in each dialect with a preprocessor.
@@ -132,6 +137,22 @@ GCC = metal.is_gcc(COMPILER)
 class Translations(unittest.TestCase):
     DRAWN = {}  # by the shader, of each call
 
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.made = pathlib.Path(folder.name)
+        write_png(cls.made / "sea.png", colour_noise(160))
+        subprocess.run([os.environ["GABOR_PROGRAM"], "fit", "sea.png", "-o", "sea.json", "--lobes", "3", "--glsl", "sea.glsl"],
+                       cwd=cls.made, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "sea.glsl"], cwd=cls.made,
+                       check=bool(shutil.which("naga")))  # without it all but WGSL is there
+
+    def path(self, file, ending):
+        if file == "sea":
+            return self.made / f"sea.{ending}"
+        return SHADERS / f"{file}.glsl" if ending == "glsl" else SHADERS / "translations" / f"{file}.{ending}"
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
@@ -141,8 +162,8 @@ class Translations(unittest.TestCase):
         """The values of a shader, compiled by a command that takes its file and that of SPIR-V."""
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
         shader.write_text(source)
-        subprocess.run([*compiler, shader, spirv], check=True, timeout=120, stdout=subprocess.DEVNULL)
-        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True, timeout=120,
+        subprocess.run([*compiler, shader, spirv], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True,
                        stdout=subprocess.DEVNULL)
         return np.fromfile(values, "<f4")
 
@@ -152,7 +173,7 @@ class Translations(unittest.TestCase):
         return self.DRAWN[call]
 
     def drawn_glsl(self, call):
-        text = "#version 450\n#define GABOR_LOBES 6\n" + "".join((SHADERS / f"{file}.glsl").read_text() for file in FILES)
+        text = "#version 450\n#define GABOR_LOBES 6\n" + "".join(self.path(file, "glsl").read_text() for file in FILES)
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
     def compare(self, translated, calls=(*CALLS, LOBES)):
@@ -167,8 +188,7 @@ class Translations(unittest.TestCase):
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height", call) else 1))
 
     def pasted(self, ending, text, before="#define GABOR_LOBES 6\n"):
-        files = [SHADERS / "translations" / f"{file}.{ending}" for file in FILES]
-        return before + "".join(file.read_text() for file in files) + text
+        return before + "".join(self.path(file, ending).read_text() for file in FILES) + text
 
     def test_hlsl_by_glslang(self):
         command = ["sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"']
@@ -198,10 +218,11 @@ class Translations(unittest.TestCase):
         calls, shader, values = (*CALLS, LOBES), self.folder / "noise.gdshader", self.folder / "values.raw"
         rows = 256 // len(calls)
         shader.write_text(GODOT_SHADER.replace("ROWS", str(rows))
-                          .replace("INCLUDES", "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES))
+                          .replace("INCLUDES", "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
+                                   + self.path("sea", "gdshaderinc").read_text())
                           .replace("CALLS", "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(calls))))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "godot" / "run.py", GODOT, "canvas", "mobile", "vulkan",
-                        values, shader], check=True, timeout=120, stdout=subprocess.DEVNULL)
+                        values, shader], check=True, stdout=subprocess.DEVNULL)
         bands = dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
         self.compare(bands.get)
 
@@ -210,16 +231,16 @@ class Translations(unittest.TestCase):
         program, values = self.folder / "program", self.folder / "values.raw"
         compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + source
-        said = subprocess.run(compiler, input=source, text=True, timeout=120, stderr=subprocess.PIPE)
+        said = subprocess.run(compiler, input=source, text=True, stderr=subprocess.PIPE)
         self.assertEqual(said.returncode, 0, said.stderr)
-        subprocess.run([program, values], check=True, timeout=120)
+        subprocess.run([program, values], check=True)
         return np.fromfile(values, "<u4"), said.stderr
 
     def test_cpp(self):
-        self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-I", SHADERS / "translations")
+        self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-I", SHADERS / "translations", "-I", self.made)
 
     def test_metal(self):
-        text = "".join((SHADERS / "translations" / f"{file}.metal").read_text() for file in FILES)
+        text = "".join(self.path(file, "metal").read_text() for file in FILES)
         self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
@@ -233,7 +254,7 @@ class Translations(unittest.TestCase):
     def test_cpp_vectors(self):
         """A loop over points becomes one over vectors; each value is the shader's within 1e-6, and each word its word.
         Where a shader knows its frequency while it is compiled, it reorders products: + unknown spares it that knowledge."""
-        values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations",
+        values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:
             self.assertRegex(said, "loop vectorized")

@@ -86,6 +86,14 @@ Complex lattice_amplitude(std::uint32_t word) {
     return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-15)};
 }
 
+Complex lattice_amplitude(std::uint32_t word, double time) {
+    const std::uint32_t second = next_word(word ^ 0x68e31da4u);
+    const double angle = 2 * pi * time;
+    return (1 + std::cos(angle)) / 2 * lattice_amplitude(word) +
+           (1 - std::cos(angle)) / 2 * lattice_amplitude(second) +
+           std::sin(angle) / std::numbers::sqrt2 * lattice_amplitude(next_word(second));
+}
+
 Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t seed)
     : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
       wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
@@ -95,7 +103,6 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
     const double window_radius = 0.5 * taps_;
     const auto first_x = static_cast<std::int64_t>(std::floor(place.local_x - window_radius));
     const auto first_y = static_cast<std::int64_t>(std::floor(place.local_y - window_radius));
-    const double tau_time = 2 * pi * place.time;
     Field sum;
     for (std::int64_t j = first_y; j <= first_y + taps_ + 1; ++j) {
         for (std::int64_t i = first_x; i <= first_x + taps_ + 1; ++i) {
@@ -107,13 +114,9 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
                                               wrapped(place.cell_y + j, place.period_y), seed_);
             std::array<Complex, 4> amplitudes;
             for (Complex& amplitude : amplitudes) {
-                amplitude = lattice_amplitude(word);
+                amplitude = place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
                 word = next_word(word);
             }
-            if (place.animated)
-                amplitudes[0] = (1 + std::cos(tau_time)) / 2 * amplitudes[0] +
-                                (1 - std::cos(tau_time)) / 2 * amplitudes[1] +
-                                std::sin(tau_time) / std::numbers::sqrt2 * amplitudes[2];
             const Complex wave =
                 std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));
             const Complex kernel = wx.value * wy.value * wave;

@@ -30,6 +30,9 @@ double lattice_amplitude_deviation();
 /// The amplitude of a word: parts from all of it, of which the high half counts, and from its low half.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
+/// The same at a moment of an animation of period 1, with two others that are no other noise's.
+std::complex<double> lattice_amplitude(std::uint32_t word, double time);
+
 /// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.
 struct LatticePlace {
     std::int32_t cell_x = 0;

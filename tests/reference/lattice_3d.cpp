@@ -38,11 +38,6 @@ std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
-// Of variance 1 in each part.
-std::complex<double> amplitude(std::uint32_t word) {
-    return lattice_amplitude(word) / lattice_amplitude_deviation();
-}
-
 double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -108,15 +103,10 @@ std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
                 std::uint32_t word = node_word(x.word, y.word, z.word);
                 for (int i = 0; i < channel_; ++i)
                     word = next_word(word);
-                std::complex<double> value = amplitude(word);
-                if (animated_) {
-                    const std::uint32_t second = next_word(word);
-                    const double angle = 2 * pi * place.time;
-                    value = (1 + std::cos(angle)) / 2 * value +
-                            (1 - std::cos(angle)) / 2 * amplitude(second) +
-                            std::sin(angle) / std::sqrt(2.0) * amplitude(next_word(second));
-                }
-                nodes.push_back({{x.offset, y.offset, z.offset}, value});
+                // Of variance 1 in each part.
+                const std::complex<double> amplitude =
+                    animated_ ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+                nodes.push_back({{x.offset, y.offset, z.offset}, amplitude / lattice_amplitude_deviation()});
             }
         }
     }

@@ -54,6 +54,7 @@ struct LatticeAnswer {
     std::uint32_t word;
     std::uint32_t padding;
     float four[4];
+    float field_four[4];
 };
 
 struct LatticeSampler : Probe<LatticeSample, LatticeAnswer> {

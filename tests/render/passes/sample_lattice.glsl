@@ -36,6 +36,7 @@ struct Answer {
     uint word;
     uint padding;
     vec4 four; // gabor_noise_four
+    vec4 field_four;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -79,6 +80,7 @@ void main()
     answers[i].value = field.value;
     answers[i].slope_x = field.slope_x;
     answers[i].slope_y = field.slope_y;
+    answers[i].field_four = field.four;
     answers[i].noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
     answers[i].unorm = gabor_unorm(field.value.y);
     uint salt = gabor_impl_salt(s.seed);
