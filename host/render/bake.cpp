@@ -1,6 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
+#include "render/pixels.hpp"
 
 #include "passes/bake.h"
 #include "passes/bake_lattice_2.h"
@@ -33,7 +34,8 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, const Axis& x, const Axis& y) {
+passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
+                           const Axis& y) {
     const noise::Recipe& recipe = request.recipe;
     const double frequency = wave.frequency * wave.radius;
     const double wave_x = frequency * std::cos(wave.angle);
@@ -45,11 +47,15 @@ passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, cons
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, frequency, wave.angle, request.time));
-    return {{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-            turn(wave_x / scale),
-            turn(wave_y / scale),
-            static_cast<float>(std::sqrt(wave.share) * normalized),
-            wave.seed};
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours have weights
+    passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
+                            turn(wave_x / scale),
+                            turn(wave_y / scale),
+                            static_cast<float>(amplitude * normalized),
+                            wave.seed,
+                            {}};
+    put_weights(result.weights, request, index);
+    return result;
 }
 
 } // namespace
@@ -107,12 +113,13 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
     constants.push_back(noise::waves(request.lobes, request.seed).size() > 1);
-    return {device, modules.of(request.recipe), {4, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    constants.push_back(request.colour.has_value());
+    return {device, modules.of(request.recipe), {5, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 
 bool Bake::can_fill(const Request& request) {
     return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
-           !request.phasor && request.values == 1 && !request.colour;
+           !request.phasor && request.values == 1;
 }
 
 Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {
@@ -136,9 +143,9 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
         push.pixel = static_cast<float>(1 / scale);
         push.stretch = static_cast<float>(1 / radius);
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
-        for (const noise::Wave& wave : waves)
-            if (wave.radius == radius)
-                tables.waves.push_back(make_wave(request, wave, x, y));
+        for (std::size_t i = 0; i < waves.size(); ++i)
+            if (waves[i].radius == radius)
+                tables.waves.push_back(make_wave(request, i, waves[i], x, y));
         push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
         push.width = region.width;
         push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
@@ -157,11 +164,13 @@ Bake::Bake(const vulkan::Device& device, const Request& request, const image::Wi
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
            const Block& block)
     : Bake(device, make_tables(request, region, block), make_bake_pass(device, request, block.columns),
-           region.height) {}
+           pixels_colour(request), region.height) {}
 
-Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height)
+Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+           const passes::PixelsColour& colour, int height)
     : height_(height), grids_(tables.grids), pass_(std::move(pass)), columns_(upload(device, tables.columns)),
-      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)) {}
+      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)),
+      colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
@@ -177,7 +186,7 @@ std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, result}};
+    return {device, pass_, {columns_, rows_, waves_, result, colour_}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
