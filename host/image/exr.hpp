@@ -107,7 +107,7 @@ class ExrReader {
     /// A picture of regions as join_exr takes them, in any order, or a single file with all that it holds.
     explicit ExrReader(std::span<const std::filesystem::path> paths,
                        const std::optional<std::string>& channel = {});
-    /// Of several channels, which `read_rows` interleaves.
+    /// Several channels, which `read_rows` interleaves, of regions that cover their picture.
     ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels);
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;

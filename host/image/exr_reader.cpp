@@ -37,8 +37,8 @@ std::string default_channel(const Imf::ChannelList& channels) {
 } // namespace
 
 struct ExrReader::State {
-    explicit State(std::span<const std::filesystem::path> paths)
-        : image(paths.size() == 1 ? ExrMosaic(paths.front()) : ExrMosaic(paths)), path(paths.front()),
+    State(ExrMosaic mosaic, std::filesystem::path first)
+        : image(std::move(mosaic)), path(std::move(first)),
           picture(to_window(image.header().displayWindow())), window(to_window(image.header().dataWindow())),
           parameters(text("gabor")), software(text("software")) {}
 
@@ -76,7 +76,8 @@ ExrReader::ExrReader(const std::filesystem::path& path, const std::optional<std:
     : ExrReader(std::span(&path, 1), channel) {}
 
 ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::optional<std::string>& channel)
-    : state_(std::make_unique<State>(paths)) {
+    : state_(std::make_unique<State>(paths.size() == 1 ? ExrMosaic(paths.front()) : ExrMosaic(paths),
+                                     paths.front())) {
     const Imf::ChannelList& all = state_->image.header().channels();
     const std::string name = channel ? *channel : default_channel(all);
     if (!channel && name.empty())
@@ -85,7 +86,7 @@ ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::op
 }
 
 ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels)
-    : state_(std::make_unique<State>(paths)) {
+    : state_(std::make_unique<State>(ExrMosaic(paths), paths.front())) {
     for (const std::string& channel : channels)
         state_->add_channel(channel);
 }

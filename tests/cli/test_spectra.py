@@ -296,11 +296,11 @@ class Space(SpectraTest):
     def test_spectra_in_space(self):
         """A sum of lobes is the sum of what each of them is alone, with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
-        for view, power in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
+        for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
             # Seeds of a sum are not those of a lone lobe: so the sum is known by its powers' limits.
             second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
-                [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, power, 1e9))
-            share = power / (power + 1)
+                [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
+            share = ratio / (ratio + 1)
             np.testing.assert_allclose(both, np.sqrt(share) * first + np.sqrt(1 - share) * second, atol=1e-4)
             self.assertGreater(np.ptp(second), 1)
             self.assertGreater(np.abs(second - first).max(), 1)
@@ -324,6 +324,20 @@ class Space(SpectraTest):
 
 
 class Channels(SpectraTest):
+    def test_pixel_by_pixel_a_slice_is_the_noise_of_the_blocks(self):
+        # Of the plane tests/render/test_pixels.cpp says so.
+        options = {"view": "slice", "depth": -3.3, "frequency": 1.3, "frequency_spread": 0.5, "size": "300x200", "scale": 20,
+                   "orientation": 25, "time": 0.2}
+        for spread in (40, 90):
+            blocks = self.render("--quadrature", "--gradient", output="a.exr", orientation_spread=spread, **options)
+            pixels = self.render("--quadrature", "--gradient", "--phasor", output="b.exr", orientation_spread=spread,
+                                 **options)
+            for name, values in blocks.channels.items():
+                np.testing.assert_allclose(pixels.channels[name], values,
+                                           atol=1e-3 if name.startswith("gradient") else 4e-5, err_msg=name)
+            turn = 2 * np.pi * pixels.channels["phase"]
+            np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
+
     def test_headers_name_the_recipe_that_drew(self):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
                                 ("one", ["--orientation-spread=90"]), ("paper", ["--preset=figure6"])):
