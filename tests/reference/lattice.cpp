@@ -16,21 +16,10 @@ constexpr double knee = 0.93687595;
 constexpr double flattening = 0.89289313;
 constexpr double cubic = 0.62342056;
 
-std::uint32_t seed_salt(std::uint32_t seed) {
-    std::uint32_t word = seed * spread;
-    word = (word ^ word >> 16) * 0x21f0aaadu + 0x2545f491u;
+std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
+    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
     word = (word ^ word >> 15) * 0xd35a2d97u;
     return word ^ word >> 15;
-}
-
-std::uint32_t line_word(std::int32_t index, std::uint32_t salt) {
-    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word >> 8 | 0x800001u;
-}
-
-std::uint32_t next_word(std::uint32_t word) {
-    return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
 std::int32_t wrapped(std::int64_t index, std::int32_t period) {
@@ -59,9 +48,24 @@ double lattice_energy(int taps) {
     return taps == 2 ? 1 : 0.375 * taps;
 }
 
+std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed) {
+    constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
+    const std::uint32_t salt = mix(seed * spread, 0x2545f491u) ^ axes.at(static_cast<std::size_t>(axis));
+    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word >> 8 | 0x800001u;
+}
+
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed) {
-    const std::uint32_t salt = seed_salt(seed);
-    return line_word(column, salt) * line_word(row, salt ^ 0x5bd1e995u);
+    return lattice_line_word(column, 0, seed) * lattice_line_word(row, 1, seed);
+}
+
+std::uint32_t lattice_next_word(std::uint32_t word) {
+    return (word ^ word >> 15) * 0xd35a2d97u;
+}
+
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
+    return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, spread);
 }
 
 double lattice_amplitude_part(double u) {
@@ -108,7 +112,7 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
             std::array<Complex, 4> amplitudes;
             for (Complex& amplitude : amplitudes) {
                 amplitude = lattice_amplitude(word);
-                word = next_word(word);
+                word = lattice_next_word(word);
             }
             if (place.animated)
                 amplitudes[0] = (1 + std::cos(tau_time)) / 2 * amplitudes[0] +
