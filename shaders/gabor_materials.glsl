@@ -59,9 +59,12 @@ vec3 gabor_impl_layer(GaborPixel pixel, vec2 density, float frequency, float ori
 {
     GaborPlace place = gabor_place(ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-    if (pixel.filtered)
-        return gabor_field_filtered(place, kernel, gabor_footprint(density * pixel.dx, density * pixel.dy), seed);
-    return vec3(gabor_field(place, kernel, seed).value, 0.0);
+    if (!pixel.filtered)
+        return vec3(gabor_field(place, kernel, seed).value, 0.0);
+    float removed;
+    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
+    vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
+    return vec3(value, removed);
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.

@@ -63,12 +63,12 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
     fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", figures.autocorrelation,
                fit::furthest_lag);
     if (exemplar.structure > fit::Structure::limit)
-        fmt::print("  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, "
-                   "where Gaussian "
-                   "textures have 0.\n  Its random-phase noise has lost the edges and the things that it is "
-                   "made of: "
-                   "the fit will too.\n",
-                   exemplar.structure);
+        fmt::print(
+            "  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, where "
+            "Gaussian textures have 0.\n"
+            "  Its random-phase noise has lost the edges and the things that it is made of: the fit will "
+            "too.\n",
+            exemplar.structure);
     if (exemplar.alpha)
         fmt::print("  Its alpha channel was ignored.\n");
 }

@@ -60,24 +60,10 @@ void read_bands(image::ExrReader& reader, Progress& progress, Use use) {
     }
 }
 
-// What all pixels of a channel hold, if that is one value.
-std::optional<double> constant_of(const std::string& file, const char* channel) {
-    image::ExrReader reader(file, channel);
-    Progress progress("measuring", static_cast<std::uint64_t>(reader.window().width) *
-                                       static_cast<std::uint64_t>(reader.window().height));
-    statistics::Moments moments;
-    read_bands(reader, progress, [&](auto band) { moments.add(band); });
-    return moments.minimum() == moments.maximum() ? std::optional(moments.mean()) : std::nullopt;
-}
-
 // What theory says of the variance of a channel around 0, from the parameters in the file's header.
-std::optional<double> known_variance(const StatsOptions& options, const std::string& channel,
-                                     const std::string& parameters) {
+std::optional<double> known_variance(const std::string& channel, const std::string& parameters) {
     try {
-        const render::Request request = render::from_json(parameters);
-        const bool filtered = request.filter && channel == "Y";
-        return render::known_variance(request, channel,
-                                      filtered ? constant_of(options.file, "removed") : std::nullopt);
+        return render::known_variance(render::from_json(parameters), channel);
     } catch (const RequestError&) {
         return {}; // not ours, or not as we write it
     }
@@ -103,8 +89,7 @@ Measured measure(const StatsOptions& options) {
 
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(measured.width) * static_cast<std::uint64_t>(measured.height);
-    const std::optional<double> variance =
-        deep ? std::nullopt : known_variance(options, measured.channel, attribute);
+    const std::optional<double> variance = deep ? std::nullopt : known_variance(measured.channel, attribute);
     Progress progress("measuring", variance ? pixels : 2 * pixels);
     if (variance && *variance > 0) {
         measured.expected = {0, std::sqrt(*variance), false};

@@ -52,13 +52,13 @@ class Rows {
 };
 
 // The first pass: size, mean, trend and covariance.
-Exemplar survey(const std::filesystem::path& path, const Advance& advance) {
+Exemplar first_pass(const std::filesystem::path& path, const Advance& advance) {
     Rows rows(path, false);
     const auto& format = rows.format();
     if (std::min(format.width, format.height) < least_side)
         refuse(path, fmt::format("has {} x {} pixels: it takes at least {} x {}, to tell waves from chance",
                                  format.width, format.height, least_side, least_side));
-    MomentSums sums(format.width, format.height, format.channels);
+    PixelSums sums(format.width, format.height, format.channels);
     bool grey = true;
     for (int y = 0; y < format.height; ++y) {
         const std::span<const float> row = rows.next();
@@ -67,17 +67,17 @@ Exemplar survey(const std::filesystem::path& path, const Advance& advance) {
             grey = row[i] == row[i + 1] && row[i] == row[i + 2];
         advance(static_cast<double>(y + 1) / format.height);
     }
-    Moments moments = sums.moments();
+    const Survey found = sums.survey();
     Exemplar exemplar;
     exemplar.width = format.width;
     exemplar.height = format.height;
     exemplar.channels = grey ? 1 : 3;
     exemplar.alpha = format.alpha;
-    exemplar.trend = {format.width, format.height, moments.trend.coefficients.leftCols(exemplar.channels)};
-    exemplar.mean = moments.mean.head(exemplar.channels);
+    exemplar.trend = {format.width, format.height, found.trend.coefficients.leftCols(exemplar.channels)};
+    exemplar.mean = found.mean.head(exemplar.channels);
 
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        moments.covariance.topLeftCorner(exemplar.channels, exemplar.channels));
+        found.covariance.topLeftCorner(exemplar.channels, exemplar.channels));
     const Eigen::VectorXd deviations = solver.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
     if (!(deviations[0] > least_deviation))
         refuse(path, "is constant, but for a trend: it takes a picture of a texture");
@@ -98,7 +98,7 @@ Eigen::MatrixXd to_components(const Exemplar& exemplar) {
 }
 
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance) {
-    Exemplar exemplar = survey(path, [&](double share) { advance(share / 2); });
+    Exemplar exemplar = first_pass(path, [&](double share) { advance(share / 2); });
     const auto count = static_cast<int>(exemplar.components.cols());
     const Eigen::MatrixXf map = to_components(exemplar).cast<float>();
     SpectraEstimate estimate(exemplar.width, exemplar.height, count);

@@ -16,10 +16,12 @@ namespace {
 
 using noise::Colour;
 
-// Words of GLSL that a texture's file may be called.
-constexpr std::array<std::string_view, 13> reserved{"common", "filter",  "fixed",  "flat",   "main",
-                                                    "mix",    "noise1",  "patch",  "sample", "sampler",
-                                                    "smooth", "texture", "varying"};
+// Words of GLSL, and functions that it has, of which a texture's file may well have the name.
+constexpr std::array<std::string_view, 34> reserved{
+    "abs",    "all",     "any",      "asin",       "atan", "ceil",      "clamp",  "common",  "cos",
+    "cross",  "degrees", "distance", "dot",        "exp",  "filter",    "fixed",  "flat",    "floor",
+    "fract",  "length",  "log",      "main",       "mix",  "normalize", "patch",  "refract", "round",
+    "sample", "sampler", "smooth",   "smoothstep", "step", "texture",   "varying"};
 
 std::string number(double value) {
     std::string text = fmt::format("{:.8g}", static_cast<double>(static_cast<float>(value)));
@@ -63,12 +65,17 @@ vec3 {name}_colour(vec3 z, vec3 removed)
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;
     vec3 v = removed;
-    vec3 even = {c0} + {c2} * (s + v) + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v);
-    vec3 odd = {c1} + {c3} * (s + 3.0 * v) + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v);
+    vec3 even = {c0}
+              + {c2} * (s + v)
+              + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v);
+    vec3 odd = {c1}
+             + {c3} * (s + 3.0 * v)
+             + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v);
     vec3 component = even + z * odd;
-    return {mean} + vec3(dot({r}, component),
-                         dot({g}, component),
-                         dot({b}, component));
+    return {mean}
+         + vec3(dot({r}, component),
+                dot({g}, component),
+                dot({b}, component));
 }}
 )",
                        fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
@@ -110,8 +117,9 @@ std::string function_name(const std::filesystem::path& file) {
     std::string name = file.stem().string();
     const auto letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (file.extension() != ".glsl" || !std::ranges::all_of(name, letter) || name.empty() ||
-        std::isdigit(static_cast<unsigned char>(name[0])) != 0 || name.find("__") != std::string::npos ||
-        name.starts_with("gl_") || std::ranges::find(reserved, name) != reserved.end())
+        std::isalpha(static_cast<unsigned char>(name[0])) == 0 || name.ends_with('_') ||
+        name.find("__") != std::string::npos || name.starts_with("gl_") ||
+        std::ranges::find(reserved, name) != reserved.end())
         throw RequestError(
             fmt::format("--glsl '{}': it takes NAME.glsl with the name of a function, of letters, digits "
                         "and _, and no word of GLSL",
@@ -127,11 +135,21 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
     std::ranges::replace_if(
         comment, [](unsigned char c) { return c < ' ' || c == 0x7f || c == '\\'; }, '_');
     std::string text =
-        fmt::format(R"(// {name}: Gabor noise after {image}, {width} x {height} pixels, by gabor fit.
+        fmt::format(R"(// {name}.glsl: Gabor noise after {image}, {width} x {height} pixels, by gabor fit.
+//
+// Put it after gabor_lattice.glsl and gabor_spectrum.glsl.
+//
 //     vec3 {name}(vec2 p)                             its colour at p, in pixels of that picture
 //     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it that reaches dx and dy further to its neighbours,
 //                                                     dFdx(p) and dFdy(p), and the share of the variance that this removed
-// Put it after gabor_lattice.glsl and gabor_spectrum.glsl. It costs {count} times gabor_noise.
+//
+// The first costs about as much as {count} gabor_noise.
+
+#ifndef GABOR_SPECTRUM_GLSL
+#error Include gabor_lattice.glsl and gabor_spectrum.glsl before {name}.glsl
+#endif
+#ifndef GABOR_TEXTURE_{name}_GLSL
+#define GABOR_TEXTURE_{name}_GLSL
 
 const uint {name}_seed = 0u; // which instance of the noise
 )",
@@ -151,14 +169,14 @@ const uint {name}_seed = 0u; // which instance of the noise
                                  arguments, line.quadrature, line.noise);
         else
             plain += fmt::format("    z += gabor_noise({}) * {};\n", arguments, line.noise);
-        filtered +=
-            fmt::format("    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
-                        "gabor_kernel({1}, {2}),\n"
-                        "                             gabor_footprint(dx / {0}, dy / {0}), {3});\n",
-                        line.radius, line.frequency, line.orientation, seed);
+        filtered += fmt::format(
+            "    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
+            "gabor_kernel({1}, {2}),\n"
+            "                             gabor_footprint(dx / {0}, dy / {0}), {3}, share).value;\n",
+            line.radius, line.frequency, line.orientation, seed);
         filtered += complex ? fmt::format("    z += n.x * {} + n.y * {};\n", line.quadrature, line.noise)
                             : fmt::format("    z += n.y * {};\n", line.noise);
-        filtered += fmt::format("    removed += n.z * {};\n", line.squares);
+        filtered += fmt::format("    removed += share * {};\n", line.squares);
     }
     text += fmt::format(R"(
 vec3 {name}(vec2 p)
@@ -188,13 +206,16 @@ vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
 {{
     vec3 z = vec3(0.0);
     vec3 removed = vec3(0.0);
-    vec3 n;
+    vec2 n;
+    float share;
 {filtered}    vec3 kept = 1.0 - min(removed, 1.0);
     vec3 left = kept * ({s1} + kept * ({s2} + kept * ({s3}
               + kept * ({s4} + kept * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));
 }}
 #endif
+
+#endif // GABOR_TEXTURE_{name}_GLSL
 )",
                         fmt::arg("name", name), fmt::arg("filtered", filtered), fmt::arg("s1", share(1)),
                         fmt::arg("s2", share(2)), fmt::arg("s3", share(3)), fmt::arg("s4", share(4)),

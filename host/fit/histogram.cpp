@@ -1,11 +1,9 @@
 #include "fit/histogram.hpp"
 
-#include <boost/math/special_functions/erf.hpp>
+#include "statistics/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace gabor::fit {
@@ -13,6 +11,7 @@ namespace gabor::fit {
 namespace {
 
 constexpr double reach = 8; ///< deviations
+constexpr std::size_t bins = 4096;
 constexpr std::size_t degree = 5;
 using Coefficients = std::array<double, degree + 1>;
 
@@ -24,19 +23,13 @@ Coefficients hermite(double z) {
     return he;
 }
 
-double normal_quantile(double p) {
-    if (p <= 0 || p >= 1)
-        return p <= 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
-    return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * p);
-}
-
 // He_n(z) phi(z), 0 at the ends: the integral of He_(n + 1) phi is -He_n phi.
 Coefficients ends(double p) {
     Coefficients values{};
     if (p <= 0 || p >= 1)
         return values;
-    const double z = normal_quantile(p);
-    const double density = std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+    const double z = statistics::normal_quantile(p);
+    const double density = statistics::normal_density(z);
     const Coefficients he = hermite(z);
     std::ranges::transform(he, values.begin(), [&](double h) { return h * density; });
     return values;
@@ -55,11 +48,13 @@ bool rises(const Coefficients& a) {
     return true;
 }
 
+double middle_of(std::size_t bin) {
+    return (static_cast<double>(bin) + 0.5) * (2 * reach / bins) - reach;
+}
+
 } // namespace
 
-double Quantiles::middle(std::size_t bin) {
-    return (static_cast<double>(bin) + 0.5) * (2 * reach / 4096) - reach;
-}
+Quantiles::Quantiles() : counts_(bins) {}
 
 void Quantiles::add(float value) {
     const double place = (value + reach) / (2 * reach) * static_cast<double>(counts_.size());
@@ -77,7 +72,7 @@ std::array<double, 6> Quantiles::polynomial() const {
         below += counts_[bin];
         const Coefficients high = ends(static_cast<double>(below) / all);
         for (std::size_t n = 1; n <= degree; ++n)
-            projected[n] += middle(bin) * (low[n - 1] - high[n - 1]);
+            projected[n] += middle_of(bin) * (low[n - 1] - high[n - 1]);
         low = high;
     }
     double factorial = 1;

@@ -9,6 +9,7 @@ namespace gabor::fit {
 /// Counts of values of about variance 1, from which their law is read.
 class Quantiles {
   public:
+    Quantiles();
     void add(float value);
 
     /// The monotone polynomial of degree 5 that takes the standard normal law to the law of the values as
@@ -20,12 +21,8 @@ class Quantiles {
     /// enough.
     std::array<double, 6> polynomial() const;
 
-    /// Their excess kurtosis and the like stand in their counts: the values at the middles of bins.
-    const std::vector<std::uint64_t>& counts() const { return counts_; }
-    static double middle(std::size_t bin);
-
   private:
-    std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(4096);
+    std::vector<std::uint64_t> counts_;
 };
 
 } // namespace gabor::fit

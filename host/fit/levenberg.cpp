@@ -117,7 +117,8 @@ struct Normal {
     Eigen::VectorXd slope;
 };
 
-Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& parts, const Residual& left) {
+Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& parts, Index each,
+                        const Residual& left) {
     const auto gram = [](const Eigen::MatrixXd& m) {
         Eigen::MatrixXd product = Eigen::MatrixXd::Zero(m.cols(), m.cols());
         product.selfadjointView<Eigen::Lower>().rankUpdate(m.transpose());
@@ -134,13 +135,13 @@ Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& p
     Normal normal{Eigen::MatrixXd(count, count), Eigen::VectorXd(count)};
     for (Index i = 0; i < count; ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
-        const Index row = p.wave * functions + p.function;
+        const Index row = p.wave * each + p.function;
         normal.slope[i] = sum_products.row(row).dot(p.change.real);
         if (several)
             normal.slope[i] += difference_products.row(row).dot(p.change.imaginary);
         for (Index k = 0; k <= i; ++k) {
             const Parameter& q = parameters[static_cast<std::size_t>(k)];
-            const Index column = q.wave * functions + q.function;
+            const Index column = q.wave * each + q.function;
             double entry = sums(row, column) * p.change.real.dot(q.change.real);
             if (several)
                 entry += differences(row, column) * p.change.imaginary.dot(q.change.imaginary);
@@ -259,13 +260,14 @@ Spectra model(const std::vector<Wave>& waves, int channels) {
 
 void refine(const Target& target, std::vector<Wave>& waves, Free free, int steps) {
     constexpr int most_trials = 6;
+    const Index each = free == Free::all ? functions : 1;
     double lambda = 0.01;
     for (int s = 0; s < steps; ++s) {
-        const Parts parts = parts_of(waves, true, target.weight);
-        const Residual left = subtract(target, waves, parts, functions);
+        const Parts parts = parts_of(waves, free == Free::all, target.weight);
+        const Residual left = subtract(target, waves, parts, each);
         const double cost = left.cost();
         const std::vector<Parameter> parameters = parameters_of(waves, free);
-        Normal normal = normal_equations(parameters, parts, left);
+        Normal normal = normal_equations(parameters, parts, each, left);
         const Eigen::VectorXd diagonal = damping(parameters, waves, normal);
         freeze_bounded(parameters, waves, normal);
 

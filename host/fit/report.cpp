@@ -240,8 +240,8 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
                                  exemplar.components.squaredNorm());
     const std::string warning = exemplar.structure > Structure::limit
                                     ? "<p><b>This is no texture of waves alone:</b> random-phase noise has "
-                                      "lost the edges and the things that "
-                                      "it is made of, and the fit has too.</p>"
+                                      "lost the edges and the things that it is made of, and the fit has "
+                                      "too.</p>"
                                     : "";
     const std::string page = fmt::format(
         R"(<!DOCTYPE html>

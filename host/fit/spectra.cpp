@@ -1,8 +1,6 @@
 #include "fit/spectra.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace gabor::fit {
@@ -10,17 +8,6 @@ namespace gabor::fit {
 namespace {
 
 constexpr int hop = 16;
-constexpr int most_windows = 64; ///< along each axis
-
-// Evenly from the first pixel to the last, so that no border is left out.
-std::vector<int> window_begins(int length) {
-    const int slack = length - window_side;
-    const int steps = std::clamp((slack + hop - 1) / hop, 1, most_windows - 1);
-    std::vector<int> begins;
-    for (int i = 0; i <= steps; ++i)
-        begins.push_back(static_cast<int>(std::int64_t{slack} * i / steps));
-    return begins;
-}
 
 } // namespace
 
@@ -103,32 +90,17 @@ Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
 }
 
 SpectraEstimate::SpectraEstimate(int width, int height, int channels)
-    : width_(width), channels_(channels), columns_(window_begins(width)), lines_(window_begins(height)),
-      rows_(static_cast<std::size_t>(window_side) * static_cast<std::size_t>(width) *
-            static_cast<std::size_t>(channels)),
-      window_(std::size_t{grid_side} * grid_side), transform_(grid_side),
-      transformed_(static_cast<std::size_t>(channels)), sum_(channels) {}
+    : segments_(width, height, channels, window_side, hop), window_(std::size_t{grid_side} * grid_side),
+      transform_(grid_side), transformed_(static_cast<std::size_t>(channels)), sum_(channels) {}
 
 void SpectraEstimate::add_row(std::span<const float> row) {
-    std::copy(row.begin(), row.end(), rows_.begin() + (row_ % window_side) * std::ssize(row));
-    ++row_;
-    if (band_ == lines_.size() || lines_[band_] + window_side != row_)
-        return;
-    for (const int left : columns_)
-        add_window(left, lines_[band_]);
-    ++band_;
+    for (const int left : segments_.add_row(row))
+        add_window(left);
 }
 
-void SpectraEstimate::add_window(int left, int top) {
-    const Eigen::ArrayXd& hann = hann_window();
-    for (int c = 0; c < channels_; ++c) {
-        for (int y = 0; y < window_side; ++y) {
-            const std::ptrdiff_t line = (top + y) % window_side;
-            const float* in = rows_.data() + (line * width_ + left) * channels_ + c;
-            float* out = window_.data() + std::ptrdiff_t{y} * grid_side;
-            for (int x = 0; x < window_side; ++x)
-                out[x] = in[std::ptrdiff_t{x} * channels_] * static_cast<float>(hann[x] * hann[y]);
-        }
+void SpectraEstimate::add_window(int left) {
+    for (int c = 0; c < sum_.channels; ++c) {
+        segments_.weigh(left, c, window_, grid_side);
         const auto values = transform_(window_);
         transformed_[static_cast<std::size_t>(c)] =
             Eigen::Map<const Eigen::ArrayXcf>(values.data(), grid_size);
@@ -138,18 +110,18 @@ void SpectraEstimate::add_window(int left, int top) {
                transformed_[static_cast<std::size_t>(pair.d)].conjugate();
     };
     Eigen::Index column = 0;
-    for (const Pair& pair : real_pairs(channels_))
+    for (const Pair& pair : real_pairs(sum_.channels))
         sum_.real.col(column++).array() += product(pair).real().cast<double>();
     column = 0;
-    for (const Pair& pair : imaginary_pairs(channels_))
+    for (const Pair& pair : imaginary_pairs(sum_.channels))
         sum_.imaginary.col(column++).array() += product(pair).imag().cast<double>();
 }
 
 Spectra SpectraEstimate::spectra() const {
-    const auto windows = static_cast<double>(columns_.size() * lines_.size());
+    const double scale = 1 / (static_cast<double>(segments_.count()) * std::pow(segments_.window_power(), 2));
     Spectra result = sum_;
-    result.real /= windows;
-    result.imaginary /= windows;
+    result.real *= scale;
+    result.imaginary *= scale;
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "statistics/segments.hpp"
 #include "statistics/transform.hpp"
 
 #include <Eigen/Core>
@@ -63,19 +64,13 @@ class SpectraEstimate {
     Spectra spectra() const;
 
   private:
-    void add_window(int left, int top);
+    void add_window(int left);
 
-    int width_;
-    int channels_;
-    std::vector<int> columns_; ///< where windows begin
-    std::vector<int> lines_;
-    std::vector<float> rows_; ///< row y of the picture in place y % window_side
-    std::vector<float> window_;
+    statistics::Segments segments_;
+    std::vector<float> window_; ///< the rest of the grid stays 0
     statistics::Transform transform_;
     std::vector<Eigen::ArrayXcf> transformed_; ///< of each channel
     Spectra sum_;
-    int row_ = 0;
-    std::size_t band_ = 0; ///< bands of windows that are complete
 };
 
 } // namespace gabor::fit

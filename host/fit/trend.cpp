@@ -11,6 +11,15 @@ double place(int i, int n) {
     return (2.0 * i + 1) / n - 1;
 }
 
+// The polynomials along a row at v, in terms of 1, x, x^2.
+Eigen::Matrix<double, 6, 3> polynomials_at(double v) {
+    Eigen::Matrix<double, 6, 3> m;
+    m.col(0) << 1, 0, v, 0, 0, v * v;
+    m.col(1) << 0, 1, 0, 0, v, 0;
+    m.col(2) << 0, 0, 0, 1, 0, 0;
+    return m;
+}
+
 } // namespace
 
 void Trend::subtract(int y, std::span<float> row) const {
@@ -27,32 +36,28 @@ void Trend::subtract(int y, std::span<float> row) const {
     }
 }
 
-MomentSums::MomentSums(int width, int height, int channels)
-    : width_(width), height_(height), gram_(decltype(gram_)::Zero()),
+PixelSums::PixelSums(int width, int height, int channels)
+    : height_(height), powers_(3, width), gram_(decltype(gram_)::Zero()),
       products_(decltype(products_)::Zero(6, channels)), squares_(Eigen::MatrixXd::Zero(channels, channels)) {
-}
-
-void MomentSums::add_row(std::span<const float> row) {
-    const double v = place(row_++, height_);
-    Eigen::Matrix<double, 6, 1> polynomials;
-    Eigen::VectorXd values(products_.cols());
-    const float* at = row.data();
-    for (int x = 0; x < width_; ++x) {
-        const double u = place(x, width_);
-        polynomials << 1, u, v, u * u, u * v, v * v;
-        for (double& value : values)
-            value = *at++;
-        gram_.selfadjointView<Eigen::Lower>().rankUpdate(polynomials);
-        products_.noalias() += polynomials * values.transpose();
-        squares_.noalias() += values * values.transpose();
+    for (int x = 0; x < width; ++x) {
+        const double u = place(x, width);
+        powers_.col(x) << 1, u, u * u;
     }
+    row_gram_ = powers_ * powers_.transpose();
 }
 
-Moments MomentSums::moments() const {
-    const Eigen::Matrix<double, 6, 6> gram = gram_.selfadjointView<Eigen::Lower>();
-    const double pixels = gram(0, 0);
-    Moments result;
-    result.trend = {width_, height_, gram.ldlt().solve(products_)};
+void PixelSums::add_row(std::span<const float> row) {
+    values_ = Eigen::Map<const Eigen::MatrixXf>(row.data(), squares_.rows(), powers_.cols()).cast<double>();
+    const Eigen::Matrix<double, 6, 3> polynomials = polynomials_at(place(row_++, height_));
+    gram_ += polynomials * row_gram_ * polynomials.transpose();
+    products_ += polynomials * (powers_ * values_.transpose());
+    squares_ += values_ * values_.transpose();
+}
+
+Survey PixelSums::survey() const {
+    const double pixels = gram_(0, 0);
+    Survey result;
+    result.trend = {static_cast<int>(powers_.cols()), height_, gram_.ldlt().solve(products_)};
     result.mean = products_.row(0).transpose() / pixels;
     result.covariance = (squares_ - products_.transpose() * result.trend.coefficients) / pixels;
     return result;

@@ -19,27 +19,29 @@ struct Trend {
 };
 
 /// What one pass over a picture finds.
-struct Moments {
+struct Survey {
     Trend trend;
     Eigen::VectorXd mean;
     Eigen::MatrixXd covariance; ///< of the channels, without the trend
 };
 
-/// Sums that Moments are made of.
-class MomentSums {
+/// Sums that it is made of.
+class PixelSums {
   public:
-    MomentSums(int width, int height, int channels);
+    PixelSums(int width, int height, int channels);
 
     /// Rows from the top.
     void add_row(std::span<const float> row);
     /// Call after the last row.
-    Moments moments() const;
+    Survey survey() const;
 
   private:
-    int width_;
     int height_;
     int row_ = 0;
-    Eigen::Matrix<double, 6, 6> gram_;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> powers_;   ///< 1, x, x^2 of each column
+    Eigen::Matrix3d row_gram_;                          ///< of these
+    Eigen::MatrixXd values_;                            ///< the row
+    Eigen::Matrix<double, 6, 6> gram_;                  ///< of the polynomials
     Eigen::Matrix<double, 6, Eigen::Dynamic> products_; ///< of the polynomials and the channels
     Eigen::MatrixXd squares_;                           ///< of the channels
 };

@@ -1,22 +1,19 @@
 #include "image/png.hpp"
 
+#include "image/libpng.hpp"
 #include "image/output_file.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
-#include <csetjmp>
 #include <exception>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace gabor::image {
 
 namespace {
 
-constexpr png_uint_32 widest = 65536;
 // Measured on noise: higher levels take up to four times as long and save nothing that a preview would miss.
 constexpr int compression_level = 1;
 constexpr int filter = PNG_FILTER_UP;
@@ -34,17 +31,13 @@ struct PngWriter::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    /// libpng reports an error by a longjmp to here, so that `calls` must own nothing that has a destructor.
     template <class Calls>
     void guarded(Calls calls) {
-        if (setjmp(png_jmpbuf(png)) == 0)
-            calls();
-        else
+        if (!succeeds(png, calls))
             rethrow();
     }
     [[noreturn]] void rethrow() const;
 
-    static void on_error(png_structp png, png_const_charp text);
     static void on_write(png_structp png, png_bytep bytes, std::size_t count);
 
     OutputFile file;
@@ -52,26 +45,21 @@ struct PngWriter::State {
     png_infop info = nullptr;
     std::vector<png_byte> row;
     int rows_left;
-    std::string message;        ///< libpng's own error
+    PngErrors errors;           ///< libpng's own
     std::exception_ptr failure; ///< or the disk's
 };
 
 PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels)
     : file(path), row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)),
       rows_left(height) {
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &errors, PngErrors::on_error, PngErrors::on_warning);
     info = png ? png_create_info_struct(png) : nullptr;
 }
 
 void PngWriter::State::rethrow() const {
     if (failure)
         std::rethrow_exception(failure);
-    throw std::runtime_error(fmt::format("cannot write {}: {}", file.path().string(), message));
-}
-
-void PngWriter::State::on_error(png_structp png, png_const_charp text) {
-    static_cast<State*>(png_get_error_ptr(png))->message = text;
-    png_longjmp(png, 1);
+    throw std::runtime_error(fmt::format("cannot write {}: {}", file.path().string(), errors.message));
 }
 
 void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t count) {
@@ -93,9 +81,10 @@ PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, i
         throw std::bad_alloc();
     const png_structp png = state_->png;
     const png_infop info = state_->info;
+    State* const state = state_.get();
     state_->guarded([=] {
-        png_set_write_fn(png, png_get_error_ptr(png), State::on_write, [](png_structp) {});
-        png_set_user_limits(png, widest, widest);
+        png_set_write_fn(png, state, State::on_write, [](png_structp) {});
+        png_set_user_limits(png, widest_png, widest_png);
         png_set_compression_level(png, compression_level);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, filter);
         png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,

@@ -1,12 +1,12 @@
 #include "error.hpp"
+#include "image/libpng.hpp"
 #include "image/picture.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
-#include <csetjmp>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,6 @@ namespace gabor::image {
 
 namespace {
 
-constexpr png_uint_32 widest = 65536;
 constexpr std::size_t most_interlaced = std::size_t{1} << 28; ///< bytes: such a picture must be held whole
 
 class PngPicture : public PictureReader {
@@ -27,20 +26,13 @@ class PngPicture : public PictureReader {
     void read_row(std::span<float> row) override;
 
   private:
-    /// libpng reports an error by a longjmp to here, so that `calls` must own nothing that has a destructor.
     template <class Calls>
     void guarded(Calls calls) {
-        if (setjmp(png_jmpbuf(png_)) == 0)
-            calls();
-        else
-            refuse(message_);
+        if (!succeeds(png_, calls))
+            refuse(errors_.message);
     }
     [[noreturn]] void refuse(const std::string& reason) const {
         throw RequestError(fmt::format("cannot read '{}': {}", path_.string(), reason));
-    }
-    static void on_error(png_structp png, png_const_charp text) {
-        static_cast<PngPicture*>(png_get_error_ptr(png))->message_ = text;
-        png_longjmp(png, 1);
     }
     void read_header();
     void read_interlaced();
@@ -49,7 +41,7 @@ class PngPicture : public PictureReader {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
-    std::string message_;
+    PngErrors errors_;
     bool interlaced_ = false;
     std::vector<png_byte> bytes_; ///< of one row, or of all where it is interlaced
     std::size_t row_ = 0;
@@ -59,7 +51,8 @@ PngPicture::PngPicture(const std::filesystem::path& path)
     : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
     if (!file_)
         refuse("it cannot be opened");
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+    png_ =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, &errors_, PngErrors::on_error, PngErrors::on_warning);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
     if (!info_) {
         png_destroy_read_struct(&png_, nullptr, nullptr);
@@ -84,7 +77,7 @@ PngPicture::PngPicture(const std::filesystem::path& path)
 // Every format becomes 16 bits of grey or of RGB.
 void PngPicture::read_header() {
     guarded([this] {
-        png_set_user_limits(png_, widest, widest);
+        png_set_user_limits(png_, widest_png, widest_png);
         png_init_io(png_, file_.get());
         png_read_info(png_, info_);
         const int type = png_get_color_type(png_, info_);

@@ -18,4 +18,14 @@ double variance(const Recipe& recipe, double frequency, double orientation, doub
 /// places.
 double window_slope_energy(const Recipe& lattice);
 
+/// Along one axis, of the wave of a lattice of three nodes, and of its derivative.
+struct AxisVariance {
+    double noise;
+    double slope; ///< per kernel radius squared
+};
+
+/// What a normal filter leaves of the two. `frequency`: cycles per kernel radius along the axis. `deviation`:
+/// the filter's, at most a kernel radius.
+AxisVariance filtered_variance(double frequency, double deviation);
+
 } // namespace gabor::noise

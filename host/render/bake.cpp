@@ -106,7 +106,7 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(request.quadrature);
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
-    constants.push_back(!is_one_wave(request));
+    constants.push_back(noise::waves(request.lobes, request.seed).size() > 1);
     return {device, modules.of(request.recipe), {4, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 

@@ -1,6 +1,8 @@
 #include "render/law.hpp"
 
+#include "noise/spectrum.hpp"
 #include "noise/variance.hpp"
+#include "render/renderer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,33 +13,68 @@ namespace gabor::render {
 
 namespace {
 
-// That of the noise's derivative along `axis`, a wave's and its windows': the two are uncorrelated.
-std::optional<double> gradient_variance(const Request& request, bool along_y) {
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    const noise::Recipe recipe = drawing_recipe(request);
-    if (!plane || plane->tileable || !request.paint.empty() || !is_one_wave(request) || !recipe.is_lattice())
-        return {};
-    const noise::Lobe& lobe = request.lobes.front();
-    const double along = along_y ? std::sin(lobe.angle()) : std::cos(lobe.angle());
-    const double slope = 2 * std::numbers::pi * lobe.frequency * along;
-    return slope * slope + noise::window_slope_energy(recipe) / (lobe.radius * lobe.radius);
+struct Variances {
+    double noise = 0;
+    double slope_x = 0;
+    double slope_y = 0;
+};
+
+// Of a wave along one axis, in its own kernel radii: its derivative and that of its windows are uncorrelated.
+noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
+    if (request.filter)
+        return noise::filtered_variance(frequency, deviation);
+    const double turn = 2 * std::numbers::pi * frequency;
+    return {1, turn * turn + noise::window_slope_energy(request.recipe)};
+}
+
+// Of the lattice in the plane, the sum over its waves. None where a pixel is wider than the filter is made
+// for.
+std::optional<Variances> variances(const Request& request) {
+    Variances sum;
+    for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
+        // Windows stretch with the nodes to fit a period: kernels per kernel radius of the picture.
+        const auto kernels = [&](int side) {
+            return axis_along(request, side, wave.radius).radius / double{request.recipe.radius} /
+                   wave.radius;
+        };
+        const double x = kernels(request.width);
+        const double y = kernels(request.height);
+        const double deviation = 0.5 / request.scale;
+        if (request.filter && deviation * std::max(x, y) > 0.5)
+            return {};
+        const auto across = along_axis(request, wave.frequency * std::cos(wave.angle) / x, deviation * x);
+        const auto down = along_axis(request, wave.frequency * std::sin(wave.angle) / y, deviation * y);
+        sum.noise += wave.share * across.noise * down.noise;
+        sum.slope_x += wave.share * x * x * across.slope * down.noise;
+        sum.slope_y += wave.share * y * y * across.noise * down.slope;
+    }
+    return sum;
 }
 
 } // namespace
 
-std::optional<double> known_variance(const Request& request, std::string_view channel,
-                                     std::optional<double> removed) {
+std::optional<double> known_variance(const Request& request, std::string_view channel) {
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !std::holds_alternative<Slice>(request.view))
         return {}; // sky and background belong to the picture too
-    if (request.filter)
-        return channel == "Y" && flat && removed ? std::optional(1 - *removed) : std::nullopt;
-    if (channel == "gradient.x" || channel == "gradient.y")
-        return gradient_variance(request, channel == "gradient.y");
-    if (channel == "quadrature") // two phases make sines, whose cosines have another variance
-        return drawing_recipe(request).phases == 2 ? std::nullopt : std::optional(1.0);
     constexpr std::array noises{"Y", "second", "third", "fourth"};
-    return std::ranges::find(noises, channel) != noises.end() ? std::optional(1.0) : std::nullopt;
+    // Two phases make sines, whose cosines have another variance.
+    const bool noise = std::ranges::find(noises, channel) != noises.end() ||
+                       (channel == "quadrature" && drawing_recipe(request).phases != 2);
+    if (noise && !request.filter)
+        return 1;
+    if (!flat || !request.paint.empty() || !request.recipe.is_lattice())
+        return {};
+    const std::optional<Variances> all = variances(request);
+    if (!all)
+        return {};
+    if (noise)
+        return all->noise;
+    if (channel == "gradient.x")
+        return all->slope_x;
+    if (channel == "gradient.y")
+        return all->slope_y;
+    return {};
 }
 
 } // namespace gabor::render

@@ -21,10 +21,6 @@ namespace gabor::render {
 
 namespace {
 
-bool in_perspective(const Request& request) {
-    return std::holds_alternative<Horizon>(request.view);
-}
-
 // A pass for each material, in their order: of one pass for all compilers take minutes.
 constexpr std::array<std::span<const std::uint32_t>, materials.size()> modules{
     material_wood_spirv,  material_fabric_spirv,  material_leather_spirv,       material_marble_spirv,
@@ -38,15 +34,22 @@ std::span<const std::uint32_t> module_of(const Request& request) {
 
 } // namespace
 
+std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device,
+                                                        const Request& request) {
+    return std::make_shared<vulkan::Pass>(
+        device, module_of(request), vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
+        std::vector<std::uint32_t>{request.filter, in_perspective(request)});
+}
+
 Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : pass_(device, module_of(request), {1, sizeof(passes::MaterialPush)},
-            std::vector<std::uint32_t>{request.filter, in_perspective(request)}) {
-    const double sky = in_perspective(request) ? sky_rows(request.height) : 0;
-    // In perspective the scale is that of the bottom row.
-    const double rows = in_perspective(request) ? request.height - 0.5 - sky : 1;
+    : Material(request, region, make_pass(device, request)) {}
+
+Material::Material(const Request& request, const image::Window& region,
+                   std::shared_ptr<const vulkan::Pass> pass)
+    : pass_(std::move(pass)) {
     push_.size = {static_cast<float>(request.width), static_cast<float>(request.height)};
-    push_.pixel = static_cast<float>(rows / request.scale);
-    push_.sky = static_cast<float>(sky);
+    push_.pixel = static_cast<float>(pixel_length(request, request.height));
+    push_.sky = static_cast<float>(in_perspective(request) ? sky_rows(request.height) : 0);
     push_.seed = request.seed;
     push_.first_column = region.x;
     push_.first_row = region.y;
@@ -59,16 +62,12 @@ std::vector<RegionRenderer::Band> Material::bands(int most_rows) const {
 }
 
 vulkan::Job Material::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {result}};
+    return {device, *pass_, {result}};
 }
 
 void Material::submit(vulkan::Job& job, const Band& band,
                       const std::optional<vulkan::Job::Copy>& copy) const {
-    passes::MaterialPush push = push_;
-    push.first_row += band.first_row;
-    push.height = band.rows;
-    job.submit(push, {groups(push.width, passes::material_group), groups(band.rows, passes::material_group)},
-               copy);
+    submit_band(job, push_, band, passes::material_group, copy);
 }
 
 } // namespace gabor::render

@@ -27,13 +27,19 @@ class Material : public RegionRenderer {
     /// `request` must have passed `check`, and `region` lie within it.
     Material(const vulkan::Device& device, const Request& request, const image::Window& region);
 
+    /// With the pipeline of another picture of the same material and view, filtered or not as this one: to
+    /// compile one takes seconds.
+    Material(const Request& request, const image::Window& region, std::shared_ptr<const vulkan::Pass> pass);
+    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device,
+                                                         const Request& request);
+
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
     void submit(vulkan::Job& job, const Band& band,
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
-    vulkan::Pass pass_;
+    std::shared_ptr<const vulkan::Pass> pass_;
     passes::MaterialPush push_{};
 };
 

@@ -222,11 +222,7 @@ struct Exclusion {
     std::string_view because;
 };
 
-constexpr std::string_view unlike_filter = "a filtered noise is one value, and what the filter removed";
-
 const std::array exclusions{
-    Exclusion{"filter", "gradient", [](const Request& r) { return r.filter && r.gradient; }, unlike_filter},
-    Exclusion{"filter", "values", [](const Request& r) { return r.filter && r.values > 1; }, unlike_filter},
     Exclusion{"view", "material", [](const Request& r) { return in_space(r) && has_material(r); },
               "a material lies in the views flat and horizon"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },

@@ -18,10 +18,6 @@ namespace {
 constexpr RecipeModules modules{pixels_spirv,
                                 {pixels_lattice_2_spirv, pixels_lattice_3_spirv, pixels_lattice_4_spirv}};
 
-bool in_perspective(const Request& request) {
-    return std::holds_alternative<Horizon>(request.view);
-}
-
 // Pixel i is centred at (i + 0.5) / scale kernel radii, or in perspective (i + 0.5) - origin pixels on.
 std::vector<passes::Line> lines_along(const Request& request, int side, int first, int count, double origin) {
     const std::vector<double> radii = pixels_tables(request);
@@ -50,6 +46,14 @@ double highest_frequency(const Paint& paint) {
 }
 
 } // namespace
+
+bool in_perspective(const Request& request) {
+    return std::holds_alternative<Horizon>(request.view);
+}
+
+double pixel_length(const Request& request, int height) {
+    return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
+}
 
 std::vector<std::uint32_t> pixels_constants(const Request& request) {
     const auto of_recipe = recipe_constants(request.recipe);
@@ -124,9 +128,7 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height) {
     passes::PixelsPush push{};
     push.paint_size = {1, 1};
     push.time = wrapped_time(request);
-    // In perspective the scale is that of the bottom row.
-    push.pixel =
-        static_cast<float>((in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale);
+    push.pixel = static_cast<float>(pixel_length(request, height));
     push.focal_length = static_cast<float>(width);
     push.tables = static_cast<int>(pixels_tables(request).size());
     return push;
@@ -178,11 +180,7 @@ vulkan::Job Pixels::job(const vulkan::Device& device, const vulkan::Buffer& resu
 }
 
 void Pixels::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    passes::PixelsPush push = push_;
-    push.first_row = band.first_row;
-    push.height = band.rows;
-    job.submit(push, {groups(push.width, passes::pixels_group), groups(band.rows, passes::pixels_group)},
-               copy);
+    submit_band(job, push_, band, passes::pixels_group, copy);
 }
 
 } // namespace gabor::render

@@ -7,6 +7,18 @@
 
 namespace gabor::render {
 
+/// Whether it is seen in perspective.
+bool in_perspective(const Request& request);
+
+/// Rows above the horizon of a picture of so many rows.
+constexpr double sky_rows(double height) {
+    return height / 4;
+}
+
+/// How long a pixel is, in kernel radii. In perspective, where the scale is that of the bottom row, the
+/// height of the camera, of a picture of so many rows.
+double pixel_length(const Request& request, int height);
+
 /// The specialization constants of passes/pixels.comp.
 std::vector<std::uint32_t> pixels_constants(const Request& request);
 
@@ -23,11 +35,6 @@ std::vector<double> pixels_tables(const Request& request);
 /// What the request alone decides of the push constants: of region, band and paint they know nothing.
 /// `height`: of the picture, which perspective fills.
 passes::PixelsPush pixels_push(const Request& request, int width, int height);
-
-/// Rows above the horizon of a picture of so many rows.
-constexpr double sky_rows(double height) {
-    return height / 4;
-}
 
 /// Fills any picture of noise in the plane pixel by pixel, with passes/pixels.comp.
 class Pixels : public RegionRenderer {

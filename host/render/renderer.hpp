@@ -58,6 +58,15 @@ constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
     return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
 }
 
+/// Submits a band of a pass whose groups are squares of `group` pixels. `push`: that of the whole region.
+template <typename Push>
+void submit_band(vulkan::Job& job, Push push, const RegionRenderer::Band& band, std::uint32_t group,
+                 const std::optional<vulkan::Job::Copy>& copy) {
+    push.first_row += band.first_row;
+    push.height = band.rows;
+    job.submit(push, {groups(push.width, group), groups(push.height, group)}, copy);
+}
+
 /// A table on the device.
 template <typename T>
 vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values) {

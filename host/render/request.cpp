@@ -14,10 +14,6 @@ bool has_material(const Request& request) {
     return request.material != no_material;
 }
 
-bool is_one_wave(const Request& request) {
-    return request.lobes.size() == 1 && request.lobes.front().is_one_wave();
-}
-
 noise::Recipe drawing_recipe(const Request& request) {
     return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
 }

@@ -88,9 +88,6 @@ noise::Recipe drawing_recipe(const Request& request);
 /// Whether its pixels can be filtered: in the plane by the recipe `lattice` alone.
 bool can_filter(const Request& request);
 
-/// Whether the spectrum is a single frequency and orientation.
-bool is_one_wave(const Request& request);
-
 /// Whether waves have all orientations: noise in space has one, or all.
 bool is_isotropic(const noise::Lobe& lobe);
 

@@ -98,11 +98,7 @@ vulkan::Job Solid::job(const vulkan::Device& device, const vulkan::Buffer& resul
 }
 
 void Solid::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    passes::SolidPush push = push_;
-    push.first_row += band.first_row;
-    push.height = band.rows;
-    job.submit(push, {groups(push.width, passes::solid_group), groups(push.height, passes::solid_group)},
-               copy);
+    submit_band(job, push_, band, passes::solid_group, copy);
 }
 
 } // namespace gabor::render

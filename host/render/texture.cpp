@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "image/exr.hpp"
+#include "render/material.hpp"
 #include "render/parameters.hpp"
 #include "render/pixels.hpp"
 
@@ -65,8 +66,14 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         writer.write_rows(values);
         times.writing += seconds_since(before);
     };
-    // A material has passes of its own.
-    const auto pass = has_material(request) ? nullptr : Pixels::make_pass(device, request);
+    const auto pass =
+        has_material(request) ? Material::make_pass(device, request) : Pixels::make_pass(device, request);
+    const auto renderer_of = [&](const Request& here,
+                                 const image::Window& window) -> std::unique_ptr<RegionRenderer> {
+        if (has_material(here))
+            return std::make_unique<Material>(here, window, pass);
+        return std::make_unique<Pixels>(device, here, window, pass);
+    };
     std::vector<float> line; // a level of a single row or column
     int level = 0;
     for (; (region.width >> level) > 0 && (region.height >> level) > 0; ++level) {
@@ -79,14 +86,12 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         const bool is_line = std::min(region.width, region.height) >> level == 1;
         const image::Window window{region.x >> level, region.y >> level, region.width >> level,
                                    region.height >> level};
-        const std::unique_ptr<RegionRenderer> renderer =
-            pass ? std::make_unique<Pixels>(device, here, window, pass) : make_renderer(device, here, window);
-        const Times rendering =
-            render_region(device, *renderer, here, window, [&](std::span<const float> values) {
-                write(values);
-                if (is_line)
-                    line.insert(line.end(), values.begin(), values.end());
-            });
+        const Times rendering = render_region(device, *renderer_of(here, window), here, window,
+                                              [&](std::span<const float> values) {
+                                                  write(values);
+                                                  if (is_line)
+                                                      line.insert(line.end(), values.begin(), values.end());
+                                              });
         if (level == 0)
             times.rendering.first_dispatch = rendering.first_dispatch;
         times.rendering.waiting += rendering.waiting;

@@ -1,5 +1,6 @@
 #include "statistics/spectrum.hpp"
 
+#include "statistics/segments.hpp"
 #include "statistics/transform.hpp"
 
 #include <algorithm>
@@ -17,66 +18,23 @@ namespace {
 
 constexpr int longest_side = 512;
 constexpr int shortest_side = 8;
-constexpr int most_segments = 64;                           ///< per direction
 constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< rows held, in floats
-
-/// Periodic Hann window: segments half a side apart then weigh every pixel alike.
-std::vector<float> hann_window(int side) {
-    std::vector<float> window;
-    for (int i = 0; i < side; ++i)
-        window.push_back(static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side)));
-    return window;
-}
-
-/// Segments spread evenly from the first pixel to the last, so that no border is left out.
-std::vector<int> segment_begins(int length, int side) {
-    const int slack = length - side;
-    const int steps = std::clamp((2 * slack + side - 1) / side, 1, most_segments - 1);
-    std::vector<int> begins;
-    for (int i = 0; i <= steps; ++i)
-        begins.push_back(static_cast<int>(std::int64_t(slack) * i / steps));
-    return begins;
-}
 
 } // namespace
 
 struct Spectrum::State {
-    int width;
-    int side;
-    std::vector<int> columns; ///< where segments begin
-    std::vector<int> lines;
-    std::vector<float> window;
+    Segments segments;
     Transform transform;
-    std::vector<float> rows; ///< row y of the picture in place y % side
     std::vector<float> segment;
     std::vector<double> power;
-    int row = 0;
-    std::size_t band = 0; ///< bands of segments that are complete
-
-    void add_segment(int left, int top);
 };
-
-void Spectrum::State::add_segment(int left, int top) {
-    float* out = segment.data();
-    for (int y = 0; y < side; ++y) {
-        const auto place = static_cast<std::size_t>((top + y) % side) * static_cast<std::size_t>(width);
-        const float* in = rows.data() + place + left;
-        for (int x = 0; x < side; ++x)
-            *out++ = in[x] * window[static_cast<std::size_t>(x)] * window[static_cast<std::size_t>(y)];
-    }
-    const std::span<const std::complex<float>> values = transform(segment);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        power[i] += std::norm(std::complex<double>(values[i]));
-}
 
 Spectrum::Spectrum(int width, int height) {
     const int side = segment_side(width, height).value_or(0);
     if (side == 0)
         throw std::invalid_argument("too few pixels for a spectrum");
     const auto n = static_cast<std::size_t>(side);
-    state_ = std::make_unique<State>(State{width, side, segment_begins(width, side),
-                                           segment_begins(height, side), hann_window(side), Transform(side),
-                                           std::vector<float>(n * static_cast<std::size_t>(width)),
+    state_ = std::make_unique<State>(State{Segments(width, height, 1, side, side / 2), Transform(side),
                                            std::vector<float>(n * n), std::vector<double>(n * (n / 2 + 1))});
 }
 
@@ -84,27 +42,24 @@ Spectrum::~Spectrum() = default;
 Spectrum::Spectrum(Spectrum&&) noexcept = default;
 
 int Spectrum::side() const {
-    return state_->side;
+    return state_->segments.side();
 }
 
 void Spectrum::add_row(std::span<const float> row) {
     State& s = *state_;
-    std::copy(row.begin(), row.end(), s.rows.begin() + std::ptrdiff_t(s.row % s.side) * s.width);
-    ++s.row;
-    if (s.band == s.lines.size() || s.lines[s.band] + s.side != s.row)
-        return;
-    for (const int left : s.columns)
-        s.add_segment(left, s.lines[s.band]);
-    ++s.band;
+    for (const int left : s.segments.add_row(row)) {
+        s.segments.weigh(left, 0, s.segment, s.segments.side());
+        const std::span<const std::complex<float>> values = s.transform(s.segment);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            s.power[i] += std::norm(std::complex<double>(values[i]));
+    }
 }
 
 std::vector<double> Spectrum::periodogram() const {
     const State& s = *state_;
-    double window_power = 0; // of one direction; the window is a product of two
-    for (const double w : s.window)
-        window_power += w * w;
-    const double side = s.side;
-    const double segments = static_cast<double>(s.columns.size() * s.band);
+    const double window_power = s.segments.window_power();
+    const double side = s.segments.side();
+    const auto segments = static_cast<double>(s.segments.count());
     // Parseval: sum_k |X_k|^2 = side^2 sum (w x)^2, whose expectation is side^2 window_power^2 variance.
     const double scale = 1 / (segments * side * side * window_power * window_power);
     std::vector<double> result(s.power);

@@ -22,8 +22,6 @@ std::string_view without_effect(const Document& document, std::string_view contr
         return "Paint lies over a picture of the view flat";
     if (control == "paint" && request.lobes.size() > 1)
         return "Paint takes the place of a single lobe, and here are several";
-    if (control == "filter" && output == Output::gradient)
-        return "A gradient is not filtered";
     if (control == "colours" && output == Output::gradient)
         return "A gradient is shown as a normal map, which has its own colours";
     if (control == "contrast" && (output == Output::phase || output == Output::variance))

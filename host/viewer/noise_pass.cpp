@@ -18,10 +18,6 @@ namespace {
 constexpr std::size_t along_surface = 3; ///< of the constants of passes/solid.comp
 constexpr std::size_t perspective = 12;  ///< of those of viewer/ingredients.comp
 
-bool in_perspective(const render::Request& request) {
-    return std::holds_alternative<render::Horizon>(request.view);
-}
-
 NoisePass of_drop_in(const render::Request& request) {
     NoisePass pass;
     pass.request = request;
@@ -51,7 +47,7 @@ NoisePass of_ingredients(const render::Request& request, const study::Ingredient
     pass.channels = {"Y"};
     pass.constants = study::constants(ingredients);
     pass.constants.resize(perspective, 0);
-    pass.constants.push_back(in_perspective(request));
+    pass.constants.push_back(render::in_perspective(request));
     pass.name = ingredients == study::Ingredients{} ? "seminal"
                 : ingredients == study::recommended ? "the paper's advice"
                                                     : study::key(ingredients);
@@ -188,7 +184,7 @@ NoisePass value_pass(const NoisePass& noise) {
         pass.constants[along_surface] = noise.constants[along_surface];
         return pass;
     }
-    if (in_perspective(request))
+    if (render::in_perspective(request))
         request.view = render::Plane();
     return noise.ingredients ? of_ingredients(request, *noise.ingredients) : of_drop_in(request);
 }
@@ -209,7 +205,7 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     const Cells cells = cells_of(noise);
     const std::vector<passes::Line> x = axis_points(camera.x, 0, cells.x);
     const std::vector<passes::Line> y = axis_points(camera.y, 0, cells.y);
-    if (in_perspective(request)) {
+    if (render::in_perspective(request)) {
         for (passes::PixelsWave& wave : waves) {
             const auto table = static_cast<std::size_t>(wave.table);
             wave.camera = {x.at(table).local, y.at(table).local};

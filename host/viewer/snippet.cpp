@@ -24,7 +24,6 @@ std::string vec2(double x, double y) {
 
 // A function for one noise of the sum, in kernel radii of its own.
 std::string of_wave(const render::Request& request) {
-    const bool lattice = request.recipe.is_lattice();
     return fmt::format(R"(
 float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
 {{
@@ -33,9 +32,10 @@ float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint
 }}
 )",
                        request.filter ? " GaborFootprint footprint," : "",
-                       lattice ? "    kernel = gabor_kernel_stretched(kernel, place.radius);\n" : "",
-                       request.filter ? "gabor_field_filtered(place, kernel, footprint, seed).y"
-                                      : "gabor_field(place, kernel, seed).value.y");
+                       request.filter ? "    float removed; // share of the variance\n" : "",
+                       request.filter
+                           ? "gabor_field_filtered(place, kernel, footprint, seed, removed).value.y"
+                           : "gabor_field(place, kernel, seed).value.y");
 }
 
 std::string of_plane(const Document& document, Extent extent) {

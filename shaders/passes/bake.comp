@@ -47,29 +47,6 @@ vec2 rotated(vec2 z, vec2 by)
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
 
-#ifdef GABOR_TAPS
-
-// Those of an axis' nodes.
-//   x  place in node spacings from the first node
-GaborWindows windows_at(float x, float nodes_per_radius)
-{
-    GaborWindows windows = gabor_impl_windows(GABOR_TAPS == 2 ? x : x - 1.0);
-    windows.slope *= nodes_per_radius / GABOR_RADIUS;
-    return windows;
-}
-
-vec2 node_amplitude(uint word)
-{
-    vec2 a = gabor_impl_amplitude(word);
-    if (!animated)
-        return a;
-    uint second = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(gabor_impl_wave(time), a, gabor_impl_amplitude(second),
-                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
-}
-
-#endif
-
 // Writes a channel of the first noise, and adds those of the others.
 void put(int at, float value, uint index)
 {
@@ -93,10 +70,12 @@ void fill(Run across, Run down, uint index)
     vec2 bracket_slope[terms * block_columns]; // with q' for q
 
 #ifdef GABOR_TAPS
-    GaborWindows across_windows[block_columns];
+    vec4 across_windows[block_columns];
+    vec4 across_slopes[block_columns];
     vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
-        across_windows[k] = windows_at(local.x + float(k) * pixel * radius.x, radius.x);
+        gabor_impl_windows(local.x + float(k) * pixel * radius.x - 1.0, across_windows[k], across_slopes[k]);
+        across_slopes[k] *= radius.x / GABOR_RADIUS;
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
@@ -106,15 +85,15 @@ void fill(Run across, Run down, uint index)
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
             uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-                    * rotated(node_amplitude(gabor_impl_node_word(column_word, row_word)), gabor_impl_wave(turns));
+            vec2 a = gabor_impl_amplitude_at(column_word * row_word, animated, time);
+            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
         }
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
             vec2 sum = vec2(0.0);
             vec2 slope = vec2(0.0);
             [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-                sum += across_windows[k].value[i] * node[i];
-                slope += across_windows[k].slope[i] * node[i];
+                sum += across_windows[k][i] * node[i];
+                slope += across_slopes[k][i] * node[i];
             }
             bracket[c * block_columns + k] = rotated(sum, turned[k]);
             if (with_gradient)
@@ -157,11 +136,13 @@ void fill(Run across, Run down, uint index)
             slope_y[k] = vec2(0.0);
         }
 #ifdef GABOR_TAPS
-        GaborWindows down_windows = windows_at(local.y + float(r) * pixel * radius.y, radius.y);
+        vec4 down_windows;
+        vec4 down_slopes;
+        gabor_impl_windows(local.y + float(r) * pixel * radius.y - 1.0, down_windows, down_slopes);
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            vec2 q = vec2(down_windows.value[c], down_windows.slope[c]); // and its derivative per kernel radius
+            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS)); // and its slope per kernel radius
 #else
             vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif

@@ -31,6 +31,14 @@ class Readme(ProgramTest):
         self.assertLess(abs(stats["cvm"]["value"]), stats["smallest_cvm"])
 
 
+    def test_its_cycles_are_those_of_the_table_of_performance(self):
+        performance = (ROOT / "docs" / "performance.md").read_text()
+        rows = re.findall(r"(?m)^\| !\[\]\(docs/recipe-\S+ \| `(\S+)` \|.* dB \| (\d+) \|", README)
+        self.assertGreater(len(rows), 4)
+        for recipe, cycles in rows:
+            self.assertRegex(performance, rf"(?m)^\| gabor_noise, {recipe} \| \d+ \| {cycles} \| \d+ \|$")
+
+
 class Engines(ProgramTest):
     def test_every_snippet_draws_the_readmes_picture(self):
         """The places at which each evaluates the noise, pixel by pixel as its engine counts them."""

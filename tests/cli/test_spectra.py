@@ -189,7 +189,6 @@ class Spectra(SpectraTest):
             (["'sideways'", "flat", "horizon"], ["--view=sideways"]),
             (["--values", "1 to 4"], ["--values=x"]),
             (["values", "4"], ["--values=5"]),
-            (["filter", "gradient"], ["--filter", "--gradient"]),
             (["tileable", "the view flat"], ["--view=horizon", "--tileable"]),
             (["'woood'", "marble"], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
@@ -226,6 +225,26 @@ class Filter(SpectraTest):
                 self.assertLess(np.sqrt(np.mean(error ** 2)), 0.04)
                 self.assertLess(np.abs(error).max(), 0.2)
                 self.assertGreater(plain.std(), 0.5)
+
+    def test_all_channels_at_once(self):
+        """Each channel of a filtered picture is that of a finer picture through the filter."""
+        options = {"orientation": 40, "frequency": 1.2, "seed": 4, "values": 4}
+        more = ("--quadrature", "--gradient", "--phasor")
+        seen = self.render("--filter", *more, size="64x48", scale=4, time=0.3, **options).channels
+        fine = self.render(*more, output="fine.exr", size="1024x768", scale=64, time=0.3, **options).channels
+        names = {"Y", "second", "third", "fourth", "quadrature", "gradient.x", "gradient.y"}
+        self.assertEqual(set(seen), names | {"phase", "intensity", "removed"})
+        at = (np.arange(1024) + 0.5) / 16
+        def weights(pixels):
+            weight = np.exp(-2 * (at[None, :16 * pixels] - (np.arange(pixels)[:, None] + 0.5)) ** 2)
+            return weight / weight.sum(axis=1, keepdims=True)
+        inside = (slice(3, -3), slice(3, -3))
+        for name in names:
+            expected = weights(48) @ fine[name] @ weights(64).T
+            error = np.sqrt(np.mean((seen[name] - expected)[inside] ** 2)) / fine[name].std()
+            self.assertLess(error, 0.02, name)
+        turn = 2 * np.pi * seen["phase"]
+        np.testing.assert_allclose(seen["intensity"] * np.sin(turn), seen["Y"], atol=1e-5)
 
     def test_what_it_takes_is_as_calculated(self):
         # A lobe of variance 1/12 along each axis, which is Hann's window's, under a filter of variance S.
@@ -299,9 +318,11 @@ class Space(SpectraTest):
         self.assertLess((measured * np.abs(y)).sum() / (measured * np.abs(x)).sum(), 0.25)
 
     def test_several_values_in_space_do_not_correlate(self):
-        exr = self.render("--view=slice", size="512x512", scale=4, frequency=1, values=4, orientation_spread=90)
-        values = np.array([exr.channels[name].ravel() for name in ("Y", "second", "third", "fourth")])
-        np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.05)
+        for time in (0, 0.25, 0.5):
+            exr = self.render("--view=slice", size="512x512", scale=4, frequency=1, values=4, orientation_spread=90,
+                              time=time)
+            values = np.array([exr.channels[name].ravel() for name in ("Y", "second", "third", "fourth")])
+            np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.05)
 
 
 class Channels(SpectraTest):
@@ -347,10 +368,11 @@ class Channels(SpectraTest):
             self.assertEqual(self.render(*options, size="64x64").parameters["recipe"], "lattice")
 
     def test_several_values_do_not_correlate(self):
-        exr = self.render(size="1024x1024", scale=4, frequency=1, values=4)
-        self.assertEqual(set(exr.channels), {"Y", "second", "third", "fourth"})
-        values = np.array([channel.ravel() for channel in exr.channels.values()])
-        np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.03)
+        for time in (0, 0.25, 0.5):
+            exr = self.render(size="1024x1024", scale=4, frequency=1, values=4, time=time)
+            self.assertEqual(set(exr.channels), {"Y", "second", "third", "fourth"})
+            values = np.array([channel.ravel() for channel in exr.channels.values()])
+            np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.03)
 
     def test_paint(self):
         plain = self.render(output="plain.exr", size="200x150", scale=20, frequency=3, orientation=40).pixels

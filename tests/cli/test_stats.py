@@ -139,10 +139,39 @@ class Laws(StatsTest):
         self.assert_known(1, "Y")
 
     def test_filtered(self):
-        self.render("--filter", "--frequency=4", "--compression=none")
+        """What is left of a wave's window, and of its derivative, along each axis: their energies after a blur, over
+        that of the window."""
+        x = np.arange(-8, 8, 1 / 512)
+        window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
+        def left(frequency, scale):
+            blur = np.exp(-2 * (x * scale) ** 2)
+            blurred = np.convolve(window * np.exp(2j * np.pi * frequency * x), blur / blur.sum(), "same")
+            return [np.sum(np.abs(z) ** 2) / np.sum(window ** 2) for z in (blurred, np.gradient(blurred, x))]
+        self.render("--filter", "--frequency=1.5", "--orientation=30", "--gradient", "--quadrature", "--values=2",
+                    scale=4)
+        across, down = left(1.5 * np.cos(np.pi / 6), 4), left(1.5 * np.sin(np.pi / 6), 4)
+        for channel in ("Y", "second", "quadrature"):
+            self.assert_known(across[0] * down[0], channel)
+        self.assert_known(across[1] * down[0], "gradient.x")
+        self.assert_known(across[0] * down[1], "gradient.y")
         removed = Exr(self.folder / "in.exr").channels["removed"]
         self.assertGreater(removed.min(), 0.1)
-        self.assert_known(1 - float(removed[0, 0]), "Y")
+        self.assertAlmostEqual(1 - removed.min(), across[0] * down[0], delta=0.0105)
+
+    def test_sums_of_waves(self):
+        """A tile's windows stretch, from 1.5 nodes to the kernel radius to what makes a whole number."""
+        lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "power": 1}]
+        (self.folder / "lobes.json").write_text(json.dumps(lobes))
+        self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512")
+        slopes = np.zeros(2)
+        for lobe in lobes:
+            angle = np.radians(lobe.get("orientation", 0))
+            wave = 2 * np.pi * lobe["frequency"] * np.array([np.cos(angle), np.sin(angle)])
+            length = np.array([540, 512]) / 16 / lobe.get("radius", 1)
+            nodes = np.floor(1.5 * length) / length / lobe.get("radius", 1)
+            slopes += lobe["power"] / 4 * (wave ** 2 + np.pi ** 2 / 3 * (nodes / 1.5) ** 2)
+        self.assert_known(slopes[0], "gradient.x")
+        self.assert_known(slopes[1], "gradient.y")
 
     def test_what_is_not_known_is_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),

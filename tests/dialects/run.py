@@ -1,5 +1,5 @@
-"""The scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs of this folder
-in GABOR_SCENES, and for dxc the compiler's library in GABOR_DXC."""
+"""The scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs
+of this folder in GABOR_SCENES, and for dxc, unity and unreal the compiler's library in GABOR_DXC."""
 
 import json
 import os
@@ -7,6 +7,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+import metal
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHADERS = HERE.parents[1] / "shaders"
@@ -20,11 +22,11 @@ def run(*command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def pasted(scene, text):
+def pasted(scene, text, ending):
     """A file of the scene, with macros and the drop-in in the place of its include."""
-    include = re.search(r"#include .*\n", scene)[0]
+    include = re.search(r'#include "gabor_.*\n', scene)[0]
     text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
-    path = pathlib.Path(values).with_suffix(".cpp" if dialect == "cpp" else ".hlsl")
+    path = pathlib.Path(values).with_suffix(ending)
     path.write_text(scene.replace(include, text))
     return path
 
@@ -39,14 +41,15 @@ def included(path):
 def drawn_by_vulkan():
     spirv = f"{values}.spv"
     if dialect == "glsl":
-        shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text())
+        shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text(), ".comp")
         run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
     elif dialect in ("unity", "unreal"):
         shader = pathlib.Path(values).with_suffix(".hlsl")
         shader.write_text(included(HERE / f"scene_{dialect}.hlsl"))
         run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
     else:
-        shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text())
+        shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text(),
+                        ".hlsl")
         if dialect == "dxc":
             run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
         else:
@@ -58,17 +61,18 @@ def drawn_by_vulkan():
     return driver
 
 
-if dialect == "cpp":
-    driver, program = "CPU", pathlib.Path(values).with_suffix("")
-    source = pasted((HERE / "scene_cpp.cpp").read_text(), (SHADERS / "translations" / f"{drop_in}.hpp").read_text())
-    run(os.environ.get("CXX", "c++"), "-std=c++11", "-O1", "-o", program, source)
+def drawn_by_cpp():
+    compiler = os.environ.get("CXX", "c++")
+    text, options = (SHADERS / "translations" / f"{drop_in}.{'hpp' if dialect == 'cpp' else 'metal'}").read_text(), ["-std=c++11"]
+    if dialect == "metal":
+        text, options = metal.as_cpp(text), metal.options(compiler)
+    program = pathlib.Path(values).with_suffix("")
+    run(compiler, "-O1", *options, "-o", program, pasted((HERE / "scene.cpp").read_text(), text, ".cpp"))
     run(program, values)
-elif dialect == "metal":
-    driver = "CPU"
-    run(SCENES / "_".join(["scene_metal", drop_in, *(macro.partition("=")[2] for macro in macros)]), values)
-else:
-    driver = drawn_by_vulkan()
+    return "CPU"
 
+
+driver = drawn_by_cpp() if dialect in ("cpp", "metal") else drawn_by_vulkan()
 engine, version, language = {
     "glsl": ("Vulkan", "1.1", "GLSL 450"),
     "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),

@@ -1,11 +1,22 @@
-"""Packages: their files are all there, and refer to each other as they must."""
+"""Packages: their files are all there, and refer to each other as they must. What is written by hand in another language,
+and not made from the GLSL, has its noise: renderers and browsers run it in tools/test-engines, and here a CPU does."""
 
 import json
+import os
 import pathlib
 import re
 import shutil
 import subprocess
+import sys
+import tempfile
 import unittest
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "engines"))
+import metal  # noqa: E402
+import reference  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NODES = ROOT / "shaders" / "nodes"
@@ -92,6 +103,49 @@ class Package(unittest.TestCase):
                    for path in (ROOT / "shaders" / "translations").glob("*.hlsl")}
         self.assertGreater(len(wanted), 50)
         self.assertEqual(wanted - packed, set())
+
+
+# Writes the noise of gabor_lattice.tsl.js at the scene's points.
+TSL = """
+import { writeFileSync } from "node:fs";
+import { float, uint, vec2 } from "./three_tsl.mjs";
+import { gabor_noise } from "./gabor_lattice.mjs";
+
+const points = Array.from({ length: 256 * 256 }, (_, i) => i);
+const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
+const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
+writeFileSync(process.argv[2], gabor_noise(p, float(4), float(0.7854), uint(7)).parts[0]);
+"""
+
+
+class ByHand(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.values = self.folder / "values.raw"
+
+    def compare(self, *command):
+        subprocess.run([*command, self.values], check=True, timeout=60)
+        error, place = reference.largest_difference("lattice", np.fromfile(self.values, "<f4"))
+        print(f"largest difference {error:.2g} at row and column {place}")
+        self.assertLess(error, 1e-5)
+
+    def test_open_shading_language(self):
+        functions, compiler = self.folder / "functions.osl", os.environ.get("CXX", "c++")
+        functions.write_text((NODES / "osl" / "gabor_lattice.osl").read_text().partition("shader gabor")[0])
+        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{functions}"',
+                        HERE / "scene_osl.cpp", "-o", self.folder / "program"], check=True, timeout=60)
+        self.compare(self.folder / "program")
+
+    def test_nodes_of_three(self):
+        if not shutil.which("node"):
+            self.skipTest("node is not installed")
+        source = (NODES / "three" / "gabor_lattice.tsl.js").read_text()
+        for name, text in {"three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
+                           "gabor_lattice.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
+            (self.folder / name).write_text(text)
+        self.compare("node", self.folder / "scene.mjs")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""What stands on the lattice, translated: each call gives on the device what it gives in GLSL, which other tests compare
-with the reference."""
+"""What stands on the lattice, translated, and a texture by gabor fit: each call gives on the device what it gives in GLSL,
+which other tests compare with the reference."""
 
 import os
 import pathlib
@@ -10,12 +10,17 @@ import sys
 import tempfile
 import unittest
 
+import metal
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHADERS = HERE.parents[1] / "shaders"
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials"]
-DXC = pathlib.Path(os.environ.get("GABOR_DXC", HERE.parents[1] / "build" / "dxc" / "libdxcompiler.so"))
+ROOT = HERE.parents[1]
+SHADERS = ROOT / "shaders"
+sys.path.insert(0, str(HERE.parent / "fit"))
+from textures import colour_noise, write_png
+
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "sea"] # the last by gabor fit
+DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
 CALLS = [
     "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)",
@@ -27,6 +32,7 @@ CALLS = [
     "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
     "4.0 * gabor_zebra(p, 7u).colour.y",
     "60.0 * gabor_sand(p, 7u).height",  # filtered, it meets lavapipe's trouble with loops that lanes leave at different times
+    "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0",
 ]
 
 # More lobes than there are by default: the macro is alive in each dialect with a preprocessor.
@@ -107,12 +113,28 @@ int main(int, char** argv)
     file.write(reinterpret_cast<const char*>(words.data()), 4 * words.size());
 }
 """
-GCC = "Free Software Foundation" in subprocess.run([os.environ.get("CXX", "c++"), "--version"], capture_output=True,
-                                                   text=True).stdout
+COMPILER = os.environ.get("CXX", "c++")
+GCC = metal.is_gcc(COMPILER)
 
 
 class Translations(unittest.TestCase):
     DRAWN = {}  # by the shader, of each call
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.made = pathlib.Path(folder.name)
+        write_png(cls.made / "sea.png", colour_noise(160))
+        subprocess.run([os.environ["GABOR_PROGRAM"], "fit", "sea.png", "-o", "sea.json", "--lobes", "3", "--glsl", "sea.glsl"],
+                       cwd=cls.made, check=True, timeout=120, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "sea.glsl"], cwd=cls.made, timeout=120,
+                       check=bool(shutil.which("naga")))  # without it all but WGSL is there
+
+    def path(self, file, ending):
+        if file == "sea":
+            return self.made / f"sea.{ending}"
+        return SHADERS / f"{file}.glsl" if ending == "glsl" else SHADERS / "translations" / f"{file}.{ending}"
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
@@ -134,7 +156,7 @@ class Translations(unittest.TestCase):
         return self.DRAWN[call]
 
     def drawn_glsl(self, call):
-        text = "#version 450\n#define GABOR_LOBES 6\n" + "".join((SHADERS / f"{file}.glsl").read_text() for file in FILES)
+        text = "#version 450\n#define GABOR_LOBES 6\n" + "".join(self.path(file, "glsl").read_text() for file in FILES)
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
     def compare(self, translated, calls=(*CALLS, LOBES)):
@@ -148,8 +170,7 @@ class Translations(unittest.TestCase):
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height", call) else 1))
 
     def pasted(self, ending, text, before="#define GABOR_LOBES 6\n"):
-        files = [SHADERS / "translations" / f"{file}.{ending}" for file in FILES]
-        return before + "".join(file.read_text() for file in files) + text
+        return before + "".join(self.path(file, ending).read_text() for file in FILES) + text
 
     def test_hlsl_by_glslang(self):
         command = ["sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"']
@@ -173,7 +194,7 @@ class Translations(unittest.TestCase):
     def cpp(self, source, *options):
         """What a program of C++ writes, and what its compiler says."""
         program, values = self.folder / "program", self.folder / "values.raw"
-        compiler = [os.environ.get("CXX", "c++"), "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
+        compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + source
         said = subprocess.run(compiler, input=source, text=True, timeout=120, stderr=subprocess.PIPE)
         self.assertEqual(said.returncode, 0, said.stderr)
@@ -181,15 +202,11 @@ class Translations(unittest.TestCase):
         return np.fromfile(values, "<u4"), said.stderr
 
     def test_cpp(self):
-        self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-I", SHADERS / "translations")
+        self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-I", SHADERS / "translations", "-I", self.made)
 
     def test_metal(self):
-        """As C++, which has no swizzles: they become calls. Constants without a suffix are float in Metal."""
-        text = "".join((SHADERS / "translations" / f"{file}.metal").read_text() for file in FILES)
-        text = re.sub(r"\.([xyzw]{2,4}) = ([^;]*);", r".set_\1(\2);", text)
-        text = re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
-        single = ["-fsingle-precision-constant"] if GCC else ["-Xclang", "-cl-single-precision-constant"]
-        self.compare_cpp(text, "float", "-std=c++20", "-O1", "-Wno-unused", *single, "-I", HERE, "-I", HERE.parents[1] / "tools")
+        text = "".join(self.path(file, "metal").read_text() for file in FILES)
+        self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
         """Each call, in a program of C++ after a text and with vectors of that name."""
@@ -202,7 +219,7 @@ class Translations(unittest.TestCase):
     def test_cpp_vectors(self):
         """A loop over points becomes one over vectors; each value is the shader's within 1e-6, and each word its word.
         Where a shader knows its frequency while it is compiled, it reorders products: + unknown spares it that knowledge."""
-        values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations",
+        values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:
             self.assertRegex(said, "loop vectorized")

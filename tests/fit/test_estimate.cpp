@@ -258,8 +258,8 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
     std::mt19937 generator(3);
     std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
     std::vector<std::vector<float>> rows;
-    MomentSums with(width, height, 1);
-    MomentSums without(width, height, 1);
+    PixelSums with(width, height, 1);
+    PixelSums without(width, height, 1);
     for (int y = 0; y < height; ++y) {
         std::vector<float> noise(width);
         std::vector<float> row(width);
@@ -273,8 +273,8 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
         rows.push_back(row);
         rows.push_back(noise);
     }
-    const Moments a = with.moments();
-    const Moments b = without.moments();
+    const Survey a = with.survey();
+    const Survey b = without.survey();
     CHECK(a.covariance(0, 0) == Approx(b.covariance(0, 0)).epsilon(1e-4));
     CHECK(a.covariance(0, 0) == Approx(0.04 / 12).epsilon(0.03));
     double largest = 0;

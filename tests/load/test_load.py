@@ -56,18 +56,20 @@ class Load(ProgramTest):
         self.assertEqual(len(set(files.values())), 1)
 
     def test_large_pictures_in_bounded_memory(self):
-        """A render of 32768 x 32768, 4 GiB, and its statistics."""
+        """A render of 32768 x 32768, 4 GiB, its statistics, and a fit to its PNG."""
         side = 32768 if LONG else 4096
         if shutil.disk_usage(self.folder).free < 5 * side * side:
             self.skipTest("needs more room on the disk")
-        rendering = self.run_measured("render", "-o", "large.exr", f"--size={side}x{side}")
+        rendering = self.run_measured("render", "-o", "large.exr", "--png", "large.png", f"--size={side}x{side}")
         size = (self.folder / "large.exr").stat().st_size
         self.assertGreater(size, 4 * side * side)
         measuring = self.run_measured("stats", "large.exr", "--json", "large.json")
+        fitting = self.run_measured("fit", "large.png", "--lobes", "1", "-o", "fit.json")
         print(f"  {side} x {side}, {size / MIB:.0f} MiB: {rendering // MIB} MiB to render, "
-              f"{measuring // MIB} MiB to measure")
+              f"{measuring // MIB} MiB to measure, {fitting // MIB} MiB to fit")
         self.assertLess(rendering, BOUND)
         self.assertLess(measuring, BOUND)
+        self.assertLess(fitting, BOUND / 4)
         (self.folder / "large.exr").unlink()
 
 

@@ -76,7 +76,7 @@ struct Field {
 };
 
 constexpr std::array fields{Field{"x", 8, 23}, Field{"y", 0, 23}, Field{"phase", 0, 8},
-                            Field{"magnitude", 31, 1}, Field{"tempo", 8, 3}};
+                            Field{"magnitude", 31, 1}, Field{"phase rate", 8, 3}};
 
 // Pearson's chi-square against equal counts, as a normal figure.
 double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total) {

@@ -22,6 +22,10 @@ std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
     return word ^ word >> 15;
 }
 
+std::uint32_t next_word(std::uint32_t word) {
+    return (word ^ word >> 15) * 0xd35a2d97u;
+}
+
 std::int32_t wrapped(std::int64_t index, std::int32_t period) {
     const std::int64_t whole = std::int64_t{1} << 32;
     const std::int64_t modulus = period == 0 ? whole : period;
@@ -60,10 +64,6 @@ std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t 
     return lattice_line_word(column, 0, seed) * lattice_line_word(row, 1, seed);
 }
 
-std::uint32_t lattice_next_word(std::uint32_t word) {
-    return (word ^ word >> 15) * 0xd35a2d97u;
-}
-
 std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
     return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, spread);
 }
@@ -90,6 +90,14 @@ Complex lattice_amplitude(std::uint32_t word) {
     return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-15)};
 }
 
+Complex lattice_amplitude(std::uint32_t word, double time) {
+    const std::uint32_t second = next_word(word);
+    const double angle = 2 * pi * time;
+    return (1 + std::cos(angle)) / 2 * lattice_amplitude(word) +
+           (1 - std::cos(angle)) / 2 * lattice_amplitude(second) +
+           std::sin(angle) / std::numbers::sqrt2 * lattice_amplitude(next_word(second));
+}
+
 Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t seed)
     : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
       wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
@@ -99,7 +107,6 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
     const double window_radius = 0.5 * taps_;
     const auto first_x = static_cast<std::int64_t>(std::floor(place.local_x - window_radius));
     const auto first_y = static_cast<std::int64_t>(std::floor(place.local_y - window_radius));
-    const double tau_time = 2 * pi * place.time;
     Field sum;
     for (std::int64_t j = first_y; j <= first_y + taps_ + 1; ++j) {
         for (std::int64_t i = first_x; i <= first_x + taps_ + 1; ++i) {
@@ -107,17 +114,14 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
             const double y = place.local_y - static_cast<double>(j);
             const LatticeWindow wx = lattice_window(taps_, x / window_radius);
             const LatticeWindow wy = lattice_window(taps_, y / window_radius);
-            std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
-                                              wrapped(place.cell_y + j, place.period_y), seed_);
             std::array<Complex, 4> amplitudes;
-            for (Complex& amplitude : amplitudes) {
-                amplitude = lattice_amplitude(word);
-                word = lattice_next_word(word);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const std::uint32_t seed = c ? lattice_lobe_seed(seed_, -static_cast<int>(c)) : seed_;
+                const std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
+                                                        wrapped(place.cell_y + j, place.period_y), seed);
+                amplitudes.at(c) =
+                    place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
             }
-            if (place.animated)
-                amplitudes[0] = (1 + std::cos(tau_time)) / 2 * amplitudes[0] +
-                                (1 - std::cos(tau_time)) / 2 * amplitudes[1] +
-                                std::sin(tau_time) / std::numbers::sqrt2 * amplitudes[2];
             const Complex wave =
                 std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));
             const Complex kernel = wx.value * wy.value * wave;

@@ -24,9 +24,6 @@ std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed
 /// The word of a node: that of its column times that of its row.
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed);
 
-/// Another word of the same node.
-std::uint32_t lattice_next_word(std::uint32_t word);
-
 /// The seed of lobe `index` in a sum of independent noises.
 std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
 
@@ -38,6 +35,9 @@ double lattice_amplitude_deviation();
 
 /// The amplitude of a word: parts from all of it, of which the high half counts, and from its low half.
 std::complex<double> lattice_amplitude(std::uint32_t word);
+
+/// The same at a moment of an animation of period 1, with two others that follow from the word.
+std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
 /// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.
 struct LatticePlace {

@@ -19,11 +19,6 @@ std::uint32_t node_word(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return x * (y * z >> 8 | 0x800001u);
 }
 
-// Of variance 1 in each part.
-std::complex<double> amplitude(std::uint32_t word) {
-    return lattice_amplitude(word) / lattice_amplitude_deviation();
-}
-
 double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -58,8 +53,8 @@ std::array<double, 2> share(int index, double count) {
 
 } // namespace
 
-Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, int channel, bool animated)
-    : wave_(wave), seed_(seed), channel_(channel), animated_(animated) {}
+Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, bool animated)
+    : wave_(wave), seed_(seed), animated_(animated) {}
 
 std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
     struct Line {
@@ -82,18 +77,11 @@ std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
     for (const Line& z : lines[2]) {
         for (const Line& y : lines[1]) {
             for (const Line& x : lines[0]) {
-                std::uint32_t word = node_word(x.word, y.word, z.word);
-                for (int i = 0; i < channel_; ++i)
-                    word = lattice_next_word(word);
-                std::complex<double> value = amplitude(word);
-                if (animated_) {
-                    const std::uint32_t second = lattice_next_word(word);
-                    const double angle = 2 * pi * place.time;
-                    value = (1 + std::cos(angle)) / 2 * value +
-                            (1 - std::cos(angle)) / 2 * amplitude(second) +
-                            std::sin(angle) / std::sqrt(2.0) * amplitude(lattice_next_word(second));
-                }
-                nodes.push_back({{x.offset, y.offset, z.offset}, value});
+                const std::uint32_t word = node_word(x.word, y.word, z.word);
+                // Of variance 1 in each part.
+                const std::complex<double> amplitude =
+                    animated_ ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+                nodes.push_back({{x.offset, y.offset, z.offset}, amplitude / lattice_amplitude_deviation()});
             }
         }
     }

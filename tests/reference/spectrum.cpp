@@ -34,6 +34,8 @@ void add(Spectrum::Field& sum, double weight, const Spectrum::Field& field) {
     sum.value += weight * field.value;
     sum.slope_x += weight * field.slope_x;
     sum.slope_y += weight * field.slope_y;
+    for (std::size_t i = 0; i < sum.four.size(); ++i)
+        sum.four[i] += weight * field.four[i];
 }
 
 template <typename T>
@@ -144,6 +146,8 @@ Spectrum::Field Spectrum::field(const LatticePlace& place) const {
         sum.value += scale * field.value;
         sum.slope_x += scale / lobe.radius * field.slope_x;
         sum.slope_y += scale / lobe.radius * field.slope_y;
+        for (std::size_t i = 0; i < sum.four.size(); ++i)
+            sum.four[i] += scale * field.four[i];
     }
     return sum;
 }

@@ -33,6 +33,7 @@ class Spectrum {
         std::complex<double> value;
         std::complex<double> slope_x;
         std::complex<double> slope_y;
+        std::array<double, 4> four{}; ///< independent noises, the first the noise itself
     };
 
     Field field(double x, double y) const;

@@ -21,22 +21,32 @@ constexpr std::size_t channels = render::material_channels.size();
 constexpr std::size_t height_channel = 3;
 constexpr std::size_t means = 4; // colour and height
 
-// A square picture of a material with `side` pixels that show `units` of it.
-std::vector<float> rendered(const vulkan::Device& device, std::string_view material, int side, double units,
-                            bool filter) {
-    const Request request{.width = side,
-                          .height = side,
-                          .scale = side / units,
-                          .seed = 7,
-                          .material = std::string(material),
-                          .filter = filter};
-    render::check(request);
-    std::vector<float> pixels;
-    render::render_region(device, request, {0, 0, side, side}, [&](std::span<const float> rows) {
-        pixels.insert(pixels.end(), rows.begin(), rows.end());
-    });
-    return pixels;
-}
+// Draws a material, sharp or filtered.
+class Drawing {
+  public:
+    Drawing(const vulkan::Device& device, std::string_view material, bool filter)
+        : device_(device), request_{.seed = 7, .material = std::string(material), .filter = filter},
+          pass_(render::Material::make_pass(device, request_)) {}
+
+    // A square picture with `side` pixels that show `units` of it.
+    std::vector<float> operator()(int side, double units) const {
+        Request request = request_;
+        request.width = request.height = side;
+        request.scale = side / units;
+        render::check(request);
+        const image::Window all{0, 0, side, side};
+        std::vector<float> pixels;
+        render::render_region(
+            device_, render::Material(request, all, pass_), request, all,
+            [&](std::span<const float> rows) { pixels.insert(pixels.end(), rows.begin(), rows.end()); });
+        return pixels;
+    }
+
+  private:
+    const vulkan::Device& device_;
+    Request request_;
+    std::shared_ptr<const vulkan::Pass> pass_;
+};
 
 // One channel of a picture blurred by a normal filter of half a pixel, for pixels `block` times as large.
 class Blurred {
@@ -99,8 +109,10 @@ void compare(const vulkan::Device& device, std::string_view material) {
     constexpr int side = 256;
     constexpr int block = 16;
     constexpr int large = side / block;
-    const std::vector<float> sharp = rendered(device, material, side, 0.25, false);
-    const std::vector<float> filtered = rendered(device, material, large, 0.25, true);
+    const Drawing draw_sharp(device, material, false);
+    const Drawing draw_filtered(device, material, true);
+    const std::vector<float> sharp = draw_sharp(side, 0.25);
+    const std::vector<float> filtered = draw_filtered(large, 0.25);
     for (const std::vector<float>& picture : {sharp, filtered})
         for (std::size_t i = 0; i < picture.size(); i += channels) {
             for (std::size_t k = 0; k < channels; ++k)
@@ -110,8 +122,8 @@ void compare(const vulkan::Device& device, std::string_view material) {
         }
 
     // Far away: pixels of half a unit against sharp samples over the same 16 x 16 units.
-    const std::vector<float> samples = rendered(device, material, side, 16, false);
-    const std::vector<float> far = rendered(device, material, 32, 16, true);
+    const std::vector<float> samples = draw_sharp(side, 16);
+    const std::vector<float> far = draw_filtered(32, 16);
     for (const std::size_t channel : {std::size_t{0}, std::size_t{1}, std::size_t{2}, height_channel}) {
         const double contrast = deviation_of(samples, channel);
         if (contrast == 0)

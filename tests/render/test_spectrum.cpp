@@ -7,8 +7,6 @@
 
 #include "passes/sample_spectrum.h"
 
-#include <fmt/ranges.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -22,6 +20,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+struct SampleLobe {
+    float frequency;
+    float orientation;
+    float radius;
+    float power;
+};
+
 /// As in passes/sample_spectrum.comp.
 struct Sample {
     float p[2];
@@ -33,7 +38,7 @@ struct Sample {
     float orientation_spread;
     std::uint32_t seed;
     float padding;
-    float lobes[12];
+    SampleLobe lobes[3];
     std::int32_t cell[2];
     float local[2];
     float period[2];
@@ -56,14 +61,22 @@ struct Answer {
     float placed_lobes[2];
     float placed_filtered[3];
     float padding;
+    float placed_slope[2];
+    float padding_2[2];
+    float four_filtered[4];
+    float four_removed;
+    float padding_3[3];
 };
 
 std::string to_string(const Sample& s) {
+    std::string lobes;
+    for (const SampleLobe& l : s.lobes)
+        lobes += fmt::format(" ({} {} {} {})", l.frequency, l.orientation, l.radius, l.power);
     return fmt::format("({}, {}), footprint ({}, {}), ({}, {}), frequency {} +- {}, orientation {} +- {}, "
-                       "seed {}, lobes {}, cell ({}, {}) + ({}, {}), period ({}, {}), time {}",
+                       "seed {}, lobes{}, cell ({}, {}) + ({}, {}), period ({}, {}), time {}",
                        s.p[0], s.p[1], s.dx[0], s.dx[1], s.dy[0], s.dy[1], s.frequency, s.frequency_spread,
-                       s.orientation, s.orientation_spread, s.seed, fmt::join(s.lobes, " "), s.cell[0],
-                       s.cell[1], s.local[0], s.local[1], s.period[0], s.period[1], s.time);
+                       s.orientation, s.orientation_spread, s.seed, lobes, s.cell[0], s.cell[1], s.local[0],
+                       s.local[1], s.period[0], s.period[1], s.time);
 }
 
 constexpr auto everything = static_cast<test::Wanted>(0);
@@ -77,10 +90,9 @@ struct Sampler : test::Probe<Sample, Answer> {
 
 std::vector<noise::SpectrumLobe> lobes_of(const Sample& s) {
     std::vector<noise::SpectrumLobe> lobes;
-    for (int i = 0; i < 3; ++i) {
-        const float* l = s.lobes + 4 * i;
-        lobes.push_back({l[0], l[1], l[2], l[3], noise::lattice_lobe_seed(s.seed, i)});
-    }
+    for (const SampleLobe& l : s.lobes)
+        lobes.push_back({l.frequency, l.orientation, l.radius, l.power,
+                         noise::lattice_lobe_seed(s.seed, static_cast<int>(lobes.size()))});
     return lobes;
 }
 
@@ -116,12 +128,9 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
         s.frequency_spread = draw.word() % 2 ? draw.uniform(0, 0.5) : 0;
         s.orientation_spread = draw.uniform(0, static_cast<float>(pi / 2));
         s.seed = draw.word();
-        for (int i = 0; i < 3; ++i) {
-            s.lobes[4 * i] = draw.uniform(0, 8);
-            s.lobes[4 * i + 1] = draw.uniform(-8, 8);
-            s.lobes[4 * i + 2] = std::exp2(draw.uniform(-1.5, 1.5));
-            s.lobes[4 * i + 3] = i && draw.word() % 8 == 0 ? 0 : draw.uniform(0.1f, 3);
-        }
+        for (SampleLobe& lobe : s.lobes)
+            lobe = {draw.uniform(0, 8), draw.uniform(-8, 8), std::exp2(draw.uniform(-1.5, 1.5)),
+                    &lobe != s.lobes && draw.word() % 8 == 0 ? 0 : draw.uniform(0.1f, 3)};
     }
     Largest spread, spread_slope, lobes, lobes_slope;
     const auto answers = sampler.answers(count, everything);
@@ -186,12 +195,9 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         s.frequency_spread = draw.word() % 2 ? draw.uniform(0, 0.5) : 0;
         s.orientation_spread = draw.uniform(0, 0.5);
         s.seed = draw.word();
-        for (int i = 0; i < 3; ++i) {
-            s.lobes[4 * i] = draw.uniform(0, 4);
-            s.lobes[4 * i + 1] = draw.uniform(-3, 3);
-            s.lobes[4 * i + 2] = i ? std::exp2(draw.uniform(-1, 1)) : 1;
-            s.lobes[4 * i + 3] = draw.uniform(0.1f, 1);
-        }
+        for (SampleLobe& lobe : s.lobes)
+            lobe = {draw.uniform(0, 4), draw.uniform(-3, 3),
+                    &lobe != s.lobes ? std::exp2(draw.uniform(-1, 1)) : 1, draw.uniform(0.1f, 1)};
         for (int k = 0; k < 2; ++k) {
             s.local[k] = draw.uniform(0, 1);
             s.period[k] = draw.word() % 2 ? draw.uniform(3, 12) : 0;
@@ -202,7 +208,7 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         }
         s.time = draw.uniform(0, 1);
     }
-    Largest spread, lobes, filtered;
+    Largest spread, lobes, filtered, slope;
     const auto answers = sampler.answers(count, everything);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
@@ -222,9 +228,11 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         const auto of_range = noise::Spectrum(range).field(place).value;
         spread.see(answers[i].placed_spread[0], of_range.real(), 1e-4, s);
         spread.see(answers[i].placed_spread[1], of_range.imag(), 1e-4, s);
-        const auto of_wave = one_wave(s).field(place).value;
-        filtered.see(answers[i].placed_filtered[0], of_wave.real(), 1e-4, s);
-        filtered.see(answers[i].placed_filtered[1], of_wave.imag(), 1e-4, s);
+        const noise::Spectrum::Field of_wave = one_wave(s).field(place);
+        filtered.see(answers[i].placed_filtered[0], of_wave.value.real(), 1e-4, s);
+        filtered.see(answers[i].placed_filtered[1], of_wave.value.imag(), 1e-4, s);
+        slope.see(answers[i].placed_slope[0], of_wave.slope_x.imag(), 3e-3, s);
+        slope.see(answers[i].placed_slope[1], of_wave.slope_y.imag(), 3e-3, s);
         if (s.cell[0] < 16 && s.cell[1] < 16) {
             const auto of_lobes = noise::Spectrum(lobes_of(s)).field(place).value;
             lobes.see(answers[i].placed_lobes[0], of_lobes.real(), 2e-4, s);
@@ -233,6 +241,7 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
     }
     spread.check("gabor_field_spread");
     filtered.check("gabor_field_filtered without a footprint");
+    slope.check("  its gradient");
     lobes.check("gabor_field_lobes");
 }
 
@@ -249,21 +258,18 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
         s.orientation = draw.uniform(-3, 3);
         s.seed = draw.word();
         draw_footprint(s, draw, -1);
-        for (int i = 0; i < 3; ++i) {
-            s.lobes[4 * i] = draw.uniform(0, 2);
-            s.lobes[4 * i + 1] = draw.uniform(-3, 3);
-            s.lobes[4 * i + 2] = draw.uniform(1, 2); // so that its filter is no larger
-            s.lobes[4 * i + 3] = draw.uniform(0, 1);
-        }
+        for (SampleLobe& lobe : s.lobes) // of wide kernels, so that their filter is no larger
+            lobe = {draw.uniform(0, 2), draw.uniform(-3, 3), draw.uniform(1, 2), draw.uniform(0, 1)};
     }
     struct Error {
         double squares = 0;
         int count = 0;
         Largest removed;
         double slope_squares = 0;
+        double four_squares = 0;
         // `variance`: of the unfiltered noise's gradient, along x and y together
-        void see(const float* answer, const float* gradient, double variance, const noise::Spectrum& exact,
-                 const Sample& s) {
+        noise::Spectrum::Field see(const float* answer, const float* gradient, double variance,
+                                   const noise::Spectrum& exact, const Sample& s) {
             const noise::Spectrum::Vector dx{s.dx[0], s.dx[1]};
             const noise::Spectrum::Vector dy{s.dy[0], s.dy[1]};
             const noise::Spectrum::Field field = exact.filtered(s.p[0], s.p[1], dx, dy);
@@ -275,15 +281,26 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
             removed.see(answer[1], exact.removed(dx, dy), 0.0105, s);
             CHECK(gradient[0] == Approx(answer[0]).margin(1e-5));
             CHECK(gradient[3] == Approx(answer[1]).margin(1e-6));
+            return field;
+        }
+        void see_four(const Answer& a, const noise::Spectrum::Field& exact) {
+            for (std::size_t c = 0; c < 4; ++c)
+                four_squares += std::pow(a.four_filtered[c] - exact.four[c], 2) / 4;
+            CHECK(a.four_filtered[0] == Approx(a.filtered[0]).margin(1e-5));
+            CHECK(a.four_removed == Approx(a.filtered[1]).margin(1e-6));
         }
         void check(const char* name, double bound, double slope_bound) const {
             const double rmse = std::sqrt(squares / count);
             const double slope_rmse = std::sqrt(slope_squares / count);
-            fmt::print("  {}: RMSE {:.2f} % of the deviation in {} places, {:.2f} % of the gradient's\n",
-                       name, 100 * rmse, count, 100 * slope_rmse);
+            const double four_rmse = std::sqrt(four_squares / count);
+            fmt::print(
+                "  {}: RMSE {:.2f} % of the deviation in {} places, {:.2f} % of the gradient's, {:.2f} % "
+                "of four noises'\n",
+                name, 100 * rmse, count, 100 * slope_rmse, 100 * four_rmse);
             CHECK(count > 50);
             CHECK(rmse <= bound);
             CHECK(slope_rmse <= slope_bound);
+            CHECK(four_rmse <= bound);
             removed.check("  removed variance");
         }
     };
@@ -292,9 +309,9 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
         const double length = std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1]));
-        (length < 1.0 / 3 ? small : large)
-            .see(answers[i].filtered, answers[i].filtered_gradient, gradient_variance(s.frequency, 1),
-                 one_wave(s), s);
+        Error& error = length < 1.0 / 3 ? small : large;
+        error.see_four(answers[i], error.see(answers[i].filtered, answers[i].filtered_gradient,
+                                             gradient_variance(s.frequency, 1), one_wave(s), s));
         if (i % 4 == 0) {
             const auto sum = lobes_of(s);
             double variance = 0;

@@ -23,11 +23,11 @@ constexpr double patience = 300;   // seconds for anything to settle
 constexpr double expectation = 30; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},     {"doubleclick", 2}, {"press", 0},      {"release", 0}, {"click", 2},   {"drag", 4},
-    {"scroll", 3},   {"key", 1},         {"type", 1},       {"set", 2},     {"compare", 1}, {"resize", 2},
-    {"minimize", 0}, {"restore", 0},     {"hide", 0},       {"show", 0},    {"open", 1},    {"save", 1},
-    {"copy", 1},     {"export", 1},      {"screenshot", 1}, {"window", 1},  {"wait", 1},    {"settle", 0},
-    {"sleep", 1},    {"expect", 2},      {"random", 2},     {"quit", 0}};
+    {"move", 2},       {"doubleclick", 2}, {"click", 2},   {"drag", 4},   {"scroll", 3},   {"key", 1},
+    {"type", 1},       {"set", 2},         {"compare", 1}, {"resize", 2}, {"minimize", 0}, {"restore", 0},
+    {"hide", 0},       {"show", 0},        {"open", 1},    {"save", 1},   {"copy", 1},     {"export", 1},
+    {"screenshot", 1}, {"window", 1},      {"wait", 1},    {"settle", 0}, {"sleep", 1},    {"expect", 2},
+    {"random", 2},     {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
     {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
@@ -95,9 +95,7 @@ Script::Script(const std::filesystem::path& path) : path_(path) {
 bool Script::play(App& app) {
     wheel_ = 0;
     keys_.clear();
-    // Several commands may fit a frame; those that are input take one each.
-    bool input = false;
-    while (at_ < commands_.size() && !input) {
+    if (at_ < commands_.size()) {
         const Command& command = commands_[at_];
         if (started_ < 0)
             started_ = ImGui::GetTime();
@@ -109,7 +107,6 @@ bool Script::play(App& app) {
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("{}:{}: {}", path_.string(), command.line, error.what()));
         }
-        input = true;
         if (done) {
             ++at_;
             step_ = 0;
@@ -127,8 +124,6 @@ bool Script::execute(const Command& command, App& app) {
     if (name == "move") {
         x_ = static_cast<float>(command.number(0));
         y_ = static_cast<float>(command.number(1));
-    } else if (name == "press" || name == "release") {
-        down_ = name == "press";
     } else if (name == "click") {
         x_ = static_cast<float>(command.number(0));
         y_ = static_cast<float>(command.number(1));
@@ -296,7 +291,7 @@ bool Script::random(const Command& command, App& app) {
             break;
         }
         case 10:
-            keys_.push_back(GLFW_KEY_SPACE + 0);
+            keys_.push_back(GLFW_KEY_SPACE);
             break;
         case 11:
             if (draw(20) == 0)

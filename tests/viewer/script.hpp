@@ -11,7 +11,7 @@ namespace gabor::viewer {
 
 /// Plays input from a file, one command a line, for tests and for pictures of the window:
 ///
-///     move X Y | press | release | click X Y | drag X Y TO_X TO_Y | scroll X Y AMOUNT
+///     move X Y | click X Y | doubleclick X Y | drag X Y TO_X TO_Y | scroll X Y AMOUNT
 ///     key NAME | key ctrl+NAME            a letter, a digit, F1 to F12, tab, space, home, escape ...
 ///     type TEXT                           into the field that has the keyboard
 ///     set NAME VALUE                      a parameter of the preset, or output, colours, contrast

@@ -6,9 +6,9 @@ import unittest
 
 import numpy as np
 
-from viewer import SHADERS, ViewerTest, read_colour_png  # noqa: I001 (it finds the next two)
+from viewer import SHADERS, ViewerTest  # noqa: I001 (it finds the next two)
 from exr import Exr
-from png import read_grey_png
+from png import read_colour_png, read_grey_png
 
 PICTURES = {
     "lattice": {},
@@ -43,13 +43,19 @@ class Pictures(ViewerTest):
         self.gabor("render", "--like", preset, "-o", "noise.exr", *more)
         return Exr(self.folder / "noise.exr").pixels
 
+    def presets(self, **size):
+        """A file of each picture's parameters, by its name."""
+        return {name: self.preset(f"{number}.json", **{**parameters, **size})
+                for number, (name, parameters) in enumerate(PICTURES.items())}
+
     def test_screenshots(self):
-        for name, parameters in PICTURES.items():
+        presets = self.presets()
+        self.play("\n".join(f"open {preset.name}\nscreenshot {preset.stem}.png" for preset in presets.values())
+                  + "\nquit", "--window", "480x320")
+        for name, preset in presets.items():
             with self.subTest(name):
-                preset = self.preset("preset.json", **parameters)
-                self.run_viewer("--preset", preset, "--screenshot", "seen.png")
                 self.render(preset, "--png", "noise.png")
-                seen = read_colour_png(self.folder / "seen.png").astype(int)
+                seen = read_colour_png(preset.with_suffix(".png")).astype(int)
                 expected = read_grey_png(self.folder / "noise.png")
                 off = np.abs(seen - expected[:, :, None])
                 self.assertLessEqual(off.max(), 1, f"{name} at {np.unravel_index(off.argmax(), off.shape)}")
@@ -131,18 +137,15 @@ class Pictures(ViewerTest):
     def test_the_snippet_draws_the_same(self):
         import moderngl
         context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
-        for name, parameters in PICTURES.items():
+        # A window of the picture's size, without panels, shows the picture.
+        presets = self.presets(width=640, height=480)
+        self.play("key h\n"
+                  + "\n".join(f"open {preset.name}\nwait 3\nkey ctrl+c\ncopy {preset.stem}.glsl"
+                              for preset in presets.values()) + "\nquit", "--window", "640x480")
+        for name, preset in presets.items():
             with self.subTest(name):
-                # A window of the picture's size, without panels, shows the picture.
-                preset = self.preset("preset.json", **{**parameters, "width": 640, "height": 480})
-                self.play("""
-                    key h
-                    wait 3
-                    key ctrl+c
-                    copy snippet.glsl
-                    quit""", "--preset", preset, "--window", "640x480")
                 expected = self.render(preset)
-                drawn = draw(context, (self.folder / "snippet.glsl").read_text(), 640, 480)
+                drawn = draw(context, preset.with_suffix(".glsl").read_text(), 640, 480)
                 # Here places are not told from tables but computed: 640 pixels away the phase has that rounding.
                 # On a horizon they are far apart, and what the filter leaves there is little.
                 off = np.abs(drawn - expected)

@@ -7,7 +7,8 @@ import unittest
 
 import numpy as np
 
-from viewer import SCRIPTED_VIEWER, SHADERS, ViewerTest, read_colour_png
+from viewer import SCRIPTED_VIEWER, SHADERS, ViewerTest  # noqa: I001 (it finds the next one)
+from png import read_colour_png
 
 
 class Window(ViewerTest):

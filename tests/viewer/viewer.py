@@ -8,35 +8,12 @@ import sys
 import tempfile
 import unittest
 
-import numpy as np
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-from png import SIGNATURE, unfilter  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli")) # where pictures are read
 
 VIEWER = os.environ["GABOR_VIEWER"]
 SCRIPTED_VIEWER = os.environ["GABOR_SCRIPTED_VIEWER"] # the same with a script in the place of a user
 PROGRAM = os.environ["GABOR_PROGRAM"]
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
-
-
-def read_colour_png(path):
-    """An 8-bit RGB PNG as height x width x 3."""
-    import struct
-    import zlib
-    data = pathlib.Path(path).read_bytes()
-    assert data.startswith(SIGNATURE), "not a PNG"
-    bodies, at, header = [], len(SIGNATURE), None
-    while at < len(data):
-        size, = struct.unpack_from(">I", data, at)
-        kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + size]
-        header = struct.unpack(">IIBBBBB", body) if kind == b"IHDR" else header
-        bodies += [body] if kind == b"IDAT" else []
-        at += 12 + size
-    width, height, *form = header
-    assert form == [8, 2, 0, 0, 0], "not 8-bit RGB"
-    rows = np.frombuffer(zlib.decompress(b"".join(bodies)), np.uint8).reshape(height, 1 + 3 * width)
-    assert (rows[:, 0] == 2).all(), "not the filter that the program uses"  # UP: each row less the one above
-    return np.cumsum(rows[:, 1:], axis=0, dtype=np.uint8).reshape(height, width, 3)
 
 
 class ViewerTest(unittest.TestCase):

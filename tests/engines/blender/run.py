@@ -14,7 +14,7 @@ sys.path.insert(0, str(next(pathlib.Path(bpy.utils.resource_path("LOCAL")).glob(
 import cycles.osl
 import numpy as np
 
-shader, values, *_ = sys.argv[1:]
+shader, values = sys.argv[1:]
 
 
 class Said:

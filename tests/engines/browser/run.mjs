@@ -1,7 +1,8 @@
 // Opens a page of this repository in headless Chromium and keeps what it drew:
 // run.mjs PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
-// A page with scripts is opened from its file, and they are added to it as one. The page sets globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its
-// canvas. Flags are Chromium's; DRIVER is what the driver's name must contain, for Chromium takes another without a word.
+// A page with scripts is opened from its file, and they are added to it as one. The page sets globalThis.drawn to a promise
+// of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are Chromium's; DRIVER is what
+// the driver's name must contain, for Chromium takes another without a word.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";

@@ -5,14 +5,13 @@ import pathlib
 import re
 import sys
 
-import moderngl
 import numpy as np
 
-NODE = pathlib.Path(__file__).resolve().parents[3] / "shaders" / "nodes" / "material_maker" / "gabor_noise.mmg"
-VERTEX = """#version 330
-in vec2 corner;
-void main() { gl_Position = vec4(corner, 0.0, 1.0); }
-"""
+ENGINES = pathlib.Path(__file__).resolve().parents[1]
+sys.path.append(str(ENGINES / "moderngl"))
+from draw import drawn  # noqa: E402
+
+NODE = ENGINES.parents[1] / "shaders" / "nodes" / "material_maker" / "gabor_noise.mmg"
 FRAGMENT = """
 out float value;
 void main()
@@ -34,13 +33,6 @@ value = value.replace("gabor_unorm", "")  # which would cut the largest values
 if value == output:
     sys.exit("the node shows no gabor_unorm")
 
-context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
-program = context.program(vertex_shader=VERTEX,
-                          fragment_shader="#version 330\n" + model["global"] + FRAGMENT.replace("VALUE", value))
-target = context.framebuffer([context.texture((256, 256), 1, dtype="f4")])
-target.use()
-corners = context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
-context.vertex_array(program, corners, "corner").render(vertices=3)
-pathlib.Path(sys.argv[1]).write_bytes(target.read(components=1, dtype="f4"))
-print(json.dumps({"engine": "Material Maker's node", "version": "-", "dialect": "GLSL 330",
-                  "driver": context.info["GL_RENDERER"]}))
+pixels, driver = drawn("#version 330\n", model["global"] + FRAGMENT.replace("VALUE", value), (256, 256))
+pathlib.Path(sys.argv[1]).write_bytes(pixels)
+print(json.dumps({"engine": "Material Maker's node", "version": "-", "dialect": "GLSL 330", "driver": driver}))

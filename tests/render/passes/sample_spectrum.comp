@@ -40,7 +40,12 @@ struct Answer {
     vec4 lobes_filtered_gradient;
     vec2 placed_spread;
     vec2 placed_lobes;
-    vec3 placed_filtered;
+    vec3 placed_filtered; // and the removed variance
+    float padding;
+    vec2 placed_slope;
+    vec2 padding_2;
+    vec4 four_filtered;
+    float four_removed;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -91,7 +96,12 @@ void main()
         answers[i].placed_spread = gabor_field_spread(place, s.frequency, s.orientation, s.frequency_spread,
                                                       s.orientation_spread, s.seed).value;
         answers[i].placed_lobes = gabor_field_lobes(place, lobes, s.seed).value;
-        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(s.frequency, s.orientation), place.radius);
-        answers[i].placed_filtered = gabor_field_filtered(place, kernel, gabor_footprint(s.dx, s.dy), s.seed);
+        GaborKernel kernel = gabor_kernel(s.frequency, s.orientation);
+        float removed;
+        GaborField field = gabor_field_filtered(place, kernel, gabor_footprint(s.dx, s.dy), s.seed, removed);
+        answers[i].placed_filtered = vec3(field.value, removed);
+        answers[i].placed_slope = vec2(field.slope_x.y, field.slope_y.y);
+        answers[i].four_filtered =
+            gabor_noise_four_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed, answers[i].four_removed);
     }
 }

@@ -1,6 +1,6 @@
-#include "gabor_lattice.hpp"
-
 #include <fstream>
+
+#include "gabor_lattice.hpp"
 
 int main(int, char** argv) {
     std::ofstream file(argv[1], std::ios::binary);

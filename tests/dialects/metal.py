@@ -1,0 +1,23 @@
+"""Metal as C++ on the CPU, for no Metal compiler runs here: metal_stdlib in this folder stands for its library."""
+
+import pathlib
+import re
+import subprocess
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def as_cpp(text):
+    """C++ has no swizzles: they become calls."""
+    text = re.sub(r"\.([xyzw]{2,4}) = ([^;]*);", r".set_\1(\2);", text)
+    return re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
+
+
+def is_gcc(compiler):
+    return "Free Software Foundation" in subprocess.run([compiler, "--version"], capture_output=True, text=True).stdout
+
+
+def options(compiler):
+    """Constants without a suffix are float in Metal."""
+    single = ["-fsingle-precision-constant"] if is_gcc(compiler) else ["-Xclang", "-cl-single-precision-constant"]
+    return ["-std=c++20", *single, "-I", HERE, "-I", HERE.parents[1] / "tools"]

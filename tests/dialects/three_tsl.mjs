@@ -1,0 +1,60 @@
+// As much of three.js's "three/tsl" as shaders/nodes/three uses, evaluated on the CPU instead of compiled: a node holds the
+// values of all points, an array of 32-bit numbers for each of its components.
+
+const ARRAYS = { float: Float32Array, int: Int32Array, uint: Uint32Array };
+
+class Node {
+    constructor(type, parts) { this.type = type; this.parts = parts; }
+    get x() { return new Node(this.type, [this.parts[0]]); }
+    get y() { return new Node(this.type, [this.parts[1]]); }
+    toVar() { return new Node(this.type, this.parts); }
+    addAssign(other) { this.parts = this.add(other).parts; }
+    add(other) { return combined(this, other, (a, b) => a + b); }
+    sub(other) { return combined(this, other, (a, b) => a - b); }
+    mul(other) { return combined(this, other, this.type === "float" ? (a, b) => a * b : Math.imul); }
+    div(other) { return combined(this, other, (a, b) => a / b); }
+    bitXor(other) { return combined(this, other, (a, b) => a ^ b); }
+    bitOr(other) { return combined(this, other, (a, b) => a | b); }
+    shiftLeft(other) { return combined(this, other, (a, b) => a << b); }
+    shiftRight(other) { return combined(this, other, this.type === "uint" ? (a, b) => a >>> b : (a, b) => a >> b); }
+    lessThan(other) { return combined(this, other, (a, b) => a < b); }
+    negate() { return mapped(this, a => -a); }
+}
+
+// What is no node is a number; a number counts for all components, and one value for all points.
+function combined(a, b, operation) {
+    if (!(b instanceof Node))
+        b = converted(a.type)(b);
+    if (a.type !== b.type)
+        throw new Error(`${a.type} meets ${b.type}`);
+    const parts = Array.from({ length: Math.max(a.parts.length, b.parts.length) }, (_, part) => {
+        const left = a.parts[part % a.parts.length], right = b.parts[part % b.parts.length];
+        const result = new ARRAYS[a.type](Math.max(left.length, right.length));
+        const step_left = left.length > 1 ? 1 : 0, step_right = right.length > 1 ? 1 : 0;
+        for (let i = 0; i < result.length; ++i)
+            result[i] = operation(left[step_left * i], right[step_right * i]);
+        return result;
+    });
+    return new Node(a.type, parts);
+}
+
+const mapped = (node, operation) =>
+    new Node(node.type, node.parts.map(part => part.map(operation)));
+const converted = type => value => new Node(type, value instanceof Node
+    ? value.parts.map(part => new ARRAYS[type](part)) : [ARRAYS[type].of(value)]);
+
+export const float = converted("float");
+export const int = converted("int");
+export const uint = converted("uint");
+export const vec2 = (x, y = x) => new Node("float", [...float(x).parts, ...float(y).parts]);
+export const abs = node => mapped(node, Math.abs);
+export const floor = node => mapped(node, Math.floor);
+export const min = (node, most) => mapped(node, value => Math.min(value, most));
+export const clamp = (node, least, most) => mapped(node, value => Math.min(Math.max(value, least), most));
+export const select = (condition, yes, no) =>
+    new Node(yes.type, [yes.parts[0].map((value, i) => condition.parts[0][i] ? value : no.parts[0][i])]);
+export const Fn = body => {
+    const call = (...given) => body(given);
+    call.setLayout = () => call;
+    return call;
+};

@@ -1,0 +1,25 @@
+#include "noise/recipe.hpp"
+
+#include "error.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace gabor;
+
+TEST_CASE("recipes of one's own can be spelled out") {
+    const noise::Recipe own = noise::find_recipe("N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
+    CHECK(own.impulses == 2);
+    CHECK(own.radius == 1.25f);
+    CHECK(own.weight_floor == 0.5f);
+    CHECK(own.phases == 64);
+    CHECK(own.window == std::array{1.0f, 0.5f, 0.0f});
+    CHECK(noise::spelled_out(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
+    for (const noise::Recipe& recipe : noise::recipes())
+        CHECK(noise::spelled_out(recipe) == recipe.name);
+    for (const char* wrong :
+         {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
+          "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",
+          "N=1,R=1,A=0.5,phases=64,window=0:0:0", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
+          "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
+        CHECK_THROWS_AS(noise::find_recipe(wrong), RequestError);
+}
