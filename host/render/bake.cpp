@@ -1,6 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
+#include "render/pixels.hpp"
 
 #include "passes/bake.h"
 #include "passes/bake_lattice_2.h"
@@ -20,11 +21,12 @@ constexpr RecipeModules modules{bake_spirv,
 
 // A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
 Block block_for(const vulkan::Device& device, const Request& request) {
+    const noise::Recipe recipe = drawing_recipe(request);
     if (device.info().kind != "CPU")
-        return gpu_block(request.recipe);
-    if (!request.recipe.is_lattice())
+        return gpu_block(recipe);
+    if (!recipe.is_lattice())
         return cpu_block;
-    const double cell = std::ceil(request.scale / double{request.recipe.radius}); // pixels
+    const double cell = std::ceil(request.scale / double{recipe.radius}); // pixels
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
@@ -33,11 +35,13 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, const Axis& x, const Axis& y) {
-    const noise::Recipe& recipe = request.recipe;
+passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
+                           const Axis& y) {
+    const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
-    const double wave_x = frequency * std::cos(wave.angle);
-    const double wave_y = frequency * std::sin(wave.angle);
+    const double level = frequency * std::sqrt(1 - wave.rise * wave.rise);
+    const double wave_x = level * std::cos(wave.angle);
+    const double wave_y = level * std::sin(wave.angle);
     const double scale = request.scale * wave.radius;
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
     const double normalized =
@@ -45,11 +49,21 @@ passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, cons
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, frequency, wave.angle, request.time));
-    return {{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-            turn(wave_x / scale),
-            turn(wave_y / scale),
-            static_cast<float>(std::sqrt(wave.share) * normalized),
-            wave.seed};
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours have weights
+    passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
+                            turn(wave_x / scale),
+                            turn(wave_y / scale),
+                            static_cast<float>(amplitude * normalized),
+                            wave.seed,
+                            static_cast<float>(frequency * wave.rise),
+                            {}};
+    put_weights(result.weights, request, index);
+    return result;
+}
+
+std::vector<noise::Wave> waves_of(const Request& request) {
+    return in_space(request) ? noise::directed_waves_in_space(request.lobes, request.seed)
+                             : noise::waves(request.lobes, request.seed);
 }
 
 } // namespace
@@ -98,25 +112,30 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
 
 vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
                             int fixed_rows) {
-    const auto of_recipe = recipe_constants(request.recipe);
+    const noise::Recipe recipe = drawing_recipe(request);
+    const auto of_recipe = recipe_constants(recipe);
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
-    constants.push_back(vulkan::constant(noise::visited_cells(request.recipe)));
+    constants.push_back(vulkan::constant(noise::visited_cells(recipe)));
     constants.push_back(vulkan::constant(block_columns));
     constants.push_back(vulkan::constant(fixed_rows));
     constants.push_back(request.quadrature);
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
-    constants.push_back(noise::waves(request.lobes, request.seed).size() > 1);
-    return {device, modules.of(request.recipe), {4, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    constants.push_back(waves_of(request).size() > 1);
+    constants.push_back(request.colour.has_value());
+    constants.push_back(in_space(request));
+    return {device, modules.of(recipe), {5, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 
 bool Bake::can_fill(const Request& request) {
-    return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
-           !request.phasor && request.values == 1 && !request.colour;
+    const bool flat =
+        std::holds_alternative<Plane>(request.view) || std::holds_alternative<Slice>(request.view);
+    return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
 }
 
 Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {
-    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed);
+    const noise::Recipe recipe = drawing_recipe(request);
+    const std::vector<noise::Wave> waves = waves_of(request);
     Tables tables;
     for (const double radius : noise::radii(waves)) {
         const Axis x = axis_along(request, request.width, radius);
@@ -124,7 +143,7 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
         const double scale = request.scale * radius;
         // The lattice's windows stretch with its nodes to fit a period.
         const auto runs = [&](const Axis& axis, int first, int count, int longest) {
-            const double reach = request.recipe.is_lattice() ? double{request.recipe.radius} : axis.radius;
+            const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
             return make_runs(first, count, axis.radius / scale, reach, longest);
         };
         const std::vector<passes::Run> columns = runs(x, region.x, region.width, block.columns);
@@ -135,10 +154,16 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
         push.time = wrapped_time(request);
         push.pixel = static_cast<float>(1 / scale);
         push.stretch = static_cast<float>(1 / radius);
+        if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+            const double nodes = double{recipe.radius};
+            const double place = slice->depth / radius * nodes;
+            push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
+            push.slice_offset = static_cast<float>(place - push.first_slice - 1);
+        }
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
-        for (const noise::Wave& wave : waves)
-            if (wave.radius == radius)
-                tables.waves.push_back(make_wave(request, wave, x, y));
+        for (std::size_t i = 0; i < waves.size(); ++i)
+            if (waves[i].radius == radius)
+                tables.waves.push_back(make_wave(request, i, waves[i], x, y));
         push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
         push.width = region.width;
         push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
@@ -157,11 +182,13 @@ Bake::Bake(const vulkan::Device& device, const Request& request, const image::Wi
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
            const Block& block)
     : Bake(device, make_tables(request, region, block), make_bake_pass(device, request, block.columns),
-           region.height) {}
+           pixels_colour(request), region.height) {}
 
-Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height)
+Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+           const passes::PixelsColour& colour, int height)
     : height_(height), grids_(tables.grids), pass_(std::move(pass)), columns_(upload(device, tables.columns)),
-      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)) {}
+      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)),
+      colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
@@ -177,7 +204,7 @@ std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, result}};
+    return {device, pass_, {columns_, rows_, waves_, result, colour_}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

@@ -4,6 +4,7 @@
 #include "render/renderer.hpp"
 
 #include "passes/bake_interface.h"
+#include "passes/colour.h"
 
 #include <array>
 #include <vector>
@@ -48,7 +49,8 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
   public:
-    /// Whether it can: flat pictures seen sharply, without paint, of channels that add up as noises do.
+    /// Whether it can: flat pictures and slices seen sharply, without paint, of channels that add up as
+    /// noises do, or in colour.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.
@@ -79,7 +81,8 @@ class Bake : public RegionRenderer {
 
     Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
          const Block& block);
-    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height);
+    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+         const passes::PixelsColour& colour, int height);
 
     int height_;
     std::vector<Grid> grids_;
@@ -87,6 +90,7 @@ class Bake : public RegionRenderer {
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;
+    vulkan::Buffer colour_;
 };
 
 } // namespace gabor::render

@@ -56,7 +56,7 @@ class BandBuffer {
 } // namespace
 
 Axis axis_along(const Request& request, int side, double radius) {
-    const double cells = double{request.recipe.radius};
+    const double cells = double{drawing_recipe(request).radius};
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!plane || !plane->tileable)
         return {cells, 0};

@@ -13,12 +13,20 @@
 //
 // For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
-// A spectrum is a sum of such noises, added up in the picture one after the other.
+// A slice of the noise in space is noise in the plane too, with the sum of three nodes along z, each times its window and
+// wave, for an amplitude.
+//
+// A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
+// of which the last one makes colours.
 //
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
+#include "colour.glsl"
 #include "recipe.glsl"
+#if GABOR_TAPS == 3
+#include "gabor_lattice_3d.glsl"
+#endif
 
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = 8) const int block_columns = 8;
@@ -27,13 +35,16 @@ layout(constant_id = 10) const bool with_quadrature = false; // the real part be
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
 layout(constant_id = 13) const bool sum = false;             // of more than one noise
+layout(constant_id = 14) const bool coloured = false;        // red, green and blue in place of the noise
+layout(constant_id = 15) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
 const int terms = visited * visited * recipe_impulses; // impulses
 #endif
 
-const int channels = 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0);
+const int gradient_at = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0);
+const int channels = gradient_at + (with_gradient ? 2 : 0) + (slice ? 1 : 0);
 
 layout(local_size_x = bake_group) in;
 
@@ -47,12 +58,65 @@ vec2 rotated(vec2 z, vec2 by)
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
 
+#ifdef GABOR_TAPS
+
+// The nodes along z that reach the slice: a word and a factor for each.
+struct Depth {
+    uint word[3];
+    vec2 factor[3];
+};
+
+Depth depth_of(float wave, uint salt)
+{
+    Depth depth;
+#if GABOR_TAPS == 3
+    if (slice) {
+        vec4 windows;
+        vec4 slopes;
+        gabor_impl_windows(slice_offset, windows, slopes);
+        [[unroll]] for (int i = 0; i < 3; ++i) {
+            depth.word[i] = gabor_impl_line_word(first_slice + i, salt ^ GABOR_IMPL_SLICES);
+            depth.factor[i] = inversesqrt(GABOR_IMPL_ENERGY) * windows[i]
+                            * gabor_impl_wave(wave * (slice_offset + 1.0 - float(i)) / GABOR_RADIUS);
+        }
+    }
+#endif
+    return depth;
+}
+
+vec2 node_amplitude(uint column, uint row, Depth depth)
+{
+#if GABOR_TAPS == 3
+    if (slice) {
+        vec2 sum = vec2(0.0);
+        [[unroll]] for (int i = 0; i < 3; ++i) {
+            uint word = column * gabor_impl_slice_word(row, depth.word[i]);
+            sum += rotated(gabor_impl_amplitude_at(word, animated, time), depth.factor[i]);
+        }
+        return sum;
+    }
+#endif
+    return gabor_impl_amplitude_at(column * row, animated, time);
+}
+
+#endif
+
 // Writes a channel of the first noise, and adds those of the others.
 void put(int at, float value, uint index)
 {
     if (sum && index > 0u)
         value += picture[at];
     picture[at] = value;
+}
+
+void put_colour(int at, vec3 components, uint index)
+{
+    if (index > 0u)
+        components += vec3(picture[at], picture[at + 1], picture[at + 2]);
+    if (index == uint(waves.length() - 1))
+        components = colour_of(components, vec3(0.0));
+    for (int i = 0; i < 3; ++i)
+        picture[at + i] = components[i];
 }
 
 void fill(Run across, Run down, uint index)
@@ -62,6 +126,9 @@ void fill(Run across, Run down, uint index)
     vec2 row_turn = waves[index].row_turn;
     float amplitude = waves[index].amplitude;
     uint seed = waves[index].seed;
+    vec2 weights_0 = waves[index].weights[0];
+    vec2 weights_1 = waves[index].weights[1];
+    vec2 weights_2 = waves[index].weights[2];
     vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
@@ -79,13 +146,14 @@ void fill(Run across, Run down, uint index)
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
+    Depth depth = depth_of(waves[index].depth_wave, salt);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
         vec2 node[GABOR_TAPS];
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
             uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            vec2 a = gabor_impl_amplitude_at(column_word * row_word, animated, time);
+            vec2 a = node_amplitude(column_word, row_word, depth);
             node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
         }
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
@@ -142,7 +210,7 @@ void fill(Run across, Run down, uint index)
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS)); // and its slope per kernel radius
+            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS));
 #else
             vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif
@@ -161,15 +229,20 @@ void fill(Run across, Run down, uint index)
                     continue;
                 vec2 value = rotated(envelope[k], carrier);
                 int at = (start + k) * channels;
-                put(at, value.y, index);
+                if (coloured)
+                    put_colour(at, vec3(dot(weights_0, value), dot(weights_1, value), dot(weights_2, value)), index);
+                else
+                    put(at, value.y, index);
                 if (with_quadrature)
                     put(at + 1, value.x, index);
                 if (with_gradient) {
                     vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
                                 + 6.2831853 * wave * value.x;
-                    put(at + channels - 2, stretch * slopes.x, index);
-                    put(at + channels - 1, stretch * slopes.y, index);
+                    put(at + gradient_at, stretch * slopes.x, index);
+                    put(at + gradient_at + 1, stretch * slopes.y, index);
                 }
+                if (slice)
+                    picture[at + channels - 1] = 1.0; // its coverage
             }
         }
         carrier = rotated(carrier, row_turn);

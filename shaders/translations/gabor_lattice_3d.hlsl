@@ -73,6 +73,8 @@ GaborField3d GaborField3d_of(float2 value, float2 slope_x, float2 slope_y, float
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
 // Along each axis.
 struct GaborAxes3d {
     GaborAxis x;
@@ -87,14 +89,14 @@ GaborAxes3d gabor_impl_axes(GaborPlace3d place, float3 wave, uint seed)
     uint salt = gabor_impl_salt(seed);
     n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     n.y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y, place.radius.y);
-    n.z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ 0x27d4eb2fu, wave.z, place.radius.z);
+    n.z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z, place.radius.z);
     n.base = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
            * gabor_impl_wave(n.x.turns * n.x.offset + n.y.turns * n.y.offset + n.z.turns * n.z.offset);
     return n;
 }
 
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-uint gabor_impl_row_word(uint row, uint slice)
+uint gabor_impl_slice_word(uint row, uint slice)
 {
     return ((row * slice) >> 8u) | 0x800001u;
 }
@@ -108,7 +110,7 @@ GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
     for (int k = 0; k < 3; ++k) {
         GaborAxis rows = n.y;
         for (int j = 0; j < 3; ++j)
-            rows.word[j] = gabor_impl_row_word(n.y.word[j], n.z.word[k]);
+            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
         float4 slice;
         float4 slope;
         gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
@@ -149,7 +151,7 @@ GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d place, Gabo
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        uint row = gabor_impl_row_word(n.y.word[j], slice);
+        uint row = gabor_impl_slice_word(n.y.word[j], slice);
         for (int i = 0; i < 3; ++i) {
             float2 amplitude = gabor_impl_amplitude_at(n.x.word[i] * row, place.animated, place.time);
             m.real[j][i] = amplitude.x;

@@ -87,7 +87,7 @@ fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes
 }
 
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-fn gabor_impl_row_word(row: u32, slice: u32) -> u32 {
+fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
@@ -126,7 +126,7 @@ fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                 let _e39 = n_1.y.word[_e35];
                 let _e40 = k;
                 let _e44 = n_1.z.word[_e40];
-                let _e45 = gabor_impl_row_word(_e39, _e44);
+                let _e45 = gabor_impl_slice_word(_e39, _e44);
                 rows.word[_e32] = _e45;
                 continuing {
                     let _e29 = j_1;
@@ -208,7 +208,7 @@ fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMat
         }
         {
             let _e15 = j_2;
-            let _e19 = gabor_impl_row_word(n.y.word[_e15], slice);
+            let _e19 = gabor_impl_slice_word(n.y.word[_e15], slice);
             row_2 = _e19;
             i_2 = 0i;
             loop {
