@@ -1,5 +1,6 @@
 // Every function of gabor_lattice_3d.glsl, on the device, against the double-precision reference.
 
+#include "reference/lattice.hpp"
 #include "sampler_lattice_3d.hpp"
 
 #include <catch2/catch.hpp>
