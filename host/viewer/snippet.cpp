@@ -13,16 +13,14 @@ namespace {
 
 // A function for one noise of the sum, in kernel radii of its own.
 std::string of_wave(const render::Request& request) {
-    const bool lattice = request.recipe.is_lattice();
     return fmt::format(R"(
 float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
 {{
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-{}{}    return {};
+{}    return {};
 }}
 )",
                        request.filter ? " GaborFootprint footprint," : "",
-                       lattice ? "    kernel = gabor_kernel_stretched(kernel, place.radius);\n" : "",
                        request.filter ? "    float removed; // share of the variance\n" : "",
                        request.filter
                            ? "gabor_field_filtered(place, kernel, footprint, seed, removed).value.y"
