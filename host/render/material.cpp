@@ -34,15 +34,16 @@ std::span<const std::uint32_t> module_of(const Request& request) {
 
 } // namespace
 
-std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device,
-                                                        const Request& request) {
+std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device, const Request& request,
+                                                        Code code) {
     return std::make_shared<vulkan::Pass>(
-        device, module_of(request), vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
+        device, code_or(code, module_of(request)), vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
         std::vector<std::uint32_t>{request.filter, in_perspective(request)});
 }
 
-Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Material(request, region, make_pass(device, request)) {}
+Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region,
+                   Code code)
+    : Material(request, region, make_pass(device, request, code)) {}
 
 Material::Material(const Request& request, const image::Window& region,
                    std::shared_ptr<const vulkan::Pass> pass)

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,19 +23,6 @@ constexpr double sampling_budget = 0.004; // while time plays
 constexpr std::uint32_t most_samples = 1 << 21;
 constexpr double reload_interval = 0.25; // seconds
 constexpr float panel_width = 26;        // in heights of the font
-
-struct ShaderFile {
-    const char* path;
-    ShaderStage stage;
-};
-constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@2", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@3", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@4", ShaderStage::compute},
-                                  ShaderFile{"viewer/ingredients.comp", ShaderStage::compute},
-                                  ShaderFile{"passes/solid.comp", ShaderStage::compute},
-                                  ShaderFile{"viewer/show.vert", ShaderStage::vertex},
-                                  ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
     Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
@@ -71,11 +59,13 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(Document()), options.device), remember_(!options.screenshot) {
+      session_(options.document.value_or(Document()), options.device), timing_(device_),
+      remember_(!options.screenshot) {
     if (remember_)
         restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
+    session_.export_shaders = [this](const render::Request& request) { return export_shaders(request); };
     load_shaders();
     if (!session_.shader_error.empty())
         throw std::runtime_error(session_.shader_error);
@@ -107,26 +97,65 @@ void App::restore(const Options& options) {
     });
 }
 
-// All or nothing: what does not compile leaves everything as it was.
+// What is on the screen, all or nothing: what does not compile leaves everything as it was.
 void App::load_shaders() {
+    std::vector<std::string> shown{"viewer/show.vert", "viewer/show.frag"};
+    for (const Pane& pane : panes_) {
+        shown.push_back(pane.canvas->noise().shader);
+        if (pane.sampler)
+            shown.push_back(pane.sampler->noise().shader);
+    }
     decltype(spirv_) compiled;
-    for (const ShaderFile& file : shader_files) {
-        Compiled result = compiler_.compile(file.path, file.stage);
+    for (const std::string& path : shown) {
+        if (compiled.contains(path))
+            continue;
+        Compiled result = compiler_.compile(path);
         if (!result.error.empty()) {
             session_.shader_error = result.error;
             return;
         }
-        compiled[file.path] = std::move(result.spirv);
+        compiled[path] = std::move(result.spirv);
     }
     session_.shader_error.clear();
     swapchain_.wait();
     spirv_ = std::move(compiled);
     painter_ = std::make_unique<Painter>(device_, swapchain_.render_pass(), spirv_["viewer/show.vert"],
                                          spirv_["viewer/show.frag"]);
-    for (std::size_t index = 0; index < panes_.size(); ++index) {
-        panes_[index].canvas->replace(spirv(panes_[index].canvas->noise()));
-        panes_[index].sampler.reset();
+    for (Pane& pane : panes_) {
+        pane.canvas->replace(spirv_[pane.canvas->noise().shader]);
+        pane.sampler.reset();
     }
+}
+
+// Compiled when it is first wanted.
+const Spirv* App::spirv(const std::string& path) {
+    auto known = spirv_.find(path);
+    if (known == spirv_.end()) {
+        Compiled result = compiler_.compile(path);
+        if (!result.error.empty())
+            session_.shader_error = result.error;
+        // Empty where it does not compile, and not tried again until something changes.
+        known = spirv_.emplace(path, std::move(result.spirv)).first;
+    }
+    return known->second.empty() ? nullptr : &known->second;
+}
+
+const Spirv& App::required(const std::string& path) {
+    const Spirv* code = spirv(path);
+    if (!code)
+        throw std::runtime_error(session_.shader_error);
+    return *code;
+}
+
+Exporter::Shaders App::export_shaders(const render::Request& request) {
+    Exporter::Shaders shaders;
+    shaders.colours = required("viewer/show.comp");
+    if (render::has_material(request))
+        return shaders;
+    const Spirv& pass = required(render::pass_of(request));
+    if (!compiler_.as_built())
+        shaders.pass = pass;
+    return shaders;
 }
 
 void App::poll_shaders() {
@@ -142,8 +171,8 @@ void App::poll_shaders() {
     }
 }
 
-const std::vector<std::uint32_t>& App::spirv(const NoisePass& noise) const {
-    return spirv_.find(noise.shader)->second;
+std::vector<NoisePass> App::wanted() const {
+    return noise_passes(session_.history.now, device_.info().kind == "CPU");
 }
 
 std::vector<Area> App::areas(Extent window) const {
@@ -157,38 +186,50 @@ std::vector<Area> App::areas(Extent window) const {
 }
 
 bool App::refine(Extent window) {
-    const std::vector<NoisePass> wanted = noise_passes(session_.document());
+    const std::vector<NoisePass> wanted = this->wanted();
+    for (const NoisePass& noise : wanted)
+        if (!spirv(noise.shader) || !spirv(value_pass(noise).shader))
+            return false; // until its error is mended the last picture stays
     const std::vector<Area> where = areas(window);
     session_.view = {where[0].width, where[0].height};
     if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
         panes_.resize(wanted.size());
         session_.panes.resize(wanted.size());
     }
+    const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+    const double budget = (moving ? moving_budget : resting_budget) / static_cast<double>(wanted.size());
     bool more = false;
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
         if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
-            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
-        const double share = 1.0 / static_cast<double>(wanted.size());
-        const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], required(wanted[index].shader));
         if (pane.canvas->refine(wanted[index], session_.document().camera,
-                                {where[index].width, where[index].height},
-                                share * (moving ? moving_budget : resting_budget))) {
+                                {where[index].width, where[index].height}, budget)) {
             more = true;
             pane.picture_measured = false;
         }
-        measure(index, wanted[index]);
-        more |= !pane.picture_measured || pane.samples < most_samples;
-
-        PaneReport& report = session_.panes[index];
-        const double cost = pane.canvas->seconds_per_pixel();
-        report.name = wanted[index].name;
-        report.visited = wanted[index].visited;
-        report.nanoseconds = cost * 1e9;
-        report.milliseconds = cost * 1e3 * where[index].width * where[index].height;
-        report.measured = measuring_.measured(index);
     }
-    return more || !measuring_.idle();
+    timing_.set(wanted);
+    const bool quiet = !more && !moving && !session_.exporter.running() && measuring_.idle();
+    if (quiet && !timing_.done()) {
+        timing_.run();
+        more = true;
+    } else {
+        for (std::size_t index = 0; index < wanted.size(); ++index) {
+            measure(index, wanted[index]);
+            more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
+        }
+    }
+    for (std::size_t index = 0; index < wanted.size(); ++index) {
+        const double nanoseconds = timing_.nanoseconds(index);
+        session_.panes[index] = {wanted[index].name,
+                                 wanted[index].visits(),
+                                 timing_.function(index),
+                                 nanoseconds,
+                                 1e-6 * nanoseconds * where[index].width * where[index].height,
+                                 measuring_.measured(index)};
+    }
+    return more || !timing_.done() || !measuring_.idle();
 }
 
 // While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
@@ -200,7 +241,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
         if (pane.sampler && pane.sampler->noise().same_pipeline(values))
             pane.sampler->set(std::move(values));
         else
-            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), spirv(noise));
+            pane.sampler = std::make_unique<ValueSampler>(device_, values, required(values.shader));
         pane.samples = 0;
         pane.picture_measured = false;
         measuring_.reset(index);
@@ -218,7 +259,8 @@ void App::measure(std::size_t index, const NoisePass& noise) {
             pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
         const int channels = pane.sampler->noise().channel_count();
         pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
-        measuring_.add_samples(index, values_now, channels);
+        const bool covered = pane.sampler->noise().channels.back() == "A";
+        measuring_.add_samples(index, values_now, channels, covered ? channels - 1 : -1);
     }
 }
 
@@ -257,6 +299,11 @@ void App::panels() {
     ImGui::End();
 }
 
+bool App::fine() const {
+    return !panes_.empty() &&
+           std::ranges::all_of(panes_, [](const Pane& pane) { return pane.canvas->fine(); });
+}
+
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
     for (std::size_t index = 0; index < panes_.size(); ++index)
         painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
@@ -291,9 +338,9 @@ void App::write_window_png(const std::string& path) {
 
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
-    const NoisePass noise = noise_passes(document).front();
+    const NoisePass noise = wanted().front();
     const Extent extent{document.request.width, document.request.height};
-    Canvas canvas(device_, noise, spirv(noise));
+    Canvas canvas(device_, noise, required(noise.shader));
     while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();

@@ -6,6 +6,7 @@
 #include "viewer/settings.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/target.hpp"
+#include "viewer/timing.hpp"
 
 #include <functional>
 #include <memory>
@@ -38,6 +39,8 @@ class App {
 
     Session& session() { return session_; }
     const Window& window() const { return window_; }
+    /// Whether the picture is in full resolution.
+    bool fine() const;
     /// Whether nothing is left to refine, to measure or to export.
     bool settled() const { return !busy_ && !session_.exporter.running(); }
     /// The picture itself, without a window around it, as gabor render would have it.
@@ -65,13 +68,17 @@ class App {
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
     void write_window_png(const std::string& path);
-    const std::vector<std::uint32_t>& spirv(const NoisePass& noise) const;
+    std::vector<NoisePass> wanted() const; ///< of what the session shows
+    /// A shader's code; for one that does not compile none, and its error in the session.
+    const Spirv* spirv(const std::string& path);
+    const Spirv& required(const std::string& path); ///< throws then
+    Exporter::Shaders export_shaders(const render::Request& request);
 
     Settings settings_;
     Window window_;
     vulkan::Device device_;
     ShaderCompiler compiler_;
-    std::map<std::string, std::vector<std::uint32_t>, std::less<>> spirv_;
+    std::map<std::string, Spirv, std::less<>> spirv_; ///< by path
     Swapchain swapchain_;
     Gui gui_;
     std::unique_ptr<Painter> painter_;
@@ -79,6 +86,7 @@ class App {
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
     MeasuringThread measuring_;
+    Timing timing_;
     std::vector<Pane> panes_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double shaders_polled_ = 0;

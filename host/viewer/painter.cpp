@@ -1,23 +1,11 @@
 #include "viewer/painter.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace gabor::viewer {
 
 namespace {
 
 constexpr std::uint32_t most_canvases = 2;
 constexpr std::size_t most_pipelines = 16;
-
-// As in shaders/viewer/show.frag.
-struct ShowPush {
-    float origin[2];
-    std::int32_t grid[2];
-    float stride;
-    float contrast;
-    float slope;
-};
 
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
     const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
@@ -26,7 +14,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
 }
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, vk::DescriptorSetLayout set) {
-    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(ShowPush));
+    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(passes::ShowPush));
     return {device, vk::PipelineLayoutCreateInfo({}, set, push)};
 }
 
@@ -42,7 +30,7 @@ vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::ve
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
                                  vk::RenderPass pass, vk::ShaderModule vertex, vk::ShaderModule fragment,
-                                 const Painter::Constants& constants) {
+                                 const ShowConstants& constants) {
     std::vector<vk::SpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < constants.size(); ++i)
         entries.emplace_back(i, i * 4, 4);
@@ -83,7 +71,7 @@ Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::v
         sets_.push_back(std::move(set));
 }
 
-vk::Pipeline Painter::pipeline(const Constants& constants) {
+vk::Pipeline Painter::pipeline(const ShowConstants& constants) {
     const auto found = pipelines_.find(constants);
     if (found != pipelines_.end())
         return *found->second;
@@ -108,27 +96,17 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     device_.state().device.updateDescriptorSets(
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
 
-    // The noises that the paper compares have their value alone.
-    const NoisePass& noise = canvas.noise();
-    const auto shown = noise.ingredients ? 0 : static_cast<std::int32_t>(document.output);
-    const int last = noise.channels.back() == "removed" ? 1 : noise.channels.back() == "A" ? 2 : 0;
     const vk::Pipeline pipeline =
-        this->pipeline({shown, document.colours, noise.channel_count(), canvas.stride() > 1, last});
-
-    ShowPush push{};
-    push.origin[0] = static_cast<float>(area.x);
-    push.origin[1] = static_cast<float>(area.y);
-    push.grid[0] = canvas.grid().width;
-    push.grid[1] = canvas.grid().height;
+        this->pipeline(show_constants(document, canvas.noise().channels, canvas.stride() > 1));
+    passes::ShowPush push = show_push(document);
+    push.origin = {static_cast<float>(area.x), static_cast<float>(area.y)};
+    push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
-    push.contrast = document.contrast;
-    push.slope = static_cast<float>(2 * std::numbers::pi * noise.request.lobes.front().frequency /
-                                    std::numbers::sqrt2);
 
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
-    commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
-    commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], static_cast<float>(area.width),
+    commands.pushConstants<passes::ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
+    commands.setViewport(0, vk::Viewport(push.origin.x, push.origin.y, static_cast<float>(area.width),
                                          static_cast<float>(area.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({area.x, area.y}, {static_cast<std::uint32_t>(area.width),
                                                          static_cast<std::uint32_t>(area.height)}));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/canvas.hpp"
+#include "viewer/show.hpp"
 #include "vulkan/state.hpp"
 
 #include <map>
@@ -28,11 +29,8 @@ class Painter {
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                std::size_t index);
 
-    /// The specialization constants of shaders/viewer/show.frag.
-    using Constants = std::array<std::int32_t, 5>;
-
   private:
-    vk::Pipeline pipeline(const Constants& constants);
+    vk::Pipeline pipeline(const ShowConstants& constants);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;
@@ -42,7 +40,7 @@ class Painter {
     vk::RenderPass pass_;
     vk::raii::ShaderModule vertex_;
     vk::raii::ShaderModule fragment_;
-    std::map<Constants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
+    std::map<ShowConstants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
 };
 
 } // namespace gabor::viewer
