@@ -55,6 +55,8 @@ struct GaborMatrix {
     mat3 imaginary;
 };
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
 GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
     return GaborMatrix(m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real);
@@ -67,13 +69,18 @@ vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
     return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
 }
 
-// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
-// lines are.
+// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
+uint gabor_impl_slice_word(uint row, uint slice)
+{
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// The amplitudes of a slice, a column for each row.
 GaborMatrix gabor_impl_slice(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place)
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        uint row = ((rows[j] * slice) >> 8u) | 0x800001u;
+        uint row = gabor_impl_slice_word(rows[j], slice);
         vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
         vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
         vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
@@ -108,7 +115,7 @@ GaborNodes3d gabor_impl_nodes(GaborPlace3d place, vec3 wave, uint seed)
     n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
     n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
                           gabor_impl_windows(n.offset.y), none);
-    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z),
+    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(n.turns.z),
                           gabor_impl_windows(n.offset.z), none);
     n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
     n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);

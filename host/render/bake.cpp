@@ -1,6 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
+#include "render/pixels.hpp"
 
 #include "passes/bake.h"
 #include "passes/bake_lattice_2.h"
@@ -36,8 +37,8 @@ passes::vec2 turn(double turns) {
 }
 
 // `scale`: pixels per radius of its kernels.
-passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, const Axis& x, const Axis& y,
-                           double scale) {
+passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
+                           const Axis& y, double scale) {
     const noise::Recipe& recipe = request.recipe;
     const double frequency = wave.frequency * wave.radius;
     const double wave_x = frequency * std::cos(wave.angle);
@@ -48,11 +49,15 @@ passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, cons
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, frequency, wave.angle, request.time));
-    return {{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-            turn(wave_x / scale),
-            turn(wave_y / scale),
-            static_cast<float>(std::sqrt(wave.share) * normalized),
-            wave.seed};
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours have weights
+    passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
+                            turn(wave_x / scale),
+                            turn(wave_y / scale),
+                            static_cast<float>(amplitude * normalized),
+                            wave.seed,
+                            {}};
+    put_weights(result.weights, request, index);
+    return result;
 }
 
 } // namespace
@@ -115,6 +120,7 @@ std::vector<std::uint32_t> bake_constants(const Request& request, int block_colu
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
     constants.push_back(noise::waves(request.lobes, request.seed).size() > 1);
+    constants.push_back(request.colour.has_value());
     return constants;
 }
 
@@ -122,13 +128,13 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
                             int fixed_rows, Code code) {
     return {device,
             code_or(code, modules.of(request.recipe)),
-            {4, sizeof(passes::BakePush), fixed_rows > 0},
+            {5, sizeof(passes::BakePush), fixed_rows > 0},
             bake_constants(request, block_columns, fixed_rows)};
 }
 
 bool Bake::can_fill(const Request& request) {
     return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
-           !request.phasor && request.values == 1 && !request.colour;
+           !request.phasor && request.values == 1;
 }
 
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
@@ -160,9 +166,9 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
         push.pixel = static_cast<float>(1 / scale);
         push.stretch = static_cast<float>(1 / radius);
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
-        for (const noise::Wave& wave : waves)
-            if (wave.radius == radius)
-                tables.waves.push_back(make_wave(request, wave, x, y, scale));
+        for (std::size_t i = 0; i < waves.size(); ++i)
+            if (waves[i].radius == radius)
+                tables.waves.push_back(make_wave(request, i, waves[i], x, y, scale));
         push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
         push.width = across.count;
         push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
@@ -183,12 +189,13 @@ Bake::Bake(const vulkan::Device& device, const Request& request, const image::Wi
     : Bake(device,
            make_bake_tables(request, {region.x, region.width, request.scale, {}},
                             {region.y, region.height, request.scale, {}}, block),
-           make_bake_pass(device, request, block.columns, 0, code), region.height) {}
+           make_bake_pass(device, request, block.columns, 0, code), pixels_colour(request), region.height) {}
 
-Bake::Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass, int height)
+Bake::Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
+           const passes::PixelsColour& colour, int height)
     : height_(height), tables_(std::move(tables)), pass_(std::move(pass)),
       columns_(upload(device, tables_.columns)), rows_(upload(device, tables_.rows)),
-      waves_(upload(device, tables_.waves)) {}
+      waves_(upload(device, tables_.waves)), colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
@@ -204,7 +211,7 @@ std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, result}};
+    return {device, pass_, {columns_, rows_, waves_, result, colour_}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

@@ -4,6 +4,7 @@
 #include "render/renderer.hpp"
 
 #include "passes/bake_interface.h"
+#include "passes/colour.h"
 
 #include <array>
 #include <functional>
@@ -91,7 +92,8 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
   public:
-    /// Whether it can: flat pictures seen sharply, without paint, of channels that add up as noises do.
+    /// Whether it can: flat pictures seen sharply, without paint, of channels that add up as noises do, or in
+    /// colour.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.
@@ -106,7 +108,8 @@ class Bake : public RegionRenderer {
   private:
     Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
          const Block& block, Code code);
-    Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass, int height);
+    Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
+         const passes::PixelsColour& colour, int height);
 
     int height_;
     BakeTables tables_;
@@ -114,6 +117,7 @@ class Bake : public RegionRenderer {
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;
+    vulkan::Buffer colour_;
 };
 
 } // namespace gabor::render

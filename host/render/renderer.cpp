@@ -79,8 +79,11 @@ std::vector<RegionRenderer::Band> RegionRenderer::bands_of_rows(int height, int 
 }
 
 std::string pass_of(const Request& request) {
-    if (has_material(request))
-        return fmt::format("passes/material.comp@{}", request.material);
+    if (has_material(request)) {
+        std::string function = request.material;
+        std::ranges::replace(function, '-', '_');
+        return "passes/material.comp@" + function;
+    }
     if (in_space(request))
         return "passes/solid.comp";
     return recipe_pass(Bake::can_fill(request) ? "bake" : "pixels", request.recipe);

@@ -2,6 +2,7 @@
 
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/photograph.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -27,7 +28,12 @@ constexpr float panel_width = 26;        // in heights of the font
 void drop(GLFWwindow* window, int count, const char** paths) {
     Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
     if (count > 0 && !session.question)
-        open_preset(session, paths[0]);
+        open_file(session, paths[0]);
+}
+
+// The values of a material have none.
+bool has_law(const NoisePass& noise) {
+    return !render::has_material(noise.request);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -67,6 +73,8 @@ App::App(const Options& options)
     glfwSetDropCallback(window_.handle(), drop);
     session_.export_shaders = [this](const render::Request& request) { return export_shaders(request); };
     load_shaders();
+    if (session_.shader_error.empty())
+        spirv(wanted().front().shader);
     if (!session_.shader_error.empty())
         throw std::runtime_error(session_.shader_error);
 }
@@ -150,8 +158,6 @@ const Spirv& App::required(const std::string& path) {
 Exporter::Shaders App::export_shaders(const render::Request& request) {
     Exporter::Shaders shaders;
     shaders.colours = required("viewer/show.comp");
-    if (render::has_material(request))
-        return shaders;
     const Spirv& pass = required(render::pass_of(request));
     if (!compiler_.as_built())
         shaders.pass = pass;
@@ -179,17 +185,26 @@ std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.comparison || render::in_space(session_.history.now.request))
+    const render::Request& request = session_.history.now.request;
+    if (shows_photograph(session_)) {
+        const int photograph = static_cast<int>(static_cast<float>(width) * session_.divider);
+        return {{photograph, 0, std::max(width - photograph, 2), window.height}};
+    }
+    if (!session_.history.now.comparison || render::in_space(request) || render::has_material(request))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
 }
 
 bool App::refine(Extent window) {
+    if (!session_.fitter.photograph()) {
+        photograph_.reset();
+        photograph_pixels_.reset();
+    }
     const std::vector<NoisePass> wanted = this->wanted();
     for (const NoisePass& noise : wanted)
-        if (!spirv(noise.shader) || !spirv(value_pass(noise).shader))
-            return false; // until its error is mended the last picture stays
+        if (!spirv(noise.shader) || (has_law(noise) && !spirv(value_pass(noise).shader)))
+            return false; // until its error is mended the last good picture stays
     const std::vector<Area> where = areas(window);
     session_.view = {where[0].width, where[0].height};
     if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
@@ -216,8 +231,12 @@ bool App::refine(Extent window) {
         more = true;
     } else {
         for (std::size_t index = 0; index < wanted.size(); ++index) {
-            measure(index, wanted[index]);
-            more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
+            if (has_law(wanted[index])) {
+                measure(index, wanted[index]);
+                more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
+            } else if (std::exchange(panes_[index].sampler, nullptr)) {
+                measuring_.reset(index);
+            }
         }
     }
     for (std::size_t index = 0; index < wanted.size(); ++index) {
@@ -251,7 +270,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
     const Canvas& canvas = *pane.canvas;
     if (canvas.fine() && !pane.picture_measured) {
         pane.picture_measured = true;
-        if (is_flat(noise.request.view))
+        if (is_flat(noise.request.view) && !noise.request.colour)
             measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
                                    noise.request.scale * session_.document().camera.zoom);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
@@ -268,6 +287,7 @@ void App::panels() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float width = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
     overlay(session_, size.x - width, size.y);
+    photograph_overlay(session_, size.x - width, size.y);
     help_window(session_);
     if (!session_.panels)
         return;
@@ -285,8 +305,9 @@ void App::panels() {
         void (*panel)(Session&);
     };
     constexpr std::array sections{
-        Section{"Noise", noise_panel}, Section{"Spectrum", spectrum_panel}, Section{"Output", output_panel},
-        Section{"Measurements", measurements_panel}, Section{"Files and code", files_panel}};
+        Section{"Noise", noise_panel},           Section{"Spectrum", spectrum_panel},
+        Section{"Output", output_panel},         Section{"Measurements", measurements_panel},
+        Section{"Photograph", photograph_panel}, Section{"Files and code", files_panel}};
     for (const Section& section : sections)
         if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
             ImGui::PushID(section.title);
@@ -305,8 +326,30 @@ bool App::fine() const {
 }
 
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
-    for (std::size_t index = 0; index < panes_.size(); ++index)
-        painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
+    for (std::size_t index = 0; index < panes_.size() && index < where.size(); ++index)
+        if (panes_[index].canvas)
+            painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
+    if (shows_photograph(session_) && where[0].x > 0)
+        paint_photograph(commands, {0, 0, where[0].x, where[0].height});
+}
+
+// Where the noise has the picture, pixel by pixel.
+void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
+    if (photograph_ != session_.fitter.photograph()) {
+        photograph_ = session_.fitter.photograph();
+        photograph_pixels_ = render::upload(device_, photograph_->pixels);
+    }
+    const Document& document = session_.document();
+    const double scale =
+        document.request.scale * document.camera.zoom; // pixels of the window per kernel radius
+    const auto corner = [&](const Coordinate& middle, int first, int pixels) {
+        return static_cast<float>(first + pixels / 2.0 -
+                                  (static_cast<double>(middle.whole) + middle.part) * scale);
+    };
+    painter_->paint_colours(
+        commands, *photograph_pixels_, photograph_->grid,
+        {corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
+        static_cast<float>(photograph_->square * document.camera.zoom), area);
 }
 
 void App::draw(const Target& target) {
@@ -359,7 +402,7 @@ bool App::frame(const FrameHook& hook) {
         return false;
     ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
-    if (session_.playing) {
+    if (session_.playing && !render::has_material(session_.document().request)) {
         double& time = session_.document().request.time;
         time += double{io.DeltaTime} / double{session_.period};
         time -= std::floor(time);
@@ -367,7 +410,9 @@ bool App::frame(const FrameHook& hook) {
     const float panel = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
     handle_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y);
     panels();
-    question_window(session_); // after all others: a modal window must not be the first to appear
+    dialog_window(session_); // after all others: a modal window must not be the first to appear
+    question_window(session_);
+    go_on_fitting(session_);
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.commit();
     gui_.end();
@@ -391,7 +436,8 @@ bool App::frame(const FrameHook& hook) {
 
 void App::run(const FrameHook& hook) {
     do {
-        const bool wanted = busy_ || hook || session_.playing || session_.exporter.running();
+        const bool wanted =
+            busy_ || hook || session_.playing || session_.exporter.running() || session_.fitter.running();
         if (!window_.shown())
             glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)

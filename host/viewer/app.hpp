@@ -41,8 +41,8 @@ class App {
     const Window& window() const { return window_; }
     /// Whether the picture is in full resolution.
     bool fine() const;
-    /// Whether nothing is left to refine, to measure or to export.
-    bool settled() const { return !busy_ && !session_.exporter.running(); }
+    /// Whether nothing is left to refine, to measure, to fit or to export.
+    bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// The picture itself, without a window around it, as gabor render would have it.
     void save_picture(const std::string& path);
     /// The window with its panels, at the end of this frame.
@@ -67,6 +67,7 @@ class App {
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
+    void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void write_window_png(const std::string& path);
     std::vector<NoisePass> wanted() const; ///< of what the session shows
     /// A shader's code; for one that does not compile none, and its error in the session.
@@ -88,6 +89,8 @@ class App {
     MeasuringThread measuring_;
     Timing timing_;
     std::vector<Pane> panes_;
+    std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
+    std::optional<vulkan::Buffer> photograph_pixels_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double shaders_polled_ = 0;
     double last_input_ = 0;

@@ -28,10 +28,12 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
 
 // The buffers and the push constants of the passes.
 vulkan::Pass::Interface interface_of(const NoisePass& noise) {
+    if (render::has_material(noise.request))
+        return {1, sizeof(passes::MaterialPush)};
     if (render::in_space(noise.request))
         return {2, sizeof(passes::SolidPush)};
     if (noise.block)
-        return {4, sizeof(passes::BakePush)};
+        return {5, sizeof(passes::BakePush)};
     return {6, sizeof(passes::PixelsPush)};
 }
 
@@ -44,7 +46,7 @@ vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, con
     return {device, spirv, interface_of(noise), noise.constants};
 }
 
-static_assert(passes::pixels_group == passes::solid_group);
+static_assert(passes::pixels_group == passes::solid_group && passes::pixels_group == passes::material_group);
 
 } // namespace
 
@@ -87,15 +89,17 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
     vulkan::Job::Buffers buffers;
     std::visit(Overloaded{[&](const PixelsInput& of) {
                               lines(of);
+                              upload(device_, colour_, std::vector{of.colour});
                               buffers = {columns_, rows_, waves_, paint, colour_, values_};
                           },
                           [&](const SolidInput& of) {
                               upload(device_, waves_, of.waves);
                               buffers = {waves_, values_};
                           },
+                          [&](const MaterialInput&) { buffers = {values_}; },
                           [&](const render::BakeTables& of) {
                               lines(of);
-                              buffers = {columns_, rows_, waves_, values_};
+                              buffers = {columns_, rows_, waves_, values_, colour_};
                           }},
                input_.of);
     job_.emplace(device_, pass, buffers);

@@ -1,7 +1,5 @@
 #include "viewer/noise_pass.hpp"
 
-#include "render/material.hpp"
-
 #include "noise/spectrum.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +45,7 @@ NoisePass of_drop_in(const render::Request& request) {
     pass.waves = wave_count(request);
     if (render::in_space(request)) {
         pass.shader = "passes/solid.comp";
-        pass.constants = render::solid_constants(request, 0);
+        pass.constants = render::solid_constants(request);
         pass.name = "in space";
         pass.visited = visited_in_space(request);
     } else {
@@ -64,7 +62,8 @@ NoisePass of_drop_in(const render::Request& request) {
 NoisePass baked(NoisePass pass, double zoom, bool cpu) {
     const render::Request& request = pass.request;
     const double cell = request.scale * zoom / double{request.recipe.radius}; // pixels
-    if (render::in_space(request) || !render::Bake::can_fill(request) || cell < least_baked_cell)
+    if (render::in_space(request) || request.colour || !render::Bake::can_fill(request) ||
+        cell < least_baked_cell)
         return pass;
     const render::Block block = !cpu                          ? render::gpu_block(request.recipe)
                                 : request.recipe.is_lattice() ? render::Block{12, 32}
@@ -72,6 +71,16 @@ NoisePass baked(NoisePass pass, double zoom, bool cpu) {
     pass.block = {block.columns, block.rows};
     pass.shader = render::recipe_pass("bake", request.recipe);
     pass.constants = render::bake_constants(request, block.columns);
+    return pass;
+}
+
+NoisePass of_material(const render::Request& request) {
+    NoisePass pass;
+    pass.request = request;
+    pass.channels = render::channels(request);
+    pass.shader = render::pass_of(request);
+    pass.constants = render::material_constants(request);
+    pass.name = request.material;
     return pass;
 }
 
@@ -141,6 +150,27 @@ passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Exten
     return push;
 }
 
+// The light stands still over the view, as over a picture of the request's size.
+passes::MaterialPush material_push(const NoisePass& noise, const Camera& camera, Extent extent, int stride) {
+    const render::Request& request = noise.request;
+    passes::MaterialPush push = render::material_push(request, extent.width, extent.height, stride);
+    const bool flat = is_flat(request.view);
+    const double pixel = 1 / (request.scale * camera.zoom);
+    const auto corner = [&](const Coordinate& middle, int pixels) {
+        return static_cast<float>(static_cast<double>(middle.whole) +
+                                  (middle.part - (flat ? pixels / 2.0 * pixel : 0)));
+    };
+    push.corner = {corner(camera.x, extent.width), corner(camera.y, extent.height)};
+    if (flat) {
+        push.pixel = static_cast<float>(stride * pixel);
+        push.size = {static_cast<float>(request.width * camera.zoom / stride),
+                     static_cast<float>(request.height * camera.zoom / stride)};
+    } else if (render::in_perspective(request)) {
+        push.pixel /= static_cast<float>(camera.zoom);
+    }
+    return push;
+}
+
 // In perspective: the camera's cell in each table, and the place in the picture.
 void add_pixels(std::vector<passes::Line>& points, const std::vector<passes::Line>& camera, int pixels,
                 int stride, double middle) {
@@ -183,18 +213,25 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
 
 std::string NoisePass::visits() const {
     const bool nodes = !ingredients && render::drawing_recipe(request).is_lattice();
-    return fmt::format("{:.0f} {}", visited, nodes ? "nodes" : "impulses");
+    return visited > 0 ? fmt::format("{:.0f} {}", visited, nodes ? "nodes" : "impulses") : "";
+}
+
+void NoisePass::add_normal() {
+    constants.push_back(1);
+    channels.insert(channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
 }
 
 std::vector<NoisePass> noise_passes(const Document& document, bool cpu) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
-    request.colour.reset(); // the window shows the noise, an export colours and materials
-    request.material = render::no_material;
+    if (render::has_material(request))
+        return {of_material(request)};
     request = with_output(request, document.output);
     const double zoom = document.camera.zoom;
     std::vector<NoisePass> passes{baked(of_drop_in(request), zoom, cpu)};
+    if (document.output == Output::lit && std::holds_alternative<render::Body>(request.view))
+        passes.front().add_normal();
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone
         return passes;
     if (const auto* ingredients = std::get_if<study::Ingredients>(&*document.comparison)) {
@@ -213,8 +250,9 @@ NoisePass value_pass(const NoisePass& noise) {
     request.seed = 0;
     request.time = 0;
     request.scale = 32;
-    request.filter = request.quadrature = request.gradient = false;
+    request.filter = request.quadrature = request.gradient = request.phasor = false;
     request.paint.clear();
+    request.colour.reset();
     if (render::in_perspective(request))
         request.view = render::Plane();
     return noise.ingredients ? of_ingredients(request, *noise.ingredients) : of_drop_in(request);
@@ -224,6 +262,8 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
                     const render::Paint& paint) {
     const render::Request& request = noise.request;
     const Extent grid{(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
+    if (render::has_material(request))
+        return {grid, MaterialInput{material_push(noise, camera, extent, stride)}};
     if (render::in_space(request)) {
         SolidInput input{solid_push(noise, camera, extent, stride), render::solid_waves(request)};
         input.push.waves = static_cast<int>(input.waves.size());
@@ -271,6 +311,7 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     push.paint_scale = {paint_scale(paint.width, request.width), paint_scale(paint.height, request.height)};
     push.paint_corner = {paint_corner(camera.x, request.width, extent.width, paint.width),
                          paint_corner(camera.y, request.height, extent.height, paint.height)};
+    input.colour = render::pixels_colour(request);
     return {grid, std::move(input)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/bake.hpp"
+#include "render/material.hpp"
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 #include "viewer/document.hpp"
@@ -43,6 +44,9 @@ struct NoisePass {
         return shader == other.shader && constants == other.constants && request.paint == other.request.paint;
     }
     bool operator==(const NoisePass&) const = default;
+    /// Of noise on a body, what its light needs beside the gradient: `normal.x`, `normal.y` and `normal.z`,
+    /// and `gradient.z`, along the picture's right and down and to the eye.
+    void add_normal();
 };
 
 /// The passes of a document: the picture's, and in the split view that of the compared noise. `cpu`: whether
@@ -58,6 +62,7 @@ struct PixelsInput {
     std::vector<passes::Line> columns;
     std::vector<passes::Line> rows;
     std::vector<passes::PixelsWave> waves;
+    passes::PixelsColour colour = {};
 };
 
 struct SolidInput {
@@ -65,10 +70,14 @@ struct SolidInput {
     std::vector<passes::SolidWave> waves;
 };
 
+struct MaterialInput {
+    passes::MaterialPush push;
+};
+
 /// What a pass is given to fill a grid of values.
 struct GridInput {
     Extent grid;
-    std::variant<PixelsInput, SolidInput, render::BakeTables> of;
+    std::variant<PixelsInput, SolidInput, MaterialInput, render::BakeTables> of;
 };
 
 /// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.

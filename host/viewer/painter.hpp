@@ -4,6 +4,7 @@
 #include "viewer/show.hpp"
 #include "vulkan/state.hpp"
 
+#include <array>
 #include <map>
 
 namespace gabor::viewer {
@@ -29,8 +30,15 @@ class Painter {
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                std::size_t index);
 
+    /// The same of red, green and blue of each cell of a grid, `stride` pixels apart, whose corner is at
+    /// `origin` in the framebuffer.
+    void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
+                       std::array<float, 2> origin, float stride, const Area& within);
+
   private:
     vk::Pipeline pipeline(const ShowConstants& constants);
+    void draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+              const passes::ShowPush& push, const Area& area, std::size_t index);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;

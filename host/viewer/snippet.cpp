@@ -1,5 +1,6 @@
 #include "viewer/snippet.hpp"
 
+#include "viewer/glsl_literal.hpp"
 #include "viewer/noise_pass.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/show.hpp"
@@ -12,18 +13,6 @@
 namespace gabor::viewer {
 
 namespace {
-
-// A float literal of GLSL, as short as it can be and still the same number.
-std::string literal(double value) {
-    std::string text = fmt::format("{}", static_cast<float>(value));
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return text;
-}
-
-std::string vec2(double x, double y) {
-    return fmt::format("vec2({}, {})", literal(x), literal(y));
-}
 
 // What an output is made of, summed over the waves, and how colours come of it.
 struct Quantity {
@@ -55,9 +44,11 @@ constexpr Quantity removed{
 const Quantity& quantity(Output output) {
     switch (output) {
     case Output::gradient:
+    case Output::lit:
         return gradient;
     case Output::phase:
     case Output::intensity:
+    case Output::phasor:
         return complex_value;
     case Output::variance:
         return removed;
@@ -248,9 +239,14 @@ std::string of_colours(const Document& document, const Quantity& of) {
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
     switch (document.output) {
+    case Output::lit: // the light is the window's own: this is the normal map that it falls on
     case Output::gradient:
-        text += fmt::format("    return viewer_gradient(seen, {}, {});\n",
-                            literal(slope_deviation(document.request)), contrast);
+        text += fmt::format("    return viewer_gradient(seen, {}, {}, {});\n",
+                            literal(slope_deviation(document.request)), contrast,
+                            literal(document.directx_normals ? -1 : 1));
+        break;
+    case Output::phasor:
+        text += fmt::format("    return viewer_phasor(seen, {});\n", map);
         break;
     case Output::phase:
         text += fmt::format("    return viewer_phase(seen, {});\n", map);

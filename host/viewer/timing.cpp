@@ -34,6 +34,8 @@ bench::SpaceFunction space_function_of(const render::Request& request) {
 } // namespace
 
 std::optional<bench::Subject> subject_of(const NoisePass& noise) {
+    if (render::has_material(noise.request))
+        return {};
     if (render::in_space(noise.request))
         return bench::in_space(space_function_of(noise.request));
     if (!noise.ingredients)

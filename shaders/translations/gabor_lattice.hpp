@@ -401,11 +401,19 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word)
     return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
-// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(gabor_vec2 time, gabor_vec2 a, gabor_vec2 b, gabor_vec2 c)
+// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
+// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
+// between as (1 + cos) / 2.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, gabor_vec2 time)
 {
-    return 0.5f * (a + b + time.x * (a - b)) + 0.70710678f * time.y * c;
+    gabor_vec2 a = gabor_impl_amplitude(word);
+    if (animated) {
+        std::uint32_t second = gabor_impl_next_word(word ^ 0x68e31da4u);
+        gabor_vec2 b = gabor_impl_amplitude(second);
+        gabor_vec2 c = gabor_impl_amplitude(gabor_impl_next_word(second));
+        a = 0.5f * (a + b + time.x * (a - b)) + 0.70710678f * time.y * c;
+    }
+    return a;
 }
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
@@ -545,14 +553,22 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int first, int period, std::uint32_t salt
                      real.slope * cosine - imaginary.slope * sine, real.slope * sine + imaginary.slope * cosine};
 }
 
-// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
+// first noise), and along both.
 struct GaborSum {
     gabor_vec4 real;
     gabor_vec4 imaginary;
-    gabor_vec2 slope_x;
+    gabor_vec4 slope_real;
+    gabor_vec4 slope_imaginary;
     gabor_vec2 slope_y;
-    gabor_vec2 slope_xy;
+    gabor_vec4 mixed_real;
+    gabor_vec4 mixed_imaginary;
 };
+
+GABOR_INLINE GaborSum gabor_impl_no_sum()
+{
+    return GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f)};
+}
 
 // Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
@@ -561,23 +577,22 @@ GABOR_INLINE void gabor_impl_add_node(GaborSum& row, GaborAxis columns, int k, s
     std::uint32_t word = gabor_impl_node_word(columns.word[k], row_word);
     std::uint32_t second = gabor_impl_next_word(word);
     std::uint32_t third = gabor_impl_next_word(second);
-    gabor_vec2 a = gabor_impl_amplitude(word);
-    gabor_vec2 b = gabor_impl_amplitude(second);
-    gabor_vec2 c = gabor_impl_amplitude(third);
-    gabor_vec2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
-    if (animated)
-        a = gabor_impl_amplitude_at(time, a, b, c);
+    gabor_vec2 a = gabor_impl_amplitude_at(word, animated, time);
+    gabor_vec2 b = gabor_impl_amplitude_at(second, animated, time);
+    gabor_vec2 c = gabor_impl_amplitude_at(third, animated, time);
+    gabor_vec2 d = gabor_impl_amplitude_at(gabor_impl_next_word(third), animated, time);
     gabor_vec4 real = gabor_vec4(a.x, b.x, c.x, d.x);
     gabor_vec4 imaginary = gabor_vec4(a.y, b.y, c.y, d.y);
     row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
     row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
-    row.slope_x += gabor_impl_product(a, gabor_vec2(columns.slope_real[k], columns.slope_imaginary[k]));
+    row.slope_real += columns.slope_real[k] * real - columns.slope_imaginary[k] * imaginary;
+    row.slope_imaginary += columns.slope_real[k] * imaginary + columns.slope_imaginary[k] * real;
 }
 
 // Adds row k.
 GABOR_INLINE void gabor_impl_add_row(GaborSum& sum, GaborAxis columns, GaborAxis rows, int k, bool animated, gabor_vec2 time)
 {
-    GaborSum row = GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborSum row = gabor_impl_no_sum();
     gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
     gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
     if (GABOR_TAPS > 2)
@@ -588,10 +603,12 @@ GABOR_INLINE void gabor_impl_add_row(GaborSum& sum, GaborAxis columns, GaborAxis
     {
         sum.real += factor.x * row.real - factor.y * row.imaginary;
         sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_real += factor.x * row.slope_real - factor.y * row.slope_imaginary;
+        sum.slope_imaginary += factor.x * row.slope_imaginary + factor.y * row.slope_real;
         gabor_vec2 slope = gabor_vec2(rows.slope_real[k], rows.slope_imaginary[k]);
         sum.slope_y += gabor_impl_product(gabor_vec2(row.real.x, row.imaginary.x), slope);
-        sum.slope_xy += gabor_impl_product(row.slope_x, slope);
+        sum.mixed_real += slope.x * row.slope_real - slope.y * row.slope_imaginary;
+        sum.mixed_imaginary += slope.x * row.slope_imaginary + slope.y * row.slope_real;
     }
 }
 
@@ -599,7 +616,7 @@ GABOR_INLINE void gabor_impl_add_row(GaborSum& sum, GaborAxis columns, GaborAxis
 GABOR_INLINE GaborSum gabor_impl_sum(GaborAxis columns, GaborAxis rows, bool animated, float time)
 {
     gabor_vec2 turn = gabor_impl_wave(time);
-    GaborSum sum = GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborSum sum = gabor_impl_no_sum();
     gabor_impl_add_row(sum, columns, rows, 0, animated, turn);
     gabor_impl_add_row(sum, columns, rows, 1, animated, turn);
     if (GABOR_TAPS > 2)
@@ -629,7 +646,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
     gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x), base);
     gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField{value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel.wave.x * turned,
+    return GaborField{value, stretch.x * gabor_impl_product(gabor_vec2(sum.slope_real.x, sum.slope_imaginary.x), base) + kernel.wave.x * turned,
                       stretch.y * gabor_impl_product(sum.slope_y, base) + kernel.wave.y * turned,
                       base.x * sum.imaginary + base.y * sum.real};
 }

@@ -91,11 +91,19 @@ inline float2 gabor_impl_amplitude(uint word)
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
-// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
-inline float2 gabor_impl_amplitude_at(float2 time, float2 a, float2 b, float2 c)
+// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
+// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
+// between as (1 + cos) / 2.
+inline float2 gabor_impl_amplitude_at(uint word, bool animated, float2 time)
 {
-    return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+    float2 a = gabor_impl_amplitude(word);
+    if (animated) {
+        uint second = gabor_impl_next_word(word ^ 0x68e31da4u);
+        float2 b = gabor_impl_amplitude(second);
+        float2 c = gabor_impl_amplitude(gabor_impl_next_word(second));
+        a = 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+    }
+    return a;
 }
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
@@ -235,14 +243,22 @@ inline GaborAxis gabor_impl_axis(int first, int period, uint salt, float2 step, 
                      real.slope * cosine - imaginary.slope * sine, real.slope * sine + imaginary.slope * cosine};
 }
 
-// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
+// first noise), and along both.
 struct GaborSum {
     float4 real;
     float4 imaginary;
-    float2 slope_x;
+    float4 slope_real;
+    float4 slope_imaginary;
     float2 slope_y;
-    float2 slope_xy;
+    float4 mixed_real;
+    float4 mixed_imaginary;
 };
+
+inline GaborSum gabor_impl_no_sum()
+{
+    return GaborSum{float4(0.0), float4(0.0), float4(0.0), float4(0.0), float2(0.0), float4(0.0), float4(0.0)};
+}
 
 // Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
@@ -251,23 +267,22 @@ inline void gabor_impl_add_node(thread GaborSum& row, GaborAxis columns, int k, 
     uint word = gabor_impl_node_word(columns.word[k], row_word);
     uint second = gabor_impl_next_word(word);
     uint third = gabor_impl_next_word(second);
-    float2 a = gabor_impl_amplitude(word);
-    float2 b = gabor_impl_amplitude(second);
-    float2 c = gabor_impl_amplitude(third);
-    float2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
-    if (animated)
-        a = gabor_impl_amplitude_at(time, a, b, c);
+    float2 a = gabor_impl_amplitude_at(word, animated, time);
+    float2 b = gabor_impl_amplitude_at(second, animated, time);
+    float2 c = gabor_impl_amplitude_at(third, animated, time);
+    float2 d = gabor_impl_amplitude_at(gabor_impl_next_word(third), animated, time);
     float4 real = float4(a.x, b.x, c.x, d.x);
     float4 imaginary = float4(a.y, b.y, c.y, d.y);
     row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
     row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
-    row.slope_x += gabor_impl_product(a, float2(columns.slope_real[k], columns.slope_imaginary[k]));
+    row.slope_real += columns.slope_real[k] * real - columns.slope_imaginary[k] * imaginary;
+    row.slope_imaginary += columns.slope_real[k] * imaginary + columns.slope_imaginary[k] * real;
 }
 
 // Adds row k.
 inline void gabor_impl_add_row(thread GaborSum& sum, GaborAxis columns, GaborAxis rows, int k, bool animated, float2 time)
 {
-    GaborSum row = GaborSum{float4(0.0), float4(0.0), float2(0.0), float2(0.0), float2(0.0)};
+    GaborSum row = gabor_impl_no_sum();
     gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
     gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
     if (GABOR_TAPS > 2)
@@ -278,10 +293,12 @@ inline void gabor_impl_add_row(thread GaborSum& sum, GaborAxis columns, GaborAxi
     if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
         sum.real += factor.x * row.real - factor.y * row.imaginary;
         sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_real += factor.x * row.slope_real - factor.y * row.slope_imaginary;
+        sum.slope_imaginary += factor.x * row.slope_imaginary + factor.y * row.slope_real;
         float2 slope = float2(rows.slope_real[k], rows.slope_imaginary[k]);
         sum.slope_y += gabor_impl_product(float2(row.real.x, row.imaginary.x), slope);
-        sum.slope_xy += gabor_impl_product(row.slope_x, slope);
+        sum.mixed_real += slope.x * row.slope_real - slope.y * row.slope_imaginary;
+        sum.mixed_imaginary += slope.x * row.slope_imaginary + slope.y * row.slope_real;
     }
 }
 
@@ -289,7 +306,7 @@ inline void gabor_impl_add_row(thread GaborSum& sum, GaborAxis columns, GaborAxi
 inline GaborSum gabor_impl_sum(GaborAxis columns, GaborAxis rows, bool animated, float time)
 {
     float2 turn = gabor_impl_wave(time);
-    GaborSum sum = GaborSum{float4(0.0), float4(0.0), float2(0.0), float2(0.0), float2(0.0)};
+    GaborSum sum = gabor_impl_no_sum();
     gabor_impl_add_row(sum, columns, rows, 0, animated, turn);
     gabor_impl_add_row(sum, columns, rows, 1, animated, turn);
     if (GABOR_TAPS > 2)
@@ -319,7 +336,7 @@ inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
     float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x), base);
     float2 turned = 6.2831853 * float2(-value.y, value.x);
     float2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField{value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel_.wave.x * turned,
+    return GaborField{value, stretch.x * gabor_impl_product(float2(sum.slope_real.x, sum.slope_imaginary.x), base) + kernel_.wave.x * turned,
                       stretch.y * gabor_impl_product(sum.slope_y, base) + kernel_.wave.y * turned,
                       base.x * sum.imaginary + base.y * sum.real};
 }

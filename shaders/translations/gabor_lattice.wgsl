@@ -79,10 +79,38 @@ fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
-// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
-fn gabor_impl_amplitude_at(time: vec2<f32>, a: vec2<f32>, b: vec2<f32>, c: vec2<f32>) -> vec2<f32> {
-    return ((0.5f * ((a + b) + (time.x * (a - b)))) + ((0.70710677f * time.y) * c));
+// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
+// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
+// between as (1 + cos) / 2.
+fn gabor_impl_amplitude_at(word: u32, animated: bool, time: vec2<f32>) -> vec2<f32> {
+    var a: vec2<f32>;
+    var second: u32;
+    var b: vec2<f32>;
+    var c: vec2<f32>;
+
+    let _e3 = gabor_impl_amplitude(word);
+    a = _e3;
+    if animated {
+        {
+            let _e7 = gabor_impl_next_word((word ^ 1759714724u));
+            second = _e7;
+            let _e9 = second;
+            let _e10 = gabor_impl_amplitude(_e9);
+            b = _e10;
+            let _e12 = second;
+            let _e13 = gabor_impl_next_word(_e12);
+            let _e14 = gabor_impl_amplitude(_e13);
+            c = _e14;
+            let _e17 = a;
+            let _e18 = b;
+            let _e21 = a;
+            let _e22 = b;
+            let _e30 = c;
+            a = ((0.5f * ((_e17 + _e18) + (time.x * (_e21 - _e22)))) + ((0.70710677f * time.y) * _e30));
+        }
+    }
+    let _e33 = a;
+    return _e33;
 }
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
@@ -302,7 +330,7 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
     if GABOR_TAPS == 2 {
         var cosine_1: vec4<f32>;
         var sine_1: vec4<f32>;
-        var word_5: vec4<u32>;
+        var word_6: vec4<u32>;
 
         cosine_1 = vec4<f32>(1f, step.x, 0f, 0f);
         sine_1 = vec4<f32>(0f, -(step.y), 0f, 0f);
@@ -314,8 +342,8 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
         let _e28 = gabor_impl_line_word(_e27, salt);
         let _e31 = gabor_impl_wrap((first + 3i), period);
         let _e32 = gabor_impl_line_word(_e31, salt);
-        word_5 = vec4<u32>(_e20, _e24, _e28, _e32);
-        let _e35 = word_5;
+        word_6 = vec4<u32>(_e20, _e24, _e28, _e32);
+        let _e35 = word_6;
         let _e37 = cosine_1;
         let _e40 = sine_1;
         let _e44 = sine_1;
@@ -329,7 +357,7 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
         var two: vec2<f32>;
         var cosine_2: vec4<f32>;
         var sine_2: vec4<f32>;
-        var word_5: vec4<u32>;
+        var word_6: vec4<u32>;
 
         let _e6 = gabor_impl_product(step, step);
         two = _e6;
@@ -345,8 +373,8 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
         let _e33 = gabor_impl_line_word(_e32, salt);
         let _e36 = gabor_impl_wrap((first + 3i), period);
         let _e37 = gabor_impl_line_word(_e36, salt);
-        word_5 = vec4<u32>(_e25, _e29, _e33, _e37);
-        let _e40 = word_5;
+        word_6 = vec4<u32>(_e25, _e29, _e33, _e37);
+        let _e40 = word_6;
         let _e42 = cosine_2;
         let _e45 = sine_2;
         let _e49 = sine_2;
@@ -360,7 +388,7 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
         var two: vec2<f32>;
         var cosine_1: vec4<f32>;
         var sine_1: vec4<f32>;
-        var word_5: vec4<u32>;
+        var word_6: vec4<u32>;
 
         let _e6 = gabor_impl_product(step, step);
         two = _e6;
@@ -376,8 +404,8 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
         let _e33 = gabor_impl_line_word(_e32, salt);
         let _e36 = gabor_impl_wrap((first + 3i), period);
         let _e37 = gabor_impl_line_word(_e36, salt);
-        word_5 = vec4<u32>(_e25, _e29, _e33, _e37);
-        let _e40 = word_5;
+        word_6 = vec4<u32>(_e25, _e29, _e33, _e37);
+        let _e40 = word_6;
         let _e42 = cosine_1;
         let _e45 = sine_1;
         let _e49 = sine_1;
@@ -390,21 +418,28 @@ fn gabor_impl_axis(first: i32, period: i32, salt: u32, step: vec2<f32>, real: Ga
     }
 }
 
-// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
+// first noise), and along both.
 struct GaborSum {
     real: vec4<f32>,
     imaginary: vec4<f32>,
-    slope_x: vec2<f32>,
+    slope_real: vec4<f32>,
+    slope_imaginary: vec4<f32>,
     slope_y: vec2<f32>,
-    slope_xy: vec2<f32>,
+    mixed_real: vec4<f32>,
+    mixed_imaginary: vec4<f32>,
+}
+
+fn gabor_impl_no_sum() -> GaborSum {
+    return GaborSum(vec4(0f), vec4(0f), vec4(0f), vec4(0f), vec2(0f), vec4(0f), vec4(0f));
 }
 
 // Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
 fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32, row_word: u32, animated: bool, time: vec2<f32>) {
     if GABOR_TAPS == 2 {
-        var word_6: u32;
-        var second: u32;
+        var word_7: u32;
+        var second_1: u32;
         var third: u32;
         var a_2: vec2<f32>;
         var b_2: vec2<f32>;
@@ -414,59 +449,56 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32,
         var imaginary_1: vec4<f32>;
 
         let _e8 = gabor_impl_node_word(columns.word[k], row_word);
-        word_6 = _e8;
-        let _e10 = word_6;
+        word_7 = _e8;
+        let _e10 = word_7;
         let _e11 = gabor_impl_next_word(_e10);
-        second = _e11;
-        let _e13 = second;
+        second_1 = _e11;
+        let _e13 = second_1;
         let _e14 = gabor_impl_next_word(_e13);
         third = _e14;
-        let _e16 = word_6;
-        let _e17 = gabor_impl_amplitude(_e16);
+        let _e16 = word_7;
+        let _e17 = gabor_impl_amplitude_at(_e16, animated, time);
         a_2 = _e17;
-        let _e19 = second;
-        let _e20 = gabor_impl_amplitude(_e19);
+        let _e19 = second_1;
+        let _e20 = gabor_impl_amplitude_at(_e19, animated, time);
         b_2 = _e20;
         let _e22 = third;
-        let _e23 = gabor_impl_amplitude(_e22);
+        let _e23 = gabor_impl_amplitude_at(_e22, animated, time);
         c_1 = _e23;
         let _e25 = third;
         let _e26 = gabor_impl_next_word(_e25);
-        let _e27 = gabor_impl_amplitude(_e26);
+        let _e27 = gabor_impl_amplitude_at(_e26, animated, time);
         d = _e27;
-        if animated {
-            let _e29 = a_2;
-            let _e30 = b_2;
-            let _e31 = c_1;
-            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
-            a_2 = _e32;
-        }
-        let _e33 = a_2;
-        let _e35 = b_2;
-        let _e37 = c_1;
-        let _e39 = d;
-        real_1 = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
-        let _e43 = a_2;
-        let _e45 = b_2;
-        let _e47 = c_1;
-        let _e49 = d;
-        imaginary_1 = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
-        let _e54 = (*row);
-        let _e58 = real_1;
-        let _e62 = imaginary_1;
-        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
-        let _e67 = (*row);
-        let _e71 = imaginary_1;
-        let _e75 = real_1;
-        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
-        let _e80 = (*row);
-        let _e82 = a_2;
-        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
-        (*row).slope_x = (_e80.slope_x + _e88);
+        let _e29 = a_2;
+        let _e31 = b_2;
+        let _e33 = c_1;
+        let _e35 = d;
+        real_1 = vec4<f32>(_e29.x, _e31.x, _e33.x, _e35.x);
+        let _e39 = a_2;
+        let _e41 = b_2;
+        let _e43 = c_1;
+        let _e45 = d;
+        imaginary_1 = vec4<f32>(_e39.y, _e41.y, _e43.y, _e45.y);
+        let _e50 = (*row);
+        let _e54 = real_1;
+        let _e58 = imaginary_1;
+        (*row).real = (_e50.real + ((columns.real[k] * _e54) - (columns.imaginary[k] * _e58)));
+        let _e63 = (*row);
+        let _e67 = imaginary_1;
+        let _e71 = real_1;
+        (*row).imaginary = (_e63.imaginary + ((columns.real[k] * _e67) + (columns.imaginary[k] * _e71)));
+        let _e76 = (*row);
+        let _e80 = real_1;
+        let _e84 = imaginary_1;
+        (*row).slope_real = (_e76.slope_real + ((columns.slope_real[k] * _e80) - (columns.slope_imaginary[k] * _e84)));
+        let _e89 = (*row);
+        let _e93 = imaginary_1;
+        let _e97 = real_1;
+        (*row).slope_imaginary = (_e89.slope_imaginary + ((columns.slope_real[k] * _e93) + (columns.slope_imaginary[k] * _e97)));
         return;
     } else if GABOR_TAPS == 4 {
-        var word_6: u32;
-        var second: u32;
+        var word_7: u32;
+        var second_1: u32;
         var third: u32;
         var a_2: vec2<f32>;
         var b_2: vec2<f32>;
@@ -476,59 +508,56 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32,
         var imaginary_1: vec4<f32>;
 
         let _e8 = gabor_impl_node_word(columns.word[k], row_word);
-        word_6 = _e8;
-        let _e10 = word_6;
+        word_7 = _e8;
+        let _e10 = word_7;
         let _e11 = gabor_impl_next_word(_e10);
-        second = _e11;
-        let _e13 = second;
+        second_1 = _e11;
+        let _e13 = second_1;
         let _e14 = gabor_impl_next_word(_e13);
         third = _e14;
-        let _e16 = word_6;
-        let _e17 = gabor_impl_amplitude(_e16);
+        let _e16 = word_7;
+        let _e17 = gabor_impl_amplitude_at(_e16, animated, time);
         a_2 = _e17;
-        let _e19 = second;
-        let _e20 = gabor_impl_amplitude(_e19);
+        let _e19 = second_1;
+        let _e20 = gabor_impl_amplitude_at(_e19, animated, time);
         b_2 = _e20;
         let _e22 = third;
-        let _e23 = gabor_impl_amplitude(_e22);
+        let _e23 = gabor_impl_amplitude_at(_e22, animated, time);
         c_2 = _e23;
         let _e25 = third;
         let _e26 = gabor_impl_next_word(_e25);
-        let _e27 = gabor_impl_amplitude(_e26);
+        let _e27 = gabor_impl_amplitude_at(_e26, animated, time);
         d = _e27;
-        if animated {
-            let _e29 = a_2;
-            let _e30 = b_2;
-            let _e31 = c_2;
-            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
-            a_2 = _e32;
-        }
-        let _e33 = a_2;
-        let _e35 = b_2;
-        let _e37 = c_2;
-        let _e39 = d;
-        real_1 = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
-        let _e43 = a_2;
-        let _e45 = b_2;
-        let _e47 = c_2;
-        let _e49 = d;
-        imaginary_1 = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
-        let _e54 = (*row);
-        let _e58 = real_1;
-        let _e62 = imaginary_1;
-        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
-        let _e67 = (*row);
-        let _e71 = imaginary_1;
-        let _e75 = real_1;
-        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
-        let _e80 = (*row);
-        let _e82 = a_2;
-        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
-        (*row).slope_x = (_e80.slope_x + _e88);
+        let _e29 = a_2;
+        let _e31 = b_2;
+        let _e33 = c_2;
+        let _e35 = d;
+        real_1 = vec4<f32>(_e29.x, _e31.x, _e33.x, _e35.x);
+        let _e39 = a_2;
+        let _e41 = b_2;
+        let _e43 = c_2;
+        let _e45 = d;
+        imaginary_1 = vec4<f32>(_e39.y, _e41.y, _e43.y, _e45.y);
+        let _e50 = (*row);
+        let _e54 = real_1;
+        let _e58 = imaginary_1;
+        (*row).real = (_e50.real + ((columns.real[k] * _e54) - (columns.imaginary[k] * _e58)));
+        let _e63 = (*row);
+        let _e67 = imaginary_1;
+        let _e71 = real_1;
+        (*row).imaginary = (_e63.imaginary + ((columns.real[k] * _e67) + (columns.imaginary[k] * _e71)));
+        let _e76 = (*row);
+        let _e80 = real_1;
+        let _e84 = imaginary_1;
+        (*row).slope_real = (_e76.slope_real + ((columns.slope_real[k] * _e80) - (columns.slope_imaginary[k] * _e84)));
+        let _e89 = (*row);
+        let _e93 = imaginary_1;
+        let _e97 = real_1;
+        (*row).slope_imaginary = (_e89.slope_imaginary + ((columns.slope_real[k] * _e93) + (columns.slope_imaginary[k] * _e97)));
         return;
     } else {
-        var word_6: u32;
-        var second: u32;
+        var word_7: u32;
+        var second_1: u32;
         var third: u32;
         var a_3: vec2<f32>;
         var b_3: vec2<f32>;
@@ -538,55 +567,52 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32,
         var imaginary_1: vec4<f32>;
 
         let _e8 = gabor_impl_node_word(columns.word[k], row_word);
-        word_6 = _e8;
-        let _e10 = word_6;
+        word_7 = _e8;
+        let _e10 = word_7;
         let _e11 = gabor_impl_next_word(_e10);
-        second = _e11;
-        let _e13 = second;
+        second_1 = _e11;
+        let _e13 = second_1;
         let _e14 = gabor_impl_next_word(_e13);
         third = _e14;
-        let _e16 = word_6;
-        let _e17 = gabor_impl_amplitude(_e16);
+        let _e16 = word_7;
+        let _e17 = gabor_impl_amplitude_at(_e16, animated, time);
         a_3 = _e17;
-        let _e19 = second;
-        let _e20 = gabor_impl_amplitude(_e19);
+        let _e19 = second_1;
+        let _e20 = gabor_impl_amplitude_at(_e19, animated, time);
         b_3 = _e20;
         let _e22 = third;
-        let _e23 = gabor_impl_amplitude(_e22);
+        let _e23 = gabor_impl_amplitude_at(_e22, animated, time);
         c_2 = _e23;
         let _e25 = third;
         let _e26 = gabor_impl_next_word(_e25);
-        let _e27 = gabor_impl_amplitude(_e26);
+        let _e27 = gabor_impl_amplitude_at(_e26, animated, time);
         d = _e27;
-        if animated {
-            let _e29 = a_3;
-            let _e30 = b_3;
-            let _e31 = c_2;
-            let _e32 = gabor_impl_amplitude_at(time, _e29, _e30, _e31);
-            a_3 = _e32;
-        }
-        let _e33 = a_3;
-        let _e35 = b_3;
-        let _e37 = c_2;
-        let _e39 = d;
-        real_1 = vec4<f32>(_e33.x, _e35.x, _e37.x, _e39.x);
-        let _e43 = a_3;
-        let _e45 = b_3;
-        let _e47 = c_2;
-        let _e49 = d;
-        imaginary_1 = vec4<f32>(_e43.y, _e45.y, _e47.y, _e49.y);
-        let _e54 = (*row);
-        let _e58 = real_1;
-        let _e62 = imaginary_1;
-        (*row).real = (_e54.real + ((columns.real[k] * _e58) - (columns.imaginary[k] * _e62)));
-        let _e67 = (*row);
-        let _e71 = imaginary_1;
-        let _e75 = real_1;
-        (*row).imaginary = (_e67.imaginary + ((columns.real[k] * _e71) + (columns.imaginary[k] * _e75)));
-        let _e80 = (*row);
-        let _e82 = a_3;
-        let _e88 = gabor_impl_product(_e82, vec2<f32>(columns.slope_real[k], columns.slope_imaginary[k]));
-        (*row).slope_x = (_e80.slope_x + _e88);
+        let _e29 = a_3;
+        let _e31 = b_3;
+        let _e33 = c_2;
+        let _e35 = d;
+        real_1 = vec4<f32>(_e29.x, _e31.x, _e33.x, _e35.x);
+        let _e39 = a_3;
+        let _e41 = b_3;
+        let _e43 = c_2;
+        let _e45 = d;
+        imaginary_1 = vec4<f32>(_e39.y, _e41.y, _e43.y, _e45.y);
+        let _e50 = (*row);
+        let _e54 = real_1;
+        let _e58 = imaginary_1;
+        (*row).real = (_e50.real + ((columns.real[k] * _e54) - (columns.imaginary[k] * _e58)));
+        let _e63 = (*row);
+        let _e67 = imaginary_1;
+        let _e71 = real_1;
+        (*row).imaginary = (_e63.imaginary + ((columns.real[k] * _e67) + (columns.imaginary[k] * _e71)));
+        let _e76 = (*row);
+        let _e80 = real_1;
+        let _e84 = imaginary_1;
+        (*row).slope_real = (_e76.slope_real + ((columns.slope_real[k] * _e80) - (columns.slope_imaginary[k] * _e84)));
+        let _e89 = (*row);
+        let _e93 = imaginary_1;
+        let _e97 = real_1;
+        (*row).slope_imaginary = (_e89.slope_imaginary + ((columns.slope_real[k] * _e93) + (columns.slope_imaginary[k] * _e97)));
         return;
     }
 }
@@ -594,10 +620,12 @@ fn gabor_impl_add_node(row: ptr<function, GaborSum>, columns: GaborAxis, k: i32,
 // Adds row k.
 fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: GaborAxis, k: i32, animated: bool, time: vec2<f32>) {
     if GABOR_TAPS == 2 {
-        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var row_2: GaborSum;
         var factor: vec2<f32>;
         var slope_1: vec2<f32>;
 
+        let _e6 = gabor_impl_no_sum();
+        row_2 = _e6;
         gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
         gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
         if false {
@@ -607,48 +635,64 @@ fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: Ga
             gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
         }
         factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
-        let _e50 = factor;
-        if (_e50.x > -2f) {
+        let _e40 = factor;
+        if (_e40.x > -2f) {
             {
-                let _e56 = (*sum);
-                let _e58 = factor;
-                let _e60 = row_2;
+                let _e46 = (*sum);
+                let _e48 = factor;
+                let _e50 = row_2;
+                let _e53 = factor;
+                let _e55 = row_2;
+                (*sum).real = (_e46.real + ((_e48.x * _e50.real) - (_e53.y * _e55.imaginary)));
+                let _e61 = (*sum);
                 let _e63 = factor;
                 let _e65 = row_2;
-                (*sum).real = (_e56.real + ((_e58.x * _e60.real) - (_e63.y * _e65.imaginary)));
-                let _e71 = (*sum);
-                let _e73 = factor;
-                let _e75 = row_2;
+                let _e68 = factor;
+                let _e70 = row_2;
+                (*sum).imaginary = (_e61.imaginary + ((_e63.x * _e65.imaginary) + (_e68.y * _e70.real)));
+                let _e76 = (*sum);
                 let _e78 = factor;
                 let _e80 = row_2;
-                (*sum).imaginary = (_e71.imaginary + ((_e73.x * _e75.imaginary) + (_e78.y * _e80.real)));
-                let _e86 = (*sum);
-                let _e88 = row_2;
-                let _e90 = factor;
-                let _e91 = gabor_impl_product(_e88.slope_x, _e90);
-                (*sum).slope_x = (_e86.slope_x + _e91);
+                let _e83 = factor;
+                let _e85 = row_2;
+                (*sum).slope_real = (_e76.slope_real + ((_e78.x * _e80.slope_real) - (_e83.y * _e85.slope_imaginary)));
+                let _e91 = (*sum);
+                let _e93 = factor;
+                let _e95 = row_2;
+                let _e98 = factor;
+                let _e100 = row_2;
+                (*sum).slope_imaginary = (_e91.slope_imaginary + ((_e93.x * _e95.slope_imaginary) + (_e98.y * _e100.slope_real)));
                 slope_1 = vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]);
-                let _e100 = (*sum);
-                let _e102 = row_2;
-                let _e105 = row_2;
-                let _e109 = slope_1;
-                let _e110 = gabor_impl_product(vec2<f32>(_e102.real.x, _e105.imaginary.x), _e109);
-                (*sum).slope_y = (_e100.slope_y + _e110);
-                let _e113 = (*sum);
-                let _e115 = row_2;
-                let _e117 = slope_1;
-                let _e118 = gabor_impl_product(_e115.slope_x, _e117);
-                (*sum).slope_xy = (_e113.slope_xy + _e118);
+                let _e112 = (*sum);
+                let _e114 = row_2;
+                let _e117 = row_2;
+                let _e121 = slope_1;
+                let _e122 = gabor_impl_product(vec2<f32>(_e114.real.x, _e117.imaginary.x), _e121);
+                (*sum).slope_y = (_e112.slope_y + _e122);
+                let _e125 = (*sum);
+                let _e127 = slope_1;
+                let _e129 = row_2;
+                let _e132 = slope_1;
+                let _e134 = row_2;
+                (*sum).mixed_real = (_e125.mixed_real + ((_e127.x * _e129.slope_real) - (_e132.y * _e134.slope_imaginary)));
+                let _e140 = (*sum);
+                let _e142 = slope_1;
+                let _e144 = row_2;
+                let _e147 = slope_1;
+                let _e149 = row_2;
+                (*sum).mixed_imaginary = (_e140.mixed_imaginary + ((_e142.x * _e144.slope_imaginary) + (_e147.y * _e149.slope_real)));
                 return;
             }
         } else {
             return;
         }
     } else if GABOR_TAPS == 4 {
-        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var row_2: GaborSum;
         var factor: vec2<f32>;
         var slope: vec2<f32>;
 
+        let _e6 = gabor_impl_no_sum();
+        row_2 = _e6;
         gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
         gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
         if true {
@@ -658,48 +702,64 @@ fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: Ga
             gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
         }
         factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
-        let _e50 = factor;
-        if (_e50.x > -2f) {
+        let _e40 = factor;
+        if (_e40.x > -2f) {
             {
-                let _e56 = (*sum);
-                let _e58 = factor;
-                let _e60 = row_2;
+                let _e46 = (*sum);
+                let _e48 = factor;
+                let _e50 = row_2;
+                let _e53 = factor;
+                let _e55 = row_2;
+                (*sum).real = (_e46.real + ((_e48.x * _e50.real) - (_e53.y * _e55.imaginary)));
+                let _e61 = (*sum);
                 let _e63 = factor;
                 let _e65 = row_2;
-                (*sum).real = (_e56.real + ((_e58.x * _e60.real) - (_e63.y * _e65.imaginary)));
-                let _e71 = (*sum);
-                let _e73 = factor;
-                let _e75 = row_2;
+                let _e68 = factor;
+                let _e70 = row_2;
+                (*sum).imaginary = (_e61.imaginary + ((_e63.x * _e65.imaginary) + (_e68.y * _e70.real)));
+                let _e76 = (*sum);
                 let _e78 = factor;
                 let _e80 = row_2;
-                (*sum).imaginary = (_e71.imaginary + ((_e73.x * _e75.imaginary) + (_e78.y * _e80.real)));
-                let _e86 = (*sum);
-                let _e88 = row_2;
-                let _e90 = factor;
-                let _e91 = gabor_impl_product(_e88.slope_x, _e90);
-                (*sum).slope_x = (_e86.slope_x + _e91);
+                let _e83 = factor;
+                let _e85 = row_2;
+                (*sum).slope_real = (_e76.slope_real + ((_e78.x * _e80.slope_real) - (_e83.y * _e85.slope_imaginary)));
+                let _e91 = (*sum);
+                let _e93 = factor;
+                let _e95 = row_2;
+                let _e98 = factor;
+                let _e100 = row_2;
+                (*sum).slope_imaginary = (_e91.slope_imaginary + ((_e93.x * _e95.slope_imaginary) + (_e98.y * _e100.slope_real)));
                 slope = vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]);
-                let _e100 = (*sum);
-                let _e102 = row_2;
-                let _e105 = row_2;
-                let _e109 = slope;
-                let _e110 = gabor_impl_product(vec2<f32>(_e102.real.x, _e105.imaginary.x), _e109);
-                (*sum).slope_y = (_e100.slope_y + _e110);
-                let _e113 = (*sum);
-                let _e115 = row_2;
-                let _e117 = slope;
-                let _e118 = gabor_impl_product(_e115.slope_x, _e117);
-                (*sum).slope_xy = (_e113.slope_xy + _e118);
+                let _e112 = (*sum);
+                let _e114 = row_2;
+                let _e117 = row_2;
+                let _e121 = slope;
+                let _e122 = gabor_impl_product(vec2<f32>(_e114.real.x, _e117.imaginary.x), _e121);
+                (*sum).slope_y = (_e112.slope_y + _e122);
+                let _e125 = (*sum);
+                let _e127 = slope;
+                let _e129 = row_2;
+                let _e132 = slope;
+                let _e134 = row_2;
+                (*sum).mixed_real = (_e125.mixed_real + ((_e127.x * _e129.slope_real) - (_e132.y * _e134.slope_imaginary)));
+                let _e140 = (*sum);
+                let _e142 = slope;
+                let _e144 = row_2;
+                let _e147 = slope;
+                let _e149 = row_2;
+                (*sum).mixed_imaginary = (_e140.mixed_imaginary + ((_e142.x * _e144.slope_imaginary) + (_e147.y * _e149.slope_real)));
                 return;
             }
         } else {
             return;
         }
     } else {
-        var row_2: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var row_2: GaborSum;
         var factor: vec2<f32>;
         var slope_1: vec2<f32>;
 
+        let _e6 = gabor_impl_no_sum();
+        row_2 = _e6;
         gabor_impl_add_node((&row_2), columns, 0i, rows.word[k], animated, time);
         gabor_impl_add_node((&row_2), columns, 1i, rows.word[k], animated, time);
         if true {
@@ -709,38 +769,52 @@ fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: Ga
             gabor_impl_add_node((&row_2), columns, 3i, rows.word[k], animated, time);
         }
         factor = vec2<f32>(rows.real[k], rows.imaginary[k]);
-        let _e50 = factor;
-        if (_e50.x > -2f) {
+        let _e40 = factor;
+        if (_e40.x > -2f) {
             {
-                let _e56 = (*sum);
-                let _e58 = factor;
-                let _e60 = row_2;
+                let _e46 = (*sum);
+                let _e48 = factor;
+                let _e50 = row_2;
+                let _e53 = factor;
+                let _e55 = row_2;
+                (*sum).real = (_e46.real + ((_e48.x * _e50.real) - (_e53.y * _e55.imaginary)));
+                let _e61 = (*sum);
                 let _e63 = factor;
                 let _e65 = row_2;
-                (*sum).real = (_e56.real + ((_e58.x * _e60.real) - (_e63.y * _e65.imaginary)));
-                let _e71 = (*sum);
-                let _e73 = factor;
-                let _e75 = row_2;
+                let _e68 = factor;
+                let _e70 = row_2;
+                (*sum).imaginary = (_e61.imaginary + ((_e63.x * _e65.imaginary) + (_e68.y * _e70.real)));
+                let _e76 = (*sum);
                 let _e78 = factor;
                 let _e80 = row_2;
-                (*sum).imaginary = (_e71.imaginary + ((_e73.x * _e75.imaginary) + (_e78.y * _e80.real)));
-                let _e86 = (*sum);
-                let _e88 = row_2;
-                let _e90 = factor;
-                let _e91 = gabor_impl_product(_e88.slope_x, _e90);
-                (*sum).slope_x = (_e86.slope_x + _e91);
+                let _e83 = factor;
+                let _e85 = row_2;
+                (*sum).slope_real = (_e76.slope_real + ((_e78.x * _e80.slope_real) - (_e83.y * _e85.slope_imaginary)));
+                let _e91 = (*sum);
+                let _e93 = factor;
+                let _e95 = row_2;
+                let _e98 = factor;
+                let _e100 = row_2;
+                (*sum).slope_imaginary = (_e91.slope_imaginary + ((_e93.x * _e95.slope_imaginary) + (_e98.y * _e100.slope_real)));
                 slope_1 = vec2<f32>(rows.slope_real[k], rows.slope_imaginary[k]);
-                let _e100 = (*sum);
-                let _e102 = row_2;
-                let _e105 = row_2;
-                let _e109 = slope_1;
-                let _e110 = gabor_impl_product(vec2<f32>(_e102.real.x, _e105.imaginary.x), _e109);
-                (*sum).slope_y = (_e100.slope_y + _e110);
-                let _e113 = (*sum);
-                let _e115 = row_2;
-                let _e117 = slope_1;
-                let _e118 = gabor_impl_product(_e115.slope_x, _e117);
-                (*sum).slope_xy = (_e113.slope_xy + _e118);
+                let _e112 = (*sum);
+                let _e114 = row_2;
+                let _e117 = row_2;
+                let _e121 = slope_1;
+                let _e122 = gabor_impl_product(vec2<f32>(_e114.real.x, _e117.imaginary.x), _e121);
+                (*sum).slope_y = (_e112.slope_y + _e122);
+                let _e125 = (*sum);
+                let _e127 = slope_1;
+                let _e129 = row_2;
+                let _e132 = slope_1;
+                let _e134 = row_2;
+                (*sum).mixed_real = (_e125.mixed_real + ((_e127.x * _e129.slope_real) - (_e132.y * _e134.slope_imaginary)));
+                let _e140 = (*sum);
+                let _e142 = slope_1;
+                let _e144 = row_2;
+                let _e147 = slope_1;
+                let _e149 = row_2;
+                (*sum).mixed_imaginary = (_e140.mixed_imaginary + ((_e142.x * _e144.slope_imaginary) + (_e147.y * _e149.slope_real)));
                 return;
             }
         } else {
@@ -753,64 +827,70 @@ fn gabor_impl_add_row(sum: ptr<function, GaborSum>, columns: GaborAxis, rows: Ga
 fn gabor_impl_sum(columns: GaborAxis, rows: GaborAxis, animated: bool, time: f32) -> GaborSum {
     if GABOR_TAPS == 2 {
         var turn: vec2<f32>;
-        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var sum_1: GaborSum;
 
         let _e4 = gabor_impl_wave(time);
         turn = _e4;
-        let _e20 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e20);
-        let _e24 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e24);
+        let _e6 = gabor_impl_no_sum();
+        sum_1 = _e6;
+        let _e10 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e10);
+        let _e14 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e14);
         if false {
-            let _e31 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e31);
+            let _e21 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e21);
         }
         if false {
-            let _e38 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e38);
+            let _e28 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e28);
         }
-        let _e40 = sum_1;
-        return _e40;
+        let _e30 = sum_1;
+        return _e30;
     } else if GABOR_TAPS == 4 {
         var turn: vec2<f32>;
-        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var sum_1: GaborSum;
 
         let _e4 = gabor_impl_wave(time);
         turn = _e4;
-        let _e20 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e20);
-        let _e24 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e24);
+        let _e6 = gabor_impl_no_sum();
+        sum_1 = _e6;
+        let _e10 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e10);
+        let _e14 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e14);
         if true {
-            let _e31 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e31);
+            let _e21 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e21);
         }
         if true {
-            let _e38 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e38);
+            let _e28 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e28);
         }
-        let _e40 = sum_1;
-        return _e40;
+        let _e30 = sum_1;
+        return _e30;
     } else {
         var turn: vec2<f32>;
-        var sum_1: GaborSum = GaborSum(vec4(0f), vec4(0f), vec2(0f), vec2(0f), vec2(0f));
+        var sum_1: GaborSum;
 
         let _e4 = gabor_impl_wave(time);
         turn = _e4;
-        let _e20 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e20);
-        let _e24 = turn;
-        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e24);
+        let _e6 = gabor_impl_no_sum();
+        sum_1 = _e6;
+        let _e10 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 0i, animated, _e10);
+        let _e14 = turn;
+        gabor_impl_add_row((&sum_1), columns, rows, 1i, animated, _e14);
         if true {
-            let _e31 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e31);
+            let _e21 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 2i, animated, _e21);
         }
         if false {
-            let _e38 = turn;
-            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e38);
+            let _e28 = turn;
+            gabor_impl_add_row((&sum_1), columns, rows, 3i, animated, _e28);
         }
-        let _e40 = sum_1;
-        return _e40;
+        let _e30 = sum_1;
+        return _e30;
     }
 }
 
@@ -884,21 +964,22 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e121 = value;
         let _e122 = stretch;
         let _e124 = sum_2;
-        let _e126 = base;
-        let _e127 = gabor_impl_product(_e124.slope_x, _e126);
-        let _e129 = kernel_1;
-        let _e132 = turned;
-        let _e135 = stretch;
-        let _e137 = sum_2;
-        let _e139 = base;
-        let _e140 = gabor_impl_product(_e137.slope_y, _e139);
-        let _e142 = kernel_1;
-        let _e145 = turned;
-        let _e148 = base;
-        let _e150 = sum_2;
+        let _e127 = sum_2;
+        let _e131 = base;
+        let _e132 = gabor_impl_product(vec2<f32>(_e124.slope_real.x, _e127.slope_imaginary.x), _e131);
+        let _e134 = kernel_1;
+        let _e137 = turned;
+        let _e140 = stretch;
+        let _e142 = sum_2;
+        let _e144 = base;
+        let _e145 = gabor_impl_product(_e142.slope_y, _e144);
+        let _e147 = kernel_1;
+        let _e150 = turned;
         let _e153 = base;
         let _e155 = sum_2;
-        return GaborField(_e121, ((_e122.x * _e127) + (_e129.wave.x * _e132)), ((_e135.y * _e140) + (_e142.wave.y * _e145)), ((_e148.x * _e150.imaginary) + (_e153.y * _e155.real)));
+        let _e158 = base;
+        let _e160 = sum_2;
+        return GaborField(_e121, ((_e122.x * _e132) + (_e134.wave.x * _e137)), ((_e140.y * _e145) + (_e147.wave.y * _e150)), ((_e153.x * _e155.imaginary) + (_e158.y * _e160.real)));
     } else if GABOR_TAPS == 4 {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
@@ -967,21 +1048,22 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e121 = value;
         let _e122 = stretch;
         let _e124 = sum_2;
-        let _e126 = base;
-        let _e127 = gabor_impl_product(_e124.slope_x, _e126);
-        let _e129 = kernel_1;
-        let _e132 = turned;
-        let _e135 = stretch;
-        let _e137 = sum_2;
-        let _e139 = base;
-        let _e140 = gabor_impl_product(_e137.slope_y, _e139);
-        let _e142 = kernel_1;
-        let _e145 = turned;
-        let _e148 = base;
-        let _e150 = sum_2;
+        let _e127 = sum_2;
+        let _e131 = base;
+        let _e132 = gabor_impl_product(vec2<f32>(_e124.slope_real.x, _e127.slope_imaginary.x), _e131);
+        let _e134 = kernel_1;
+        let _e137 = turned;
+        let _e140 = stretch;
+        let _e142 = sum_2;
+        let _e144 = base;
+        let _e145 = gabor_impl_product(_e142.slope_y, _e144);
+        let _e147 = kernel_1;
+        let _e150 = turned;
         let _e153 = base;
         let _e155 = sum_2;
-        return GaborField(_e121, ((_e122.x * _e127) + (_e129.wave.x * _e132)), ((_e135.y * _e140) + (_e142.wave.y * _e145)), ((_e148.x * _e150.imaginary) + (_e153.y * _e155.real)));
+        let _e158 = base;
+        let _e160 = sum_2;
+        return GaborField(_e121, ((_e122.x * _e132) + (_e134.wave.x * _e137)), ((_e140.y * _e145) + (_e147.wave.y * _e150)), ((_e153.x * _e155.imaginary) + (_e158.y * _e160.real)));
     } else {
         var kernel_1: GaborKernel;
         var first_1: vec2<f32>;
@@ -1050,21 +1132,22 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e121 = value;
         let _e122 = stretch;
         let _e124 = sum_2;
-        let _e126 = base;
-        let _e127 = gabor_impl_product(_e124.slope_x, _e126);
-        let _e129 = kernel_1;
-        let _e132 = turned;
-        let _e135 = stretch;
-        let _e137 = sum_2;
-        let _e139 = base;
-        let _e140 = gabor_impl_product(_e137.slope_y, _e139);
-        let _e142 = kernel_1;
-        let _e145 = turned;
-        let _e148 = base;
-        let _e150 = sum_2;
+        let _e127 = sum_2;
+        let _e131 = base;
+        let _e132 = gabor_impl_product(vec2<f32>(_e124.slope_real.x, _e127.slope_imaginary.x), _e131);
+        let _e134 = kernel_1;
+        let _e137 = turned;
+        let _e140 = stretch;
+        let _e142 = sum_2;
+        let _e144 = base;
+        let _e145 = gabor_impl_product(_e142.slope_y, _e144);
+        let _e147 = kernel_1;
+        let _e150 = turned;
         let _e153 = base;
         let _e155 = sum_2;
-        return GaborField(_e121, ((_e122.x * _e127) + (_e129.wave.x * _e132)), ((_e135.y * _e140) + (_e142.wave.y * _e145)), ((_e148.x * _e150.imaginary) + (_e153.y * _e155.real)));
+        let _e158 = base;
+        let _e160 = sum_2;
+        return GaborField(_e121, ((_e122.x * _e132) + (_e134.wave.x * _e137)), ((_e140.y * _e145) + (_e147.wave.y * _e150)), ((_e153.x * _e155.imaginary) + (_e158.y * _e160.real)));
     }
 }
 

@@ -54,6 +54,8 @@ struct GaborMatrix {
     gabor_mat3 imaginary;
 };
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
 GABOR_INLINE GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
     return GaborMatrix{m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real};
@@ -63,20 +65,21 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_3d(std::uint32_t word, GaborPlace3d
 {
     for (int i = 0; i < place.channel; ++i)
         word = gabor_impl_next_word(word);
-    if (!place.animated)
-        return gabor_impl_amplitude(word);
-    std::uint32_t second = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(gabor_impl_wave(place.time), gabor_impl_amplitude(word), gabor_impl_amplitude(second),
-                                   gabor_impl_amplitude(gabor_impl_next_word(second)));
+    return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
 }
 
-// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
-// lines are.
+// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
+GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice)
+{
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// The amplitudes of a slice, a column for each row.
 GABOR_INLINE GaborMatrix gabor_impl_slice(gabor_uvec4 columns, gabor_uvec4 rows, std::uint32_t slice, GaborPlace3d place)
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        std::uint32_t row = ((rows[j] * slice) >> 8u) | 0x800001u;
+        std::uint32_t row = gabor_impl_slice_word(rows[j], slice);
         gabor_vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
         gabor_vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
         gabor_vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
@@ -111,7 +114,7 @@ GABOR_INLINE GaborNodes3d gabor_impl_nodes(GaborPlace3d place, gabor_vec3 wave, 
     n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
     n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
                           gabor_impl_windows(n.offset.y), none);
-    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ 0x27d4eb2fu, gabor_impl_wave(n.turns.z),
+    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(n.turns.z),
                           gabor_impl_windows(n.offset.z), none);
     n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
     n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);

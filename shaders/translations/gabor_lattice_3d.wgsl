@@ -49,50 +49,39 @@ fn gabor_impl_matrix_product(m: GaborMatrix, n: GaborMatrix) -> GaborMatrix {
 }
 
 fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
-    var word_8: u32;
+    var word_9: u32;
     var i: i32 = 0i;
-    var second_1: u32;
 
-    word_8 = word;
+    word_9 = word;
     loop {
         let _e5 = i;
         if !((_e5 < place.channel)) {
             break;
         }
-        let _e12 = word_8;
+        let _e12 = word_9;
         let _e13 = gabor_impl_next_word(_e12);
-        word_8 = _e13;
+        word_9 = _e13;
         continuing {
             let _e9 = i;
             i = (_e9 + 1i);
         }
     }
-    if !(place.animated) {
-        let _e16 = word_8;
-        let _e17 = gabor_impl_amplitude(_e16);
-        return _e17;
-    }
-    let _e18 = word_8;
-    let _e19 = gabor_impl_next_word(_e18);
-    second_1 = _e19;
-    let _e22 = gabor_impl_wave(place.time);
-    let _e23 = word_8;
-    let _e24 = gabor_impl_amplitude(_e23);
-    let _e25 = second_1;
-    let _e26 = gabor_impl_amplitude(_e25);
-    let _e27 = second_1;
-    let _e28 = gabor_impl_next_word(_e27);
-    let _e29 = gabor_impl_amplitude(_e28);
-    let _e30 = gabor_impl_amplitude_at(_e22, _e24, _e26, _e29);
-    return _e30;
+    let _e14 = word_9;
+    let _e17 = gabor_impl_wave(place.time);
+    let _e18 = gabor_impl_amplitude_at(_e14, place.animated, _e17);
+    return _e18;
 }
 
-// The amplitudes of a slice of nodes, a column for each row. The word of a row of it is odd and of 24 bits, as those of
-// lines are.
+// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
+fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
+    return (((row * slice) >> 8u) | 8388609u);
+}
+
+// The amplitudes of a slice, a column for each row.
 fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: GaborPlace3d) -> GaborMatrix {
     var m_1: GaborMatrix;
     var j: i32 = 0i;
-    var row_3: u32;
+    var row_4: u32;
     var a_4: vec2<f32>;
     var b_4: vec2<f32>;
     var c_3: vec2<f32>;
@@ -104,37 +93,38 @@ fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: Gabo
         }
         {
             let _e14 = j;
-            row_3 = (((rows[_e14] * slice) >> 8u) | 8388609u);
-            let _e23 = row_3;
-            let _e24 = gabor_impl_node_word(columns.x, _e23);
-            let _e25 = gabor_impl_amplitude_3d(_e24, place);
-            a_4 = _e25;
-            let _e28 = row_3;
-            let _e29 = gabor_impl_node_word(columns.y, _e28);
-            let _e30 = gabor_impl_amplitude_3d(_e29, place);
-            b_4 = _e30;
-            let _e33 = row_3;
-            let _e34 = gabor_impl_node_word(columns.z, _e33);
-            let _e35 = gabor_impl_amplitude_3d(_e34, place);
-            c_3 = _e35;
-            let _e37 = j;
-            let _e40 = a_4;
-            let _e42 = b_4;
-            let _e44 = c_3;
-            m_1.real[_e37] = vec3<f32>(_e40.x, _e42.x, _e44.x);
-            let _e47 = j;
-            let _e50 = a_4;
-            let _e52 = b_4;
-            let _e54 = c_3;
-            m_1.imaginary[_e47] = vec3<f32>(_e50.y, _e52.y, _e54.y);
+            let _e16 = gabor_impl_slice_word(rows[_e14], slice);
+            row_4 = _e16;
+            let _e19 = row_4;
+            let _e20 = gabor_impl_node_word(columns.x, _e19);
+            let _e21 = gabor_impl_amplitude_3d(_e20, place);
+            a_4 = _e21;
+            let _e24 = row_4;
+            let _e25 = gabor_impl_node_word(columns.y, _e24);
+            let _e26 = gabor_impl_amplitude_3d(_e25, place);
+            b_4 = _e26;
+            let _e29 = row_4;
+            let _e30 = gabor_impl_node_word(columns.z, _e29);
+            let _e31 = gabor_impl_amplitude_3d(_e30, place);
+            c_3 = _e31;
+            let _e33 = j;
+            let _e36 = a_4;
+            let _e38 = b_4;
+            let _e40 = c_3;
+            m_1.real[_e33] = vec3<f32>(_e36.x, _e38.x, _e40.x);
+            let _e43 = j;
+            let _e46 = a_4;
+            let _e48 = b_4;
+            let _e50 = c_3;
+            m_1.imaginary[_e43] = vec3<f32>(_e46.y, _e48.y, _e50.y);
         }
         continuing {
             let _e11 = j;
             j = (_e11 + 1i);
         }
     }
-    let _e57 = m_1;
-    return _e57;
+    let _e53 = m_1;
+    return _e53;
 }
 
 // The nodes that reach a place: by axis, and their amplitudes by slice.

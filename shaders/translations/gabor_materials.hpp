@@ -58,9 +58,12 @@ GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, f
 {
     GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-    if (pixel.filtered)
-        return gabor_field_filtered(place, kernel, gabor_footprint(density * pixel.dx, density * pixel.dy), seed);
-    return gabor_vec3(gabor_field(place, kernel, seed).value, 0.0f);
+    if (!pixel.filtered)
+        return gabor_vec3(gabor_field(place, kernel, seed).value, 0.0f);
+    float removed;
+    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
+    gabor_vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
+    return gabor_vec3(value, removed);
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.

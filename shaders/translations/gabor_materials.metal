@@ -62,9 +62,12 @@ inline float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency
 {
     GaborPlace place = gabor_place(int2(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
-    if (pixel.filtered)
-        return gabor_field_filtered(place, kernel_, gabor_footprint(density * pixel.dx, density * pixel.dy), seed);
-    return float3(gabor_field(place, kernel_, seed).value, 0.0);
+    if (!pixel.filtered)
+        return float3(gabor_field(place, kernel_, seed).value, 0.0);
+    float removed;
+    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
+    float2 value = gabor_field_filtered(place, kernel_, footprint, seed, removed).value;
+    return float3(value, removed);
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.

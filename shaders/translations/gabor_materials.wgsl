@@ -44,24 +44,32 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_15: GaborPlace;
-    var kernel_19: GaborKernel;
+    var place_13: GaborPlace;
+    var kernel_15: GaborKernel;
+    var removed_4: f32;
+    var footprint_2: GaborFootprint;
+    var value_5: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_15 = _e14;
+    place_13 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
-    kernel_19 = _e16;
-    if pixel.filtered {
-        let _e19 = place_15;
-        let _e20 = kernel_19;
-        let _e25 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
-        let _e26 = gabor_field_filtered(_e19, _e20, _e25, seed);
-        return _e26;
+    kernel_15 = _e16;
+    if !(pixel.filtered) {
+        let _e20 = place_13;
+        let _e21 = kernel_15;
+        let _e22 = gabor_field(_e20, _e21, seed);
+        return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
     }
-    let _e27 = place_15;
-    let _e28 = kernel_19;
-    let _e29 = gabor_field(_e27, _e28, seed);
-    return vec3<f32>(_e29.value.x, _e29.value.y, 0f);
+    let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
+    footprint_2 = _e33;
+    let _e35 = place_13;
+    let _e36 = kernel_15;
+    let _e37 = footprint_2;
+    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_4));
+    value_5 = _e40.value;
+    let _e43 = value_5;
+    let _e44 = removed_4;
+    return vec3<f32>(_e43.x, _e43.y, _e44);
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.
@@ -73,7 +81,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_10: vec3<f32> = vec3(0f);
+    var sum_11: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
     var amplitude_4: f32 = 1f;
     var i_5: i32 = 0i;
@@ -85,7 +93,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             break;
         }
         {
-            let _e21 = sum_10;
+            let _e21 = sum_11;
             let _e22 = amplitude_4;
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
@@ -94,7 +102,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e29 = i_5;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_10 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_11 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
@@ -109,7 +117,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             i_5 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_10;
+    let _e44 = sum_11;
     let _e45 = power_3;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_3;
@@ -118,22 +126,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_16: GaborPlace;
-    var field_7: GaborField;
+    var place_14: GaborPlace;
+    var field_8: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_16 = _e13;
-    let _e15 = place_16;
+    place_14 = _e13;
+    let _e15 = place_14;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_7 = _e19;
-    let _e23 = field_7;
+    field_8 = _e19;
+    let _e23 = field_8;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_7;
+    let _e29 = field_8;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_7;
+    let _e34 = field_8;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;
@@ -197,7 +205,7 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_11: f32 = 0.33333334f;
+    var sum_12: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
     var wave_7: vec2<f32> = vec2<f32>(1f, 0f);
@@ -223,21 +231,21 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             x_4 = (0.44879895f * f32(_e28));
             let _e33 = m_2;
             r_2 = (0.3183099f / f32(_e33));
-            let _e37 = sum_11;
+            let _e37 = sum_12;
             let _e38 = x_4;
             let _e40 = x_4;
             let _e42 = r_2;
             let _e44 = r_2;
             let _e45 = wave_7;
             let _e48 = wave_7;
-            sum_11 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
+            sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
             let _e17 = m_2;
             m_2 = (_e17 + 1i);
         }
     }
-    let _e53 = sum_11;
+    let _e53 = sum_12;
     return _e53;
 }
 
@@ -720,7 +728,7 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_6: f32 = 0f;
+    var removed_8: f32 = 0f;
     var power_5: f32 = 0f;
     var i_6: i32 = 0i;
     var waves: f32;
@@ -759,11 +767,11 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e74 = amplitude_6;
             let _e75 = wave_8;
             crest_1 = (_e73 + (_e74 * _e75.x));
-            let _e79 = removed_6;
+            let _e79 = removed_8;
             let _e80 = amplitude_6;
             let _e81 = amplitude_6;
             let _e83 = wave_8;
-            removed_6 = (_e79 + ((_e80 * _e81) * _e83.z));
+            removed_8 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
             let _e88 = amplitude_6;
             let _e89 = amplitude_6;
@@ -776,7 +784,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     }
     let _e92 = crest_1;
     let _e93 = power_5;
-    let _e96 = removed_6;
+    let _e96 = removed_8;
     let _e97 = power_5;
     let _e101 = gabor_impl_above((_e92 * inverseSqrt(_e93)), (_e96 / _e97), 0.5f, 1f);
     light_1 = _e101;

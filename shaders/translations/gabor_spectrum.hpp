@@ -6,6 +6,7 @@
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_noise_four_filtered                          four independent ones at once
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
@@ -218,10 +219,14 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, GaborKernel
     GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel.step_y, real, imaginary);
     GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
     gabor_vec2 base = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS));
-    gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x) + s.z * sum.slope_xy, base);
+    sum.real += s.z * sum.mixed_real;
+    sum.imaginary += s.z * sum.mixed_imaginary;
+    gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x), base);
     gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
-    return GaborField{value, gabor_impl_product(sum.slope_x, base) + wave.x * turned,
-                      gabor_impl_product(sum.slope_y, base) + wave.y * turned, gabor_vec4(0.0f)};
+    gabor_vec2 slope_x = gabor_vec2(sum.slope_real.x, sum.slope_imaginary.x);
+    return GaborField{value, gabor_impl_product(slope_x, base) + wave.x * turned,
+                      gabor_impl_product(sum.slope_y, base) + wave.y * turned,
+                      base.x * sum.imaginary + base.y * sum.real};
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -302,16 +307,31 @@ GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int
     return line;
 }
 
-GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, std::uint32_t row_word, bool animated, gabor_vec2 time)
+// A row's sums of amplitudes times windows, of four noises.
+struct GaborRow {
+    GaborFactors first;
+    GaborFactors second;
+    GaborFactors third;
+    GaborFactors fourth;
+};
+
+GABOR_INLINE void gabor_impl_add_amplitude(GaborFactors& sum, GaborFactors window, gabor_vec2 a)
+{
+    sum.real += a.x * window.real - a.y * window.imaginary;
+    sum.imaginary += a.x * window.imaginary + a.y * window.real;
+}
+
+// Adds a node.
+GABOR_INLINE void gabor_impl_add_filtered(GaborRow& row, GaborLine column, std::uint32_t row_word, bool animated, gabor_vec2 time)
 {
     std::uint32_t word = gabor_impl_node_word(column.word, row_word);
-    std::uint32_t second = gabor_impl_next_word(word);
-    gabor_vec2 a = gabor_impl_amplitude(word);
-    if (animated)
-        a = gabor_impl_amplitude_at(time, a, gabor_impl_amplitude(second),
-                                    gabor_impl_amplitude(gabor_impl_next_word(second)));
-    row.real += a.x * column.window.real - a.y * column.window.imaginary;
-    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+    gabor_impl_add_amplitude(row.first, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.second, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.third, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.fourth, column.window, gabor_impl_amplitude_at(word, animated, time));
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
@@ -362,25 +382,33 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel k
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f)};
     for (int j = 0; j < rows; ++j) {
         line = gabor_impl_filtered_line(line, along, j);
-        GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+        GaborFactors none = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+        GaborRow row = GaborRow{none, none, none, none};
         gabor_impl_add_filtered(row, c0, line.word, place.animated, time);
         gabor_impl_add_filtered(row, c1, line.word, place.animated, time);
         gabor_impl_add_filtered(row, c2, line.word, place.animated, time);
         gabor_impl_add_filtered(row, c3, line.word, place.animated, time);
         gabor_impl_add_filtered(row, c4, line.word, place.animated, time);
-        sum.value += gabor_impl_contracted(row, line.window, weights);
-        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
-        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
+        gabor_vec2 value = gabor_impl_contracted(row.first, line.window, weights);
+        sum.value += value;
+        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row.first, across), line.window, weights);
+        sum.slope_y += gabor_impl_contracted(row.first, gabor_impl_times_q(line.window, along), weights);
+        sum.four += gabor_vec4(value.y, gabor_impl_contracted(row.second, line.window, weights).y,
+                         gabor_impl_contracted(row.third, line.window, weights).y,
+                         gabor_impl_contracted(row.fourth, line.window, weights).y);
     }
     float amplitude = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave + c, blurred));
     gabor_vec2 x = 6.2831853f * (sum.slope_x + wave.x * sum.value);
     gabor_vec2 y = 6.2831853f * (sum.slope_y + wave.y * sum.value);
-    return GaborField{amplitude * sum.value, amplitude * gabor_vec2(-x.y, x.x), amplitude * gabor_vec2(-y.y, y.x), gabor_vec4(0.0f)};
+    return GaborField{amplitude * sum.value, amplitude * gabor_vec2(-x.y, x.x), amplitude * gabor_vec2(-y.y, y.x),
+                      amplitude * sum.four};
 }
 
-// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
-// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
-GABOR_INLINE GaborField gabor_impl_seen(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed, float& removed)
+// The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
+// functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
+// place.radius / GABOR_RADIUS.
+GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed,
+                                float& removed)
 {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     gabor_vec2 wave = kernel.wave / stretch;
@@ -506,23 +534,6 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy)
     return footprint;
 }
 
-// The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
-// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
-GABOR_INLINE gabor_vec3 gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed)
-{
-    float removed;
-    gabor_vec2 value = gabor_impl_seen(place, kernel, footprint, seed, removed).value;
-    return gabor_vec3(value, removed);
-}
-
-// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
-GABOR_INLINE gabor_vec4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed)
-{
-    float removed;
-    GaborField field = gabor_impl_seen(place, kernel, footprint, seed, removed);
-    return gabor_vec4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
-}
-
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
 // share of the variance that this removed: what a material lost in roughness, or a picture in contrast. Against the
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
@@ -532,15 +543,30 @@ GABOR_INLINE gabor_vec4 gabor_field_filtered_gradient(GaborPlace place, GaborKer
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
 {
-    return gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
-                                gabor_footprint(dx, dy), seed).yz();
+    float removed;
+    GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),
+                                            gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
+                                            removed);
+    return gabor_vec2(field.value.y, removed);
 }
 
 // The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
 {
-    return gabor_field_filtered_gradient(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
-                                         gabor_footprint(dx, dy), seed);
+    float removed;
+    GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),
+                                            gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
+                                            removed);
+    return gabor_vec4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
+}
+
+// Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
+// each.
+GABOR_INLINE gabor_vec4 gabor_noise_four_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed,
+                               float& removed)
+{
+    return gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
+                                gabor_footprint(dx, dy), seed, removed).four;
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).

@@ -6,6 +6,7 @@
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_noise_four_filtered                          four independent ones at once
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
@@ -222,10 +223,14 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, GaborKernel kerne
     GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y, real, imaginary);
     GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
     float2 base = exp(-19.739209 * dot(wave, blurred)) * gabor_impl_wave(dot(wave, offset / GABOR_RADIUS));
-    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x) + s.z * sum.slope_xy, base);
+    sum.real += s.z * sum.mixed_real;
+    sum.imaginary += s.z * sum.mixed_imaginary;
+    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x), base);
     float2 turned = 6.2831853 * float2(-value.y, value.x);
-    return GaborField{value, gabor_impl_product(sum.slope_x, base) + wave.x * turned,
-                      gabor_impl_product(sum.slope_y, base) + wave.y * turned, float4(0.0)};
+    float2 slope_x = float2(sum.slope_real.x, sum.slope_imaginary.x);
+    return GaborField{value, gabor_impl_product(slope_x, base) + wave.x * turned,
+                      gabor_impl_product(sum.slope_y, base) + wave.y * turned,
+                      base.x * sum.imaginary + base.y * sum.real};
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -306,16 +311,31 @@ inline GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int inde
     return line_;
 }
 
-inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float2 time)
+// A row's sums of amplitudes times windows, of four noises.
+struct GaborRow {
+    GaborFactors first;
+    GaborFactors second;
+    GaborFactors third;
+    GaborFactors fourth;
+};
+
+inline void gabor_impl_add_amplitude(thread GaborFactors& sum, GaborFactors window, float2 a)
+{
+    sum.real += a.x * window.real - a.y * window.imaginary;
+    sum.imaginary += a.x * window.imaginary + a.y * window.real;
+}
+
+// Adds a node.
+inline void gabor_impl_add_filtered(thread GaborRow& row, GaborLine column, uint row_word, bool animated, float2 time)
 {
     uint word = gabor_impl_node_word(column.word, row_word);
-    uint second = gabor_impl_next_word(word);
-    float2 a = gabor_impl_amplitude(word);
-    if (animated)
-        a = gabor_impl_amplitude_at(time, a, gabor_impl_amplitude(second),
-                                    gabor_impl_amplitude(gabor_impl_next_word(second)));
-    row.real += a.x * column.window.real - a.y * column.window.imaginary;
-    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+    gabor_impl_add_amplitude(row.first, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.second, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.third, column.window, gabor_impl_amplitude_at(word, animated, time));
+    word = gabor_impl_next_word(word);
+    gabor_impl_add_amplitude(row.fourth, column.window, gabor_impl_amplitude_at(word, animated, time));
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
@@ -366,25 +386,33 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel_
     GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0), float4(0.0)};
     for (int j = 0; j < rows; ++j) {
         line_ = gabor_impl_filtered_line(line_, along, j);
-        GaborFactors row = GaborFactors{float3(0.0), float3(0.0)};
+        GaborFactors none = GaborFactors{float3(0.0), float3(0.0)};
+        GaborRow row = GaborRow{none, none, none, none};
         gabor_impl_add_filtered(row, c0, line_.word, place.animated, time);
         gabor_impl_add_filtered(row, c1, line_.word, place.animated, time);
         gabor_impl_add_filtered(row, c2, line_.word, place.animated, time);
         gabor_impl_add_filtered(row, c3, line_.word, place.animated, time);
         gabor_impl_add_filtered(row, c4, line_.word, place.animated, time);
-        sum.value += gabor_impl_contracted(row, line_.window, weights);
-        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line_.window, weights);
-        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line_.window, along), weights);
+        float2 value = gabor_impl_contracted(row.first, line_.window, weights);
+        sum.value += value;
+        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row.first, across), line_.window, weights);
+        sum.slope_y += gabor_impl_contracted(row.first, gabor_impl_times_q(line_.window, along), weights);
+        sum.four += float4(value.y, gabor_impl_contracted(row.second, line_.window, weights).y,
+                         gabor_impl_contracted(row.third, line_.window, weights).y,
+                         gabor_impl_contracted(row.fourth, line_.window, weights).y);
     }
     float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
     float2 x = 6.2831853 * (sum.slope_x + wave.x * sum.value);
     float2 y = 6.2831853 * (sum.slope_y + wave.y * sum.value);
-    return GaborField{amplitude * sum.value, amplitude * float2(-x.y, x.x), amplitude * float2(-y.y, y.x), float4(0.0)};
+    return GaborField{amplitude * sum.value, amplitude * float2(-x.y, x.x), amplitude * float2(-y.y, y.x),
+                      amplitude * sum.four};
 }
 
-// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
-// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
-inline GaborField gabor_impl_seen(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed, thread float& removed)
+// The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
+// functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
+// place.radius / GABOR_RADIUS.
+inline GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed,
+                                thread float& removed)
 {
     float2 stretch = place.radius / GABOR_RADIUS;
     float2 wave = kernel_.wave / stretch;
@@ -510,23 +538,6 @@ inline GaborFootprint gabor_footprint(float2 dx, float2 dy)
     return footprint;
 }
 
-// The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
-// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
-inline float3 gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
-{
-    float removed;
-    float2 value = gabor_impl_seen(place, kernel_, footprint, seed, removed).value;
-    return float3(value, removed);
-}
-
-// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
-inline float4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed)
-{
-    float removed;
-    GaborField field = gabor_impl_seen(place, kernel_, footprint, seed, removed);
-    return float4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
-}
-
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
 // share of the variance that this removed: what a material lost in roughness, or a picture in contrast. Against the
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
@@ -536,15 +547,30 @@ inline float4 gabor_field_filtered_gradient(GaborPlace place, GaborKernel kernel
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
-    return gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
-                                gabor_footprint(dx, dy), seed).yz;
+    float removed;
+    GaborField field = gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS),
+                                            gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
+                                            removed);
+    return float2(field.value.y, removed);
 }
 
 // The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
 inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
-    return gabor_field_filtered_gradient(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
-                                         gabor_footprint(dx, dy), seed);
+    float removed;
+    GaborField field = gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS),
+                                            gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
+                                            removed);
+    return float4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
+}
+
+// Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
+// each.
+inline float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed,
+                               thread float& removed)
+{
+    return gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
+                                gabor_footprint(dx, dy), seed, removed).four;
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).

@@ -6,6 +6,7 @@
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
+//     gabor_noise_four_filtered                          four independent ones at once
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
@@ -536,6 +537,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, kernel: GaborKernel, wave: vec2
     var base_1: vec2<f32>;
     var value_2: vec2<f32>;
     var turned_1: vec2<f32>;
+    var slope_x: vec2<f32>;
 
     kernel_10 = kernel;
     first_2 = (floor((place.local - vec2(1.5f))) + vec2(1f));
@@ -575,25 +577,37 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, kernel: GaborKernel, wave: vec2
     let _e90 = offset_1;
     let _e98 = gabor_impl_wave(dot(wave, (_e90 / vec2(1.5f))));
     base_1 = (exp((-19.739208f * dot(wave, _e86))) * _e98);
-    let _e101 = sum_6;
-    let _e104 = sum_6;
-    let _e109 = sum_6;
-    let _e113 = base_1;
-    let _e114 = gabor_impl_product((vec2<f32>(_e101.real.x, _e104.imaginary.x) + (s.z * _e109.slope_xy)), _e113);
-    value_2 = _e114;
-    let _e117 = value_2;
-    let _e120 = value_2;
-    turned_1 = (6.2831855f * vec2<f32>(-(_e117.y), _e120.x));
-    let _e125 = value_2;
-    let _e126 = sum_6;
-    let _e128 = base_1;
-    let _e129 = gabor_impl_product(_e126.slope_x, _e128);
-    let _e131 = turned_1;
-    let _e134 = sum_6;
-    let _e136 = base_1;
-    let _e137 = gabor_impl_product(_e134.slope_y, _e136);
-    let _e139 = turned_1;
-    return GaborField(_e125, (_e129 + (wave.x * _e131)), (_e137 + (wave.y * _e139)), vec4(0f));
+    let _e102 = sum_6;
+    let _e105 = sum_6;
+    sum_6.real = (_e102.real + (s.z * _e105.mixed_real));
+    let _e110 = sum_6;
+    let _e113 = sum_6;
+    sum_6.imaginary = (_e110.imaginary + (s.z * _e113.mixed_imaginary));
+    let _e117 = sum_6;
+    let _e120 = sum_6;
+    let _e124 = base_1;
+    let _e125 = gabor_impl_product(vec2<f32>(_e117.real.x, _e120.imaginary.x), _e124);
+    value_2 = _e125;
+    let _e128 = value_2;
+    let _e131 = value_2;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e128.y), _e131.x));
+    let _e136 = sum_6;
+    let _e139 = sum_6;
+    slope_x = vec2<f32>(_e136.slope_real.x, _e139.slope_imaginary.x);
+    let _e144 = value_2;
+    let _e145 = slope_x;
+    let _e146 = base_1;
+    let _e147 = gabor_impl_product(_e145, _e146);
+    let _e149 = turned_1;
+    let _e152 = sum_6;
+    let _e154 = base_1;
+    let _e155 = gabor_impl_product(_e152.slope_y, _e154);
+    let _e157 = turned_1;
+    let _e160 = base_1;
+    let _e162 = sum_6;
+    let _e165 = base_1;
+    let _e167 = sum_6;
+    return GaborField(_e144, (_e147 + (wave.x * _e149)), (_e155 + (wave.y * _e157)), ((_e160.x * _e162.imaginary) + (_e165.y * _e167.real)));
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -796,37 +810,53 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     return _e130;
 }
 
-fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, row_word: u32, animated: bool, time: vec2<f32>) {
-    var word_7: u32;
-    var second_1: u32;
-    var a_4: vec2<f32>;
+// A row's sums of amplitudes times windows, of four noises.
+struct GaborRow {
+    first: GaborFactors,
+    second: GaborFactors,
+    third: GaborFactors,
+    fourth: GaborFactors,
+}
+
+fn gabor_impl_add_amplitude(sum: ptr<function, GaborFactors>, window: GaborFactors, a: vec2<f32>) {
+    let _e4 = (*sum);
+    (*sum).real = (_e4.real + ((a.x * window.real) - (a.y * window.imaginary)));
+    let _e15 = (*sum);
+    (*sum).imaginary = (_e15.imaginary + ((a.x * window.imaginary) + (a.y * window.real)));
+    return;
+}
+
+// Adds a node.
+fn gabor_impl_add_filtered(row: ptr<function, GaborRow>, column: GaborLine, row_word: u32, animated: bool, time: vec2<f32>) {
+    var word_8: u32;
 
     let _e6 = gabor_impl_node_word(column.word, row_word);
-    word_7 = _e6;
-    let _e8 = word_7;
-    let _e9 = gabor_impl_next_word(_e8);
-    second_1 = _e9;
-    let _e11 = word_7;
-    let _e12 = gabor_impl_amplitude(_e11);
-    a_4 = _e12;
-    if animated {
-        let _e14 = a_4;
-        let _e15 = second_1;
-        let _e16 = gabor_impl_amplitude(_e15);
-        let _e17 = second_1;
-        let _e18 = gabor_impl_next_word(_e17);
-        let _e19 = gabor_impl_amplitude(_e18);
-        let _e20 = gabor_impl_amplitude_at(time, _e14, _e16, _e19);
-        a_4 = _e20;
-    }
-    let _e22 = (*row);
-    let _e24 = a_4;
-    let _e29 = a_4;
-    (*row).real = (_e22.real + ((_e24.x * column.window.real) - (_e29.y * column.window.imaginary)));
-    let _e37 = (*row);
-    let _e39 = a_4;
-    let _e44 = a_4;
-    (*row).imaginary = (_e37.imaginary + ((_e39.x * column.window.imaginary) + (_e44.y * column.window.real)));
+    word_8 = _e6;
+    let _e8 = (*row);
+    let _e11 = word_8;
+    let _e12 = gabor_impl_amplitude_at(_e11, animated, time);
+    gabor_impl_add_amplitude((&(*row).first), column.window, _e12);
+    let _e15 = word_8;
+    let _e16 = gabor_impl_next_word(_e15);
+    word_8 = _e16;
+    let _e17 = (*row);
+    let _e20 = word_8;
+    let _e21 = gabor_impl_amplitude_at(_e20, animated, time);
+    gabor_impl_add_amplitude((&(*row).second), column.window, _e21);
+    let _e24 = word_8;
+    let _e25 = gabor_impl_next_word(_e24);
+    word_8 = _e25;
+    let _e26 = (*row);
+    let _e29 = word_8;
+    let _e30 = gabor_impl_amplitude_at(_e29, animated, time);
+    gabor_impl_add_amplitude((&(*row).third), column.window, _e30);
+    let _e33 = word_8;
+    let _e34 = gabor_impl_next_word(_e33);
+    word_8 = _e34;
+    let _e35 = (*row);
+    let _e38 = word_8;
+    let _e39 = gabor_impl_amplitude_at(_e38, animated, time);
+    gabor_impl_add_amplitude((&(*row).fourth), column.window, _e39);
     return;
 }
 
@@ -868,9 +898,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, kernel: GaborKernel, wave: vec2<f
     var c2_: GaborLine;
     var c3_: GaborLine;
     var c4_: GaborLine;
-    var sum_7: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
     var j_1: i32 = 0i;
-    var row_4: GaborFactors;
+    var none_1: GaborFactors;
+    var row_4: GaborRow;
+    var value_3: vec2<f32>;
     var amplitude_2: f32;
     var x_2: vec2<f32>;
     var y_1: vec2<f32>;
@@ -970,85 +1002,110 @@ fn gabor_impl_filtered_wide(place: GaborPlace, kernel: GaborKernel, wave: vec2<f
             let _e206 = j_1;
             let _e207 = gabor_impl_filtered_line(_e204, _e205, _e206);
             line_2 = _e207;
-            row_4 = GaborFactors(vec3(0f), vec3(0f));
-            let _e215 = c0_;
-            let _e216 = line_2;
-            let _e219 = time_6;
-            gabor_impl_add_filtered((&row_4), _e215, _e216.word, place.animated, _e219);
-            let _e222 = c1_;
-            let _e223 = line_2;
-            let _e226 = time_6;
-            gabor_impl_add_filtered((&row_4), _e222, _e223.word, place.animated, _e226);
-            let _e229 = c2_;
-            let _e230 = line_2;
-            let _e233 = time_6;
-            gabor_impl_add_filtered((&row_4), _e229, _e230.word, place.animated, _e233);
-            let _e236 = c3_;
-            let _e237 = line_2;
-            let _e240 = time_6;
-            gabor_impl_add_filtered((&row_4), _e236, _e237.word, place.animated, _e240);
-            let _e243 = c4_;
-            let _e244 = line_2;
-            let _e247 = time_6;
-            gabor_impl_add_filtered((&row_4), _e243, _e244.word, place.animated, _e247);
-            let _e250 = sum_7;
-            let _e252 = row_4;
-            let _e253 = line_2;
-            let _e255 = weights_1;
-            let _e256 = gabor_impl_contracted(_e252, _e253.window, _e255);
-            sum_7.value = (_e250.value + _e256);
-            let _e259 = sum_7;
-            let _e261 = row_4;
-            let _e262 = across;
-            let _e263 = gabor_impl_times_q(_e261, _e262);
-            let _e264 = line_2;
-            let _e266 = weights_1;
-            let _e267 = gabor_impl_contracted(_e263, _e264.window, _e266);
-            sum_7.slope_x = (_e259.slope_x + _e267);
-            let _e270 = sum_7;
-            let _e272 = row_4;
-            let _e273 = line_2;
-            let _e275 = along;
-            let _e276 = gabor_impl_times_q(_e273.window, _e275);
-            let _e277 = weights_1;
-            let _e278 = gabor_impl_contracted(_e272, _e276, _e277);
-            sum_7.slope_y = (_e270.slope_y + _e278);
+            none_1 = GaborFactors(vec3(0f), vec3(0f));
+            let _e214 = none_1;
+            let _e215 = none_1;
+            let _e216 = none_1;
+            let _e217 = none_1;
+            row_4 = GaborRow(_e214, _e215, _e216, _e217);
+            let _e221 = c0_;
+            let _e222 = line_2;
+            let _e225 = time_6;
+            gabor_impl_add_filtered((&row_4), _e221, _e222.word, place.animated, _e225);
+            let _e228 = c1_;
+            let _e229 = line_2;
+            let _e232 = time_6;
+            gabor_impl_add_filtered((&row_4), _e228, _e229.word, place.animated, _e232);
+            let _e235 = c2_;
+            let _e236 = line_2;
+            let _e239 = time_6;
+            gabor_impl_add_filtered((&row_4), _e235, _e236.word, place.animated, _e239);
+            let _e242 = c3_;
+            let _e243 = line_2;
+            let _e246 = time_6;
+            gabor_impl_add_filtered((&row_4), _e242, _e243.word, place.animated, _e246);
+            let _e249 = c4_;
+            let _e250 = line_2;
+            let _e253 = time_6;
+            gabor_impl_add_filtered((&row_4), _e249, _e250.word, place.animated, _e253);
+            let _e255 = row_4;
+            let _e257 = line_2;
+            let _e259 = weights_1;
+            let _e260 = gabor_impl_contracted(_e255.first, _e257.window, _e259);
+            value_3 = _e260;
+            let _e263 = sum_8;
+            let _e265 = value_3;
+            sum_8.value = (_e263.value + _e265);
+            let _e268 = sum_8;
+            let _e270 = row_4;
+            let _e272 = across;
+            let _e273 = gabor_impl_times_q(_e270.first, _e272);
+            let _e274 = line_2;
+            let _e276 = weights_1;
+            let _e277 = gabor_impl_contracted(_e273, _e274.window, _e276);
+            sum_8.slope_x = (_e268.slope_x + _e277);
+            let _e280 = sum_8;
+            let _e282 = row_4;
+            let _e284 = line_2;
+            let _e286 = along;
+            let _e287 = gabor_impl_times_q(_e284.window, _e286);
+            let _e288 = weights_1;
+            let _e289 = gabor_impl_contracted(_e282.first, _e287, _e288);
+            sum_8.slope_y = (_e280.slope_y + _e289);
+            let _e292 = sum_8;
+            let _e294 = value_3;
+            let _e296 = row_4;
+            let _e298 = line_2;
+            let _e300 = weights_1;
+            let _e301 = gabor_impl_contracted(_e296.second, _e298.window, _e300);
+            let _e303 = row_4;
+            let _e305 = line_2;
+            let _e307 = weights_1;
+            let _e308 = gabor_impl_contracted(_e303.third, _e305.window, _e307);
+            let _e310 = row_4;
+            let _e312 = line_2;
+            let _e314 = weights_1;
+            let _e315 = gabor_impl_contracted(_e310.fourth, _e312.window, _e314);
+            sum_8.four = (_e292.four + vec4<f32>(_e294.y, _e301.y, _e308.y, _e315.y));
         }
         continuing {
             let _e201 = j_1;
             j_1 = (_e201 + 1i);
         }
     }
-    let _e281 = lambda;
-    let _e282 = lambda;
-    let _e288 = c_6;
-    let _e290 = blurred_2;
-    amplitude_2 = (sqrt((1f - (_e281 * _e282))) * exp((-19.739208f * dot((wave + _e288), _e290))));
-    let _e297 = sum_7;
-    let _e300 = sum_7;
-    x_2 = (6.2831855f * (_e297.slope_x + (wave.x * _e300.value)));
-    let _e307 = sum_7;
-    let _e310 = sum_7;
-    y_1 = (6.2831855f * (_e307.slope_y + (wave.y * _e310.value)));
-    let _e316 = amplitude_2;
-    let _e317 = sum_7;
-    let _e320 = amplitude_2;
-    let _e321 = x_2;
-    let _e324 = x_2;
-    let _e328 = amplitude_2;
-    let _e329 = y_1;
-    let _e332 = y_1;
-    return GaborField((_e316 * _e317.value), (_e320 * vec2<f32>(-(_e321.y), _e324.x)), (_e328 * vec2<f32>(-(_e329.y), _e332.x)), vec4(0f));
+    let _e320 = lambda;
+    let _e321 = lambda;
+    let _e327 = c_6;
+    let _e329 = blurred_2;
+    amplitude_2 = (sqrt((1f - (_e320 * _e321))) * exp((-19.739208f * dot((wave + _e327), _e329))));
+    let _e336 = sum_8;
+    let _e339 = sum_8;
+    x_2 = (6.2831855f * (_e336.slope_x + (wave.x * _e339.value)));
+    let _e346 = sum_8;
+    let _e349 = sum_8;
+    y_1 = (6.2831855f * (_e346.slope_y + (wave.y * _e349.value)));
+    let _e355 = amplitude_2;
+    let _e356 = sum_8;
+    let _e359 = amplitude_2;
+    let _e360 = x_2;
+    let _e363 = x_2;
+    let _e367 = amplitude_2;
+    let _e368 = y_1;
+    let _e371 = y_1;
+    let _e375 = amplitude_2;
+    let _e376 = sum_8;
+    return GaborField((_e355 * _e356.value), (_e359 * vec2<f32>(-(_e360.y), _e363.x)), (_e367 * vec2<f32>(-(_e368.y), _e371.x)), (_e375 * _e376.four));
 }
 
-// What the functions below call: as gabor_field, and the share of the variance that is removed. Derivatives are per
-// kernel radius, which a period may stretch; the footprint counts in GABOR_RADIUS node spacings.
-fn gabor_impl_seen(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
+// The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
+// functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
+// place.radius / GABOR_RADIUS.
+fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_14: GaborKernel;
     var stretch_1: vec2<f32>;
     var wave_6: vec2<f32>;
     var transmitted: f32;
-    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
+    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f), vec4(0f));
     var s_4: vec3<f32>;
     var amplitude_3: f32 = 0.00000000000000000000000000060884664f;
     var wide: f32;
@@ -1069,7 +1126,7 @@ fn gabor_impl_seen(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootp
     (*removed) = (1f - _e24);
     let _e36 = transmitted;
     if (_e36 < 0.0000000001f) {
-        let _e39 = sum_8;
+        let _e39 = sum_9;
         return _e39;
     }
     s_4 = footprint.resolved;
@@ -1096,7 +1153,7 @@ fn gabor_impl_seen(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootp
             let _e87 = gabor_impl_filtered_narrow(place, _e84, _e85, _e86, seed);
             let _e88 = share_1;
             let _e89 = share_1;
-            gabor_impl_accumulate((&sum_8), _e87, _e88, _e89);
+            gabor_impl_accumulate((&sum_9), _e87, _e88, _e89);
         }
     }
     let _e91 = wide;
@@ -1120,16 +1177,16 @@ fn gabor_impl_seen(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootp
             let _e111 = gabor_impl_filtered_wide(place, _e107, _e108, _e109, _e110, seed);
             let _e112 = share_2;
             let _e113 = share_2;
-            gabor_impl_accumulate((&sum_8), _e111, _e112, _e113);
+            gabor_impl_accumulate((&sum_9), _e111, _e112, _e113);
         }
     }
-    let _e116 = sum_8;
+    let _e116 = sum_9;
     let _e118 = stretch_1;
-    sum_8.slope_x = (_e116.slope_x * _e118.x);
-    let _e122 = sum_8;
+    sum_9.slope_x = (_e116.slope_x * _e118.x);
+    let _e122 = sum_9;
     let _e124 = stretch_1;
-    sum_8.slope_y = (_e122.slope_y * _e124.y);
-    let _e127 = sum_8;
+    sum_9.slope_y = (_e122.slope_y * _e124.y);
+    let _e127 = sum_9;
     return _e127;
 }
 
@@ -1455,39 +1512,6 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e147;
 }
 
-// The noise at a place as a pixel sees it, (real, imaginary), and the share of its variance that is removed. For
-// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
-fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec3<f32> {
-    var kernel_16: GaborKernel;
-    var removed_1: f32;
-    var value_3: vec2<f32>;
-
-    kernel_16 = kernel;
-    let _e6 = kernel_16;
-    let _e9 = gabor_impl_seen(place, _e6, footprint, seed, (&removed_1));
-    value_3 = _e9.value;
-    let _e12 = value_3;
-    let _e13 = removed_1;
-    return vec3<f32>(_e12.x, _e12.y, _e13);
-}
-
-// The same of the noise alone with its gradient: (noise, d/dx, d/dy, removed variance).
-fn gabor_field_filtered_gradient(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32) -> vec4<f32> {
-    var kernel_18: GaborKernel;
-    var removed_2: f32;
-    var field_6: GaborField;
-
-    kernel_18 = kernel;
-    let _e6 = kernel_18;
-    let _e9 = gabor_impl_seen(place, _e6, footprint, seed, (&removed_2));
-    field_6 = _e9;
-    let _e11 = field_6;
-    let _e14 = field_6;
-    let _e17 = field_6;
-    let _e20 = removed_2;
-    return vec4<f32>(_e11.value.y, _e14.slope_x.y, _e17.slope_y.y, _e20);
-}
-
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
 // share of the variance that this removed: what a material lost in roughness, or a picture in contrast. Against the
 // noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
@@ -1496,26 +1520,50 @@ fn gabor_field_filtered_gradient(place: GaborPlace, kernel: GaborKernel, footpri
 // Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e14 = gabor_kernel(frequency, orientation);
-    let _e15 = gabor_footprint(dx, dy);
-    let _e16 = gabor_field_filtered(_e13, _e14, _e15, seed);
-    return _e16.yz;
+    var removed_1: f32;
+    var field_6: GaborField;
+
+    let _e14 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e15 = gabor_kernel(frequency, orientation);
+    let _e16 = gabor_footprint(dx, dy);
+    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_1));
+    field_6 = _e19;
+    let _e21 = field_6;
+    let _e24 = removed_1;
+    return vec2<f32>(_e21.value.y, _e24);
 }
 
 // The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e14 = gabor_kernel(frequency, orientation);
-    let _e15 = gabor_footprint(dx, dy);
-    let _e16 = gabor_field_filtered_gradient(_e13, _e14, _e15, seed);
-    return _e16;
+    var removed_2: f32;
+    var field_7: GaborField;
+
+    let _e14 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e15 = gabor_kernel(frequency, orientation);
+    let _e16 = gabor_footprint(dx, dy);
+    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_2));
+    field_7 = _e19;
+    let _e21 = field_7;
+    let _e24 = field_7;
+    let _e27 = field_7;
+    let _e30 = removed_2;
+    return vec4<f32>(_e21.value.y, _e24.slope_x.y, _e27.slope_y.y, _e30);
+}
+
+// Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
+// each.
+fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
+    let _e14 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e15 = gabor_kernel(frequency, orientation);
+    let _e16 = gabor_footprint(dx, dy);
+    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, removed);
+    return _e19.four;
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
-    var sum_9: vec4<f32> = vec4(0f);
+    var sum_10: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
     var i_4: i32 = 0i;
     var lobe_1: GaborLobe;
@@ -1546,14 +1594,14 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e45 = gabor_lobe_seed(seed, _e44);
             let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
             noise_1 = _e46;
-            let _e48 = sum_9;
+            let _e48 = sum_10;
             let _e49 = lobe_1;
             let _e53 = unit_1;
             let _e54 = unit_1;
             let _e56 = (sqrt(_e49.power) * vec3<f32>(1f, _e53, _e54));
             let _e57 = lobe_1;
             let _e63 = noise_1;
-            sum_9 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
+            sum_10 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
             let _e66 = power_2;
             let _e67 = lobe_1;
             power_2 = (_e66 + _e67.power);
@@ -1565,7 +1613,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     }
     let _e70 = power_2;
     if (_e70 > 0f) {
-        let _e73 = sum_9;
+        let _e73 = sum_10;
         let _e74 = power_2;
         let _e76 = vec3(inverseSqrt(_e74));
         let _e78 = power_2;

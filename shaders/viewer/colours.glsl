@@ -40,10 +40,17 @@ vec3 viewer_value(float noise, float contrast, int map)
     return viewer_colour(map, 0.5 + 0.5 * noise / contrast);
 }
 
-// A normal map of the noise as a height; `deviation` is that of a derivative.
-vec3 viewer_gradient(vec2 gradient, float deviation, float contrast)
+// A normal along the picture's right and down and to the eye; `green` is 1 for up, as OpenGL has it, and -1 for down, as
+// DirectX.
+vec3 viewer_normal(vec3 normal, float green)
 {
-    return 0.5 + 0.5 * normalize(vec3(-gradient, 2.0 * deviation / contrast));
+    return 0.5 + 0.5 * normal * vec3(1.0, -green, 1.0);
+}
+
+// A normal map of the noise as a height; `deviation` is that of a derivative.
+vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green)
+{
+    return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
 }
 
 // Of the noise as a complex number, (cosines, sines).
@@ -56,6 +63,12 @@ vec3 viewer_phase(vec2 value, int map)
 vec3 viewer_intensity(vec2 value, float contrast, int map)
 {
     return viewer_colour(map, length(value) / (1.5 * contrast));
+}
+
+// Waves of even contrast.
+vec3 viewer_phasor(vec2 value, int map)
+{
+    return viewer_colour(map, 0.5 + 0.5 * value.y / max(length(value), 1.0e-6));
 }
 
 // The share of the variance that a filter has left.

@@ -15,6 +15,10 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     float stride;    // pixels per value
     float contrast;  // standard deviations from the mean to the ends
     float deviation; // of a derivative, per kernel radius
+    float spacing;   // of a material: from value to value, in its units
+    float green;     // of normals: 1 for up, as OpenGL has it, -1 for down, as DirectX
+    int first_row;   // in files: of the band
+    int count;       // and its pixels
 };
 
 GABOR_INTERFACE_END

@@ -99,6 +99,7 @@ class Window(ViewerTest):
             drag 1120 356 1042 284
             save moved.json
             click 990 420
+            sleep 0.4
             drag 990 420 1000 400
             key delete
             save same.json
@@ -196,7 +197,7 @@ class Window(ViewerTest):
             quit""", "--shaders", shaders)
 
         def after(name, path, text):
-            deadline = time.monotonic() + 60
+            deadline = time.monotonic() + 300
             while not (self.folder / name).exists() and process.poll() is None:
                 self.assertLess(time.monotonic(), deadline, name)
                 time.sleep(0.05)

@@ -103,11 +103,19 @@ vec2 gabor_impl_amplitude(uint word)
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
-// The amplitude of a node at the time with this cosine and sine, from three: the first where time is 0. Its law is
-// theirs at every time, and its correlation with itself falls with the time between as (1 + cos) / 2.
-vec2 gabor_impl_amplitude_at(vec2 time, vec2 a, vec2 b, vec2 c)
+// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
+// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
+// between as (1 + cos) / 2.
+vec2 gabor_impl_amplitude_at(uint word, bool animated, vec2 time)
 {
-    return 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+    vec2 a = gabor_impl_amplitude(word);
+    if (animated) {
+        uint second = gabor_impl_next_word(word ^ 0x68e31da4u);
+        vec2 b = gabor_impl_amplitude(second);
+        vec2 c = gabor_impl_amplitude(gabor_impl_next_word(second));
+        a = 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
+    }
+    return a;
 }
 
 // ---- Waves ---------------------------------------------------------------------------------------------------------
@@ -247,14 +255,22 @@ GaborAxis gabor_impl_axis(int first, int period, uint salt, vec2 step, GaborWind
                      real.slope * cosine - imaginary.slope * sine, real.slope * sine + imaginary.slope * cosine);
 }
 
-// Sums of amplitudes times windows and waves: of four noises, and of the first with the windows' derivatives.
+// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
+// first noise), and along both.
 struct GaborSum {
     vec4 real;
     vec4 imaginary;
-    vec2 slope_x;
+    vec4 slope_real;
+    vec4 slope_imaginary;
     vec2 slope_y;
-    vec2 slope_xy;
+    vec4 mixed_real;
+    vec4 mixed_imaginary;
 };
+
+GaborSum gabor_impl_no_sum()
+{
+    return GaborSum(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0), vec4(0.0), vec4(0.0));
+}
 
 // Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
 //   time  cosine and sine of time
@@ -263,23 +279,22 @@ void gabor_impl_add_node(inout GaborSum row, GaborAxis columns, int k, uint row_
     uint word = gabor_impl_node_word(columns.word[k], row_word);
     uint second = gabor_impl_next_word(word);
     uint third = gabor_impl_next_word(second);
-    vec2 a = gabor_impl_amplitude(word);
-    vec2 b = gabor_impl_amplitude(second);
-    vec2 c = gabor_impl_amplitude(third);
-    vec2 d = gabor_impl_amplitude(gabor_impl_next_word(third));
-    if (animated)
-        a = gabor_impl_amplitude_at(time, a, b, c);
+    vec2 a = gabor_impl_amplitude_at(word, animated, time);
+    vec2 b = gabor_impl_amplitude_at(second, animated, time);
+    vec2 c = gabor_impl_amplitude_at(third, animated, time);
+    vec2 d = gabor_impl_amplitude_at(gabor_impl_next_word(third), animated, time);
     vec4 real = vec4(a.x, b.x, c.x, d.x);
     vec4 imaginary = vec4(a.y, b.y, c.y, d.y);
     row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
     row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
-    row.slope_x += gabor_impl_product(a, vec2(columns.slope_real[k], columns.slope_imaginary[k]));
+    row.slope_real += columns.slope_real[k] * real - columns.slope_imaginary[k] * imaginary;
+    row.slope_imaginary += columns.slope_real[k] * imaginary + columns.slope_imaginary[k] * real;
 }
 
 // Adds row k.
 void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, int k, bool animated, vec2 time)
 {
-    GaborSum row = GaborSum(vec4(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborSum row = gabor_impl_no_sum();
     gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
     gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
     if (GABOR_TAPS > 2)
@@ -290,10 +305,12 @@ void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, i
     if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
         sum.real += factor.x * row.real - factor.y * row.imaginary;
         sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-        sum.slope_x += gabor_impl_product(row.slope_x, factor);
+        sum.slope_real += factor.x * row.slope_real - factor.y * row.slope_imaginary;
+        sum.slope_imaginary += factor.x * row.slope_imaginary + factor.y * row.slope_real;
         vec2 slope = vec2(rows.slope_real[k], rows.slope_imaginary[k]);
         sum.slope_y += gabor_impl_product(vec2(row.real.x, row.imaginary.x), slope);
-        sum.slope_xy += gabor_impl_product(row.slope_x, slope);
+        sum.mixed_real += slope.x * row.slope_real - slope.y * row.slope_imaginary;
+        sum.mixed_imaginary += slope.x * row.slope_imaginary + slope.y * row.slope_real;
     }
 }
 
@@ -301,7 +318,7 @@ void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, i
 GaborSum gabor_impl_sum(GaborAxis columns, GaborAxis rows, bool animated, float time)
 {
     vec2 turn = gabor_impl_wave(time);
-    GaborSum sum = GaborSum(vec4(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborSum sum = gabor_impl_no_sum();
     gabor_impl_add_row(sum, columns, rows, 0, animated, turn);
     gabor_impl_add_row(sum, columns, rows, 1, animated, turn);
     if (GABOR_TAPS > 2)
@@ -331,7 +348,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
     vec2 value = gabor_impl_product(vec2(sum.real.x, sum.imaginary.x), base);
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
     vec2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField(value, stretch.x * gabor_impl_product(sum.slope_x, base) + kernel.wave.x * turned,
+    return GaborField(value, stretch.x * gabor_impl_product(vec2(sum.slope_real.x, sum.slope_imaginary.x), base) + kernel.wave.x * turned,
                       stretch.y * gabor_impl_product(sum.slope_y, base) + kernel.wave.y * turned,
                       base.x * sum.imaginary + base.y * sum.real);
 }
