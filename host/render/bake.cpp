@@ -23,11 +23,12 @@ constexpr RecipeModules modules{bake_spirv,
 
 // A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
 Block block_for(const vulkan::Device& device, const Request& request) {
+    const noise::Recipe recipe = drawing_recipe(request);
     if (device.info().kind != "CPU")
-        return gpu_block(request.recipe);
-    if (!request.recipe.is_lattice())
+        return gpu_block(recipe);
+    if (!recipe.is_lattice())
         return cpu_block;
-    const double cell = std::ceil(request.scale / double{request.recipe.radius}); // pixels
+    const double cell = std::ceil(request.scale / double{recipe.radius}); // pixels
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
@@ -39,10 +40,11 @@ passes::vec2 turn(double turns) {
 // `scale`: pixels per radius of its kernels.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
-    const noise::Recipe& recipe = request.recipe;
+    const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
-    const double wave_x = frequency * std::cos(wave.angle);
-    const double wave_y = frequency * std::sin(wave.angle);
+    const double level = frequency * std::sqrt(1 - wave.rise * wave.rise);
+    const double wave_x = level * std::cos(wave.angle);
+    const double wave_y = level * std::sin(wave.angle);
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
     const double normalized =
         recipe.is_lattice()
@@ -55,9 +57,15 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
                             turn(wave_y / scale),
                             static_cast<float>(amplitude * normalized),
                             wave.seed,
+                            static_cast<float>(frequency * wave.rise),
                             {}};
     put_weights(result.weights, request, index);
     return result;
+}
+
+std::vector<noise::Wave> waves_of(const Request& request) {
+    return in_space(request) ? noise::directed_waves_in_space(request.lobes, request.seed)
+                             : noise::waves(request.lobes, request.seed);
 }
 
 } // namespace
@@ -111,35 +119,39 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
 }
 
 std::vector<std::uint32_t> bake_constants(const Request& request, int block_columns, int fixed_rows) {
-    const auto of_recipe = recipe_constants(request.recipe);
+    const noise::Recipe recipe = drawing_recipe(request);
+    const auto of_recipe = recipe_constants(recipe);
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
-    constants.push_back(vulkan::constant(noise::visited_cells(request.recipe)));
+    constants.push_back(vulkan::constant(noise::visited_cells(recipe)));
     constants.push_back(vulkan::constant(block_columns));
     constants.push_back(vulkan::constant(fixed_rows));
     constants.push_back(request.quadrature);
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
-    constants.push_back(noise::waves(request.lobes, request.seed).size() > 1);
+    constants.push_back(waves_of(request).size() > 1);
     constants.push_back(request.colour.has_value());
+    constants.push_back(in_space(request));
     return constants;
 }
 
 vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
                             int fixed_rows, Code code) {
     return {device,
-            code_or(code, modules.of(request.recipe)),
+            code_or(code, modules.of(drawing_recipe(request))),
             {5, sizeof(passes::BakePush), fixed_rows > 0},
             bake_constants(request, block_columns, fixed_rows)};
 }
 
 bool Bake::can_fill(const Request& request) {
-    return request.paint.empty() && std::holds_alternative<Plane>(request.view) && !request.filter &&
-           !request.phasor && request.values == 1;
+    const bool flat =
+        std::holds_alternative<Plane>(request.view) || std::holds_alternative<Slice>(request.view);
+    return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
 }
 
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
                             const Block& block) {
-    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed);
+    const noise::Recipe recipe = drawing_recipe(request);
+    const std::vector<noise::Wave> waves = waves_of(request);
     BakeTables tables;
     for (const double radius : noise::radii(waves)) {
         const Axis x = axis_along(request, request.width, radius);
@@ -147,7 +159,7 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
         const double scale = across.scale * radius;
         // The lattice's windows stretch with its nodes to fit a period.
         const auto runs = [&](const Axis& axis, const BakeAxis& pixels, int longest) {
-            const double reach = request.recipe.is_lattice() ? double{request.recipe.radius} : axis.radius;
+            const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
             const auto [cell, place] =
                 pixels.origin ? pixels.origin(axis.radius / radius) : std::pair(0, 0.0);
             std::vector<passes::Run> made =
@@ -165,6 +177,12 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
         push.time = wrapped_time(request);
         push.pixel = static_cast<float>(1 / scale);
         push.stretch = static_cast<float>(1 / radius);
+        if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+            const double nodes = double{recipe.radius};
+            const double place = slice->depth / radius * nodes;
+            push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
+            push.slice_offset = static_cast<float>(place - push.first_slice - 1);
+        }
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
         for (std::size_t i = 0; i < waves.size(); ++i)
             if (waves[i].radius == radius)

@@ -92,8 +92,8 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
   public:
-    /// Whether it can: flat pictures seen sharply, without paint, of channels that add up as noises do, or in
-    /// colour.
+    /// Whether it can: flat pictures and slices seen sharply, without paint, of channels that add up as
+    /// noises do, or in colour.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.

@@ -58,7 +58,7 @@ class BandBuffer {
 } // namespace
 
 Axis axis_along(const Request& request, int side, double radius) {
-    const double cells = double{request.recipe.radius};
+    const double cells = double{drawing_recipe(request).radius};
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!plane || !plane->tileable)
         return {cells, 0};
@@ -84,9 +84,9 @@ std::string pass_of(const Request& request) {
         std::ranges::replace(function, '-', '_');
         return "passes/material.comp@" + function;
     }
-    if (in_space(request))
-        return "passes/solid.comp";
-    return recipe_pass(Bake::can_fill(request) ? "bake" : "pixels", request.recipe);
+    if (Bake::can_fill(request))
+        return recipe_pass("bake", drawing_recipe(request));
+    return in_space(request) ? "passes/solid.comp" : recipe_pass("pixels", request.recipe);
 }
 
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,

@@ -328,8 +328,9 @@ class Space(SpectraTest):
 class Channels(SpectraTest):
     def test_pixel_by_pixel_it_is_the_noise_of_the_blocks(self):
         options = {"size": "300x200", "scale": 20, "orientation": 25, "time": 0.2}
-        for flags in ([], ["--tileable"]):
-            for recipe in ("lattice", "lattice-2", "lattice-4", "one", "pure", "paper"):
+        spreads = ["--view=slice", "--depth=-3.3", "--frequency=1.3", "--frequency-spread=0.5"]
+        for flags in ([], ["--tileable"], [*spreads, "--orientation-spread=40"], [*spreads, "--orientation-spread=90"]):
+            for recipe in ("lattice", "lattice-2", "lattice-4", "one", "pure", "paper")[:1 if "--view=slice" in flags else 6]:
                 blocks = self.render("--quadrature", "--gradient", *flags, output="a.exr", recipe=recipe, **options)
                 pixels = self.render("--quadrature", "--gradient", "--phasor", *flags, output="b.exr", recipe=recipe,
                                      **options)

@@ -145,8 +145,9 @@ class Laws(StatsTest):
         window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
         def left(frequency, scale):
             blur = np.exp(-2 * (x * scale) ** 2)
-            blurred = np.convolve(window * np.exp(2j * np.pi * frequency * x), blur / blur.sum(), "same")
-            return [np.sum(np.abs(z) ** 2) / np.sum(window ** 2) for z in (blurred, np.gradient(blurred, x))]
+            wave = window * np.exp(2j * np.pi * frequency * x)
+            return [np.sum(np.abs(np.convolve(wave, kernel / blur.sum(), "same")) ** 2) / np.sum(window ** 2)
+                    for kernel in (blur, -4 * scale ** 2 * x * blur)]
         self.render("--filter", "--frequency=1.5", "--orientation=30", "--gradient", "--quadrature", "--values=2",
                     scale=4)
         across, down = left(1.5 * np.cos(np.pi / 6), 4), left(1.5 * np.sin(np.pi / 6), 4)
@@ -162,12 +163,12 @@ class Laws(StatsTest):
         """A tile's windows stretch, from 1.5 nodes to the kernel radius to what makes a whole number."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "power": 1}]
         (self.folder / "lobes.json").write_text(json.dumps(lobes))
-        self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512")
+        self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512", scale=8)
         slopes = np.zeros(2)
         for lobe in lobes:
             angle = np.radians(lobe.get("orientation", 0))
             wave = 2 * np.pi * lobe["frequency"] * np.array([np.cos(angle), np.sin(angle)])
-            length = np.array([540, 512]) / 16 / lobe.get("radius", 1)
+            length = np.array([540, 512]) / 8 / lobe.get("radius", 1)
             nodes = np.floor(1.5 * length) / length / lobe.get("radius", 1)
             slopes += lobe["power"] / 4 * (wave ** 2 + np.pi ** 2 / 3 * (nodes / 1.5) ** 2)
         self.assert_known(slopes[0], "gradient.x")

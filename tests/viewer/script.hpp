@@ -21,7 +21,7 @@ namespace gabor::viewer {
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     exported                                       waits until the last export has ended
 ///     wait FRAMES | fine | settle | sleep SECONDS    fine: until the picture is; settle: and measured too
-///     expect error TEXT | expect no error | expect message TEXT  waits for it, for half a minute at most
+///     expect error TEXT | expect no error | expect message TEXT  waits for it, for two minutes at most
 ///     random SEED SECONDS                 anything at all
 ///     quit
 ///
