@@ -26,11 +26,9 @@ PLANES = {
     "variance on a horizon": ({"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"}, VARIANCE, 1, 2),
 }
 BODIES = {
-    "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2}, VALUE, 2, 1.5),
-    "gradient on a sphere": ({"view": "sphere", "filter": False, "frequency": 2, "yaw": 20, "solid": True}, GRADIENT, 0, 2),
-    "torus": ({"view": "torus", "filter": False, "orientation_spread": 90, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
+    "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
+    "torus": ({"view": "torus", "filter": False, "solid": True, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
     "slice": ({"view": "slice", "depth": 0.3, "orientation": 50, "lobes": LOBES}, INTENSITY, 0, 2),
-    "filtered sphere": ({"view": "sphere", "filter": True, "frequency": 2, "orientation": 10}, VALUE, 1, 2),
 }
 
 
@@ -50,7 +48,7 @@ class Outputs(ViewerTest):
             script += [f"open {number}.json", f"set output {output}", f"set colours {colours}",
                        f"set contrast {contrast}", "wait 2", "key ctrl+c", f"copy {number}.glsl",
                        f"screenshot {number}.png", f"export {number}-out.exr", "exported"]
-        self.play("\n".join(script + ["quit"]), "--window", f"{WIDTH}x{HEIGHT}")
+        self.play("\n".join(script + ["quit"]), "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
 
     def check(self, cases, tolerances, draw):
         self.take(cases)
@@ -89,8 +87,8 @@ class Outputs(ViewerTest):
             main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
                     f"pixels = vec4({NAMES[output]}_of_body(p, n), 0.0, 0.0); colour = colour_of_body(p, n);")
             return self.draw(snippet, output, main, *places(parameters), parameters)
-        # What a pixel covers is told from its neighbours: at the outline they are none.
-        self.check(BODIES, {"torus": (1e-2, 2), "filtered sphere": (0.05, 3)}, draw)
+        # Rays that graze a torus meet it elsewhere for the smallest difference.
+        self.check(BODIES, {"torus": (1e-2, 2)}, draw)
 
     def draw(self, snippet, output, main, points=None, normals=None, parameters=None):
         for include in [line for line in snippet.splitlines() if line.startswith("#include")]:
