@@ -40,6 +40,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     int width;
     int height;
     int first_row; // of the band, in the units of Run.first
+    int before;    // pixels in the buffer before those of the band
     uint first_column_run;
     uint column_runs;
     uint first_row_run;
