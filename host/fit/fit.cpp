@@ -1,5 +1,6 @@
 #include "fit/fit.hpp"
 
+#include "fit/atoms.hpp"
 #include "fit/colour.hpp"
 #include "fit/greedy.hpp"
 
@@ -11,12 +12,14 @@ namespace gabor::fit {
 namespace {
 
 // Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall
-// with the number of windows along a side. Windows of larger pictures are sampled.
+// with the number of windows along a side. Larger pictures have 64 a side, which half overlap, as good as 28
+// that overlap wholly. Strong frequencies and autocorrelations, of which less is asked, are within chance or
+// within what can be seen.
 bool is_chance(const Figures& figures, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
-    const double windows = std::min(side, 2048.0) / window_side;
-    return figures.l1 < 0.44 / windows && figures.l2 < 0.38 / windows &&
-           figures.autocorrelation < 0.32 / windows;
+    const double windows = std::min(side / window_side, 28.0);
+    return figures.l1 < 0.44 / windows && figures.l2 < std::max(0.38 / windows, 0.0475) &&
+           figures.autocorrelation < std::max(0.32 / windows, 0.04);
 }
 
 // A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
@@ -44,7 +47,7 @@ Spectra channel_spectra(const Exemplar& exemplar) {
 Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
-    const Target target(spectra);
+    const Target target(spectra, std::min(std::min(exemplar.width, exemplar.height) / 2.0, largest_radius));
     const Search search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {

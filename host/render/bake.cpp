@@ -1,6 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
+#include "render/pixels.hpp"
 
 #include "passes/bake.h"
 #include "passes/bake_lattice_2.h"
@@ -34,7 +35,8 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, const Axis& x, const Axis& y) {
+passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
+                           const Axis& y) {
     const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
     const double level = frequency * std::sqrt(1 - wave.rise * wave.rise);
@@ -47,12 +49,16 @@ passes::BakeWave make_wave(const Request& request, const noise::Wave& wave, cons
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, frequency, wave.angle, request.time));
-    return {{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-            turn(wave_x / scale),
-            turn(wave_y / scale),
-            static_cast<float>(std::sqrt(wave.share) * normalized),
-            wave.seed,
-            static_cast<float>(frequency * wave.rise)};
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours have weights
+    passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
+                            turn(wave_x / scale),
+                            turn(wave_y / scale),
+                            static_cast<float>(amplitude * normalized),
+                            wave.seed,
+                            static_cast<float>(frequency * wave.rise),
+                            {}};
+    put_weights(result.weights, request, index);
+    return result;
 }
 
 std::vector<noise::Wave> waves_of(const Request& request) {
@@ -116,15 +122,15 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(request.gradient);
     constants.push_back(wrapped_time(request) != 0);
     constants.push_back(waves_of(request).size() > 1);
+    constants.push_back(request.colour.has_value());
     constants.push_back(in_space(request));
-    return {device, modules.of(recipe), {4, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    return {device, modules.of(recipe), {5, sizeof(passes::BakePush), fixed_rows > 0}, constants};
 }
 
 bool Bake::can_fill(const Request& request) {
     const bool flat =
         std::holds_alternative<Plane>(request.view) || std::holds_alternative<Slice>(request.view);
-    return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1 &&
-           !request.colour;
+    return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
 }
 
 Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {
@@ -155,9 +161,9 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
             push.slice_offset = static_cast<float>(place - push.first_slice - 1);
         }
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
-        for (const noise::Wave& wave : waves)
-            if (wave.radius == radius)
-                tables.waves.push_back(make_wave(request, wave, x, y));
+        for (std::size_t i = 0; i < waves.size(); ++i)
+            if (waves[i].radius == radius)
+                tables.waves.push_back(make_wave(request, i, waves[i], x, y));
         push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
         push.width = region.width;
         push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
@@ -176,11 +182,13 @@ Bake::Bake(const vulkan::Device& device, const Request& request, const image::Wi
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
            const Block& block)
     : Bake(device, make_tables(request, region, block), make_bake_pass(device, request, block.columns),
-           region.height) {}
+           pixels_colour(request), region.height) {}
 
-Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height)
+Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+           const passes::PixelsColour& colour, int height)
     : height_(height), grids_(tables.grids), pass_(std::move(pass)), columns_(upload(device, tables.columns)),
-      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)) {}
+      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)),
+      colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
@@ -196,7 +204,7 @@ std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, result}};
+    return {device, pass_, {columns_, rows_, waves_, result, colour_}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

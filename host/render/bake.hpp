@@ -4,6 +4,7 @@
 #include "render/renderer.hpp"
 
 #include "passes/bake_interface.h"
+#include "passes/colour.h"
 
 #include <array>
 #include <vector>
@@ -49,7 +50,7 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
 class Bake : public RegionRenderer {
   public:
     /// Whether it can: flat pictures and slices seen sharply, without paint, of channels that add up as
-    /// noises do.
+    /// noises do, or in colour.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.
@@ -80,7 +81,8 @@ class Bake : public RegionRenderer {
 
     Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
          const Block& block);
-    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass, int height);
+    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+         const passes::PixelsColour& colour, int height);
 
     int height_;
     std::vector<Grid> grids_;
@@ -88,6 +90,7 @@ class Bake : public RegionRenderer {
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;
+    vulkan::Buffer colour_;
 };
 
 } // namespace gabor::render

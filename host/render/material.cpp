@@ -1,6 +1,7 @@
 #include "render/material.hpp"
 
 #include "render/pixels.hpp"
+#include "render/solid.hpp"
 
 #include "passes/material_bark.h"
 #include "passes/material_brushed_metal.h"
@@ -34,11 +35,41 @@ std::span<const std::uint32_t> module_of(const Request& request) {
 
 } // namespace
 
+std::vector<std::uint32_t> material_constants(const Request& request) {
+    const Body* body = std::get_if<Body>(&request.view);
+    constexpr std::uint32_t perspective = 3;
+    return {request.filter, body                      ? static_cast<std::uint32_t>(body->shape) + 1
+                            : in_perspective(request) ? perspective
+                                                      : 0};
+}
+
+passes::MaterialPush material_push(const Request& request, int width, int height, int stride) {
+    passes::MaterialPush push{};
+    const auto pixels = [&](double side) { return static_cast<float>(side / stride); };
+    push.size = {pixels(width), pixels(height)};
+    push.center = {pixels(width / 2.0), pixels(height / 2.0)};
+    push.pixel = static_cast<float>(stride / request.scale);
+    push.seed = request.seed;
+    if (in_perspective(request)) {
+        push.sky = pixels(sky_rows(height));
+        push.pixel = static_cast<float>(pixel_length(request, height));
+    } else if (std::holds_alternative<Body>(request.view)) {
+        const passes::SolidPush seen = solid_push(request, width, height, stride);
+        push.pixel = seen.pixel;
+        push.unit = seen.unit;
+        push.yaw = seen.yaw;
+        push.pitch = seen.pitch;
+    }
+    push.width = (width + stride - 1) / stride;
+    push.height = (height + stride - 1) / stride;
+    return push;
+}
+
 std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device,
                                                         const Request& request) {
-    return std::make_shared<vulkan::Pass>(
-        device, module_of(request), vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
-        std::vector<std::uint32_t>{request.filter, in_perspective(request)});
+    return std::make_shared<vulkan::Pass>(device, module_of(request),
+                                          vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
+                                          material_constants(request));
 }
 
 Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
@@ -46,11 +77,7 @@ Material::Material(const vulkan::Device& device, const Request& request, const i
 
 Material::Material(const Request& request, const image::Window& region,
                    std::shared_ptr<const vulkan::Pass> pass)
-    : pass_(std::move(pass)) {
-    push_.size = {static_cast<float>(request.width), static_cast<float>(request.height)};
-    push_.pixel = static_cast<float>(pixel_length(request, request.height));
-    push_.sky = static_cast<float>(in_perspective(request) ? sky_rows(request.height) : 0);
-    push_.seed = request.seed;
+    : pass_(std::move(pass)), push_(material_push(request, request.width, request.height)) {
     push_.first_column = region.x;
     push_.first_row = region.y;
     push_.width = region.width;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace gabor::render {
 
@@ -20,6 +21,13 @@ constexpr std::string_view no_material = "none";
 /// Of a material's pixels: base colour, height and so on as in GaborMaterial, and its look under a lamp.
 constexpr std::array<std::string_view, 9> material_channels{
     "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"};
+
+/// The specialization constants of passes/material.comp.
+std::vector<std::uint32_t> material_constants(const Request& request);
+
+/// What it is given for all of a picture of `width` x `height` pixels, each `stride`th along both axes. A
+/// horizon and a body fit that size, whatever the request's is.
+passes::MaterialPush material_push(const Request& request, int width, int height, int stride = 1);
 
 /// Fills a picture of a material with passes/material.comp.
 class Material : public RegionRenderer {

@@ -177,8 +177,7 @@ std::vector<Parameter> make_table() {
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
-         "What to show in the noise's place, in the views flat and horizon: channels R, G, B (linear), "
-         "height, "
+         "What to show in the noise's place, on planes and bodies: channels R, G, B (linear), height, "
          "roughness and metalness, and lit.R, lit.G, lit.B, which a PNG shows",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
@@ -223,8 +222,9 @@ struct Exclusion {
 };
 
 const std::array exclusions{
-    Exclusion{"view", "material", [](const Request& r) { return in_space(r) && has_material(r); },
-              "a material lies in the views flat and horizon"},
+    Exclusion{"view", "material",
+              [](const Request& r) { return std::holds_alternative<Slice>(r.view) && has_material(r); },
+              "a material lies on planes and bodies"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
               "paint takes the place of the one lobe's frequency and orientation"},
     Exclusion{"paint", "view",
@@ -244,8 +244,8 @@ const std::array exclusions{
 };
 
 // What a material leaves as it is. All else is the noise's, and has no use beside one.
-constexpr std::array of_material{"width"sv, "height"sv, "scale"sv,  "recipe"sv,
-                                 "seed"sv,  "view"sv,   "filter"sv, "material"sv};
+constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
+                                 "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv};
 
 // What is asked for beside a material that has no use.
 std::vector<const Parameter*> beside_material(const Request& request) {
@@ -255,6 +255,19 @@ std::vector<const Parameter*> beside_material(const Request& request) {
             if (std::ranges::find(of_material, p.name) == of_material.end() && is_set(request, p.name))
                 found.push_back(&p);
     return found;
+}
+
+// ---- Colour ----
+
+bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) {
+    return colour.weights.size() == lobes.size() &&
+           std::ranges::all_of(lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; });
+}
+
+// Whether there is something else in the picture that has no colours.
+bool is_colourless(const Request& request) {
+    return in_space(request) || request.quadrature || request.gradient || request.phasor ||
+           request.values > 1 || !request.paint.empty() || has_material(request);
 }
 
 // ---- Values ----
@@ -473,18 +486,18 @@ void give_way(Request& request, std::string_view name) {
         else
             parameter(loser).put(request, *parameter(loser).get(Request()));
     }
+    if (request.colour && (is_colourless(request) || !are_of_colour(request.lobes, *request.colour)))
+        request.colour.reset();
 }
 
 namespace {
 
 void check_colour(const Request& request) {
-    if (request.colour->weights.size() != request.lobes.size() ||
-        !std::ranges::all_of(request.lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; }))
+    if (!are_of_colour(request.lobes, *request.colour))
         throw RequestError(
             "a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
             "that came with it");
-    if (in_space(request) || request.quadrature || request.gradient || request.phasor || request.values > 1 ||
-        !request.paint.empty() || has_material(request))
+    if (is_colourless(request))
         throw RequestError(
             "colours are drawn in the plane, without paint, materials and other channels than `removed`");
 }

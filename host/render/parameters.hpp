@@ -80,8 +80,8 @@ void set_text(Request& request, std::string_view name, std::string_view text);
 /// Whether the request has that parameter, and with another value than by default.
 bool is_set(const Request& request, std::string_view name);
 
-/// Sets back to their defaults all parameters that exclude this one as it is: what a window does where the
-/// command line refuses.
+/// Sets back to their defaults all that excludes this parameter as it is, colours too: what a window does
+/// where the command line refuses.
 void give_way(Request& request, std::string_view name);
 
 /// Throws RequestError where a value is outside its range, or two exclude each other.

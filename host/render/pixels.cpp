@@ -85,6 +85,15 @@ passes::PixelsColour pixels_colour(const Request& request) {
     return result;
 }
 
+void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe) {
+    if (!request.colour)
+        return;
+    std::ranges::transform(
+        request.colour->weights.at(lobe), weights, [](const noise::Colour::Weight& weight) {
+            return passes::vec2{static_cast<float>(weight.quadrature), static_cast<float>(weight.noise)};
+        });
+}
+
 std::vector<double> pixels_tables(const Request& request) {
     return noise::radii(noise::waves(request.lobes, request.seed));
 }
@@ -114,13 +123,8 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint
                          .table = static_cast<int>(table),
                          .weights = {}});
     }
-    if (request.colour) // one wave for each lobe
-        for (std::size_t i = 0; i < waves.size(); ++i)
-            std::ranges::transform(request.colour->weights.at(i), waves[i].weights,
-                                   [](const noise::Colour::Weight& weight) {
-                                       return passes::vec2{static_cast<float>(weight.quadrature),
-                                                           static_cast<float>(weight.noise)};
-                                   });
+    for (std::size_t i = 0; i < waves.size(); ++i) // in colour one wave for each lobe
+        put_weights(waves[i].weights, request, i);
     return waves;
 }
 

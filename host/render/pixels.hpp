@@ -29,6 +29,9 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint
 /// What its colours are made of, zeros where there are none.
 passes::PixelsColour pixels_colour(const Request& request);
 
+/// Of a lobe, the weights of its quadrature and its noise in the components of these colours: zeros likewise.
+void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe);
+
 /// The kernel radius of each of its tables of lines, PixelsWave.table.
 std::vector<double> pixels_tables(const Request& request);
 

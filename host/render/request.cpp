@@ -27,8 +27,12 @@ bool is_isotropic(const noise::Lobe& lobe) {
 }
 
 std::vector<std::string> channels(const Request& request) {
-    if (has_material(request))
-        return {material_channels.begin(), material_channels.end()};
+    if (has_material(request)) {
+        std::vector<std::string> names(material_channels.begin(), material_channels.end());
+        if (in_space(request))
+            names.push_back("A");
+        return names;
+    }
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
     if (request.colour)

@@ -28,7 +28,7 @@ double sphere_radius(const Request& request) {
     return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
 
-std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
+std::vector<std::uint32_t> solid_constants(const Request& request) {
     const Body* body = std::get_if<Body>(&request.view);
     const bool along_surface = body && !body->solid;
     return {body ? static_cast<std::uint32_t>(body->shape) + 1 : 0,
@@ -40,7 +40,6 @@ std::vector<std::uint32_t> solid_constants(const Request& request, int rays) {
             request.quadrature,
             request.gradient,
             request.phasor,
-            static_cast<std::uint32_t>(rays),
             wrapped_time(request) != 0};
 }
 

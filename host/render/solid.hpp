@@ -6,9 +6,8 @@
 
 namespace gabor::render {
 
-/// The specialization constants of passes/solid.comp. `rays` to a pixel for its coverage along each axis:
-/// where there are none, what the ray through its centre meets decides.
-std::vector<std::uint32_t> solid_constants(const Request& request, int rays = 4);
+/// The specialization constants of passes/solid.comp, but for the last one.
+std::vector<std::uint32_t> solid_constants(const Request& request);
 
 /// The noises that it adds up.
 std::vector<passes::SolidWave> solid_waves(const Request& request);

@@ -2,6 +2,7 @@
 
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/photograph.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -27,19 +28,14 @@ struct ShaderFile {
     const char* path;
     ShaderStage stage;
 };
-constexpr std::array shader_files{ShaderFile{"passes/pixels.comp", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@2", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@3", ShaderStage::compute},
-                                  ShaderFile{"passes/pixels.comp@4", ShaderStage::compute},
-                                  ShaderFile{"viewer/ingredients.comp", ShaderStage::compute},
-                                  ShaderFile{"passes/solid.comp", ShaderStage::compute},
-                                  ShaderFile{"viewer/show.vert", ShaderStage::vertex},
+// Those of every picture. Compute passes are compiled when a picture first wants them.
+constexpr std::array shader_files{ShaderFile{"viewer/show.vert", ShaderStage::vertex},
                                   ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
 
 void drop(GLFWwindow* window, int count, const char** paths) {
     Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
     if (count > 0 && !session.question)
-        open_preset(session, paths[0]);
+        open_file(session, paths[0]);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -77,7 +73,7 @@ App::App(const Options& options)
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
     load_shaders();
-    if (!session_.shader_error.empty())
+    if (!spirv(noise_passes(session_.document()).front()))
         throw std::runtime_error(session_.shader_error);
 }
 
@@ -110,21 +106,25 @@ void App::restore(const Options& options) {
 // All or nothing: what does not compile leaves everything as it was.
 void App::load_shaders() {
     decltype(spirv_) compiled;
-    for (const ShaderFile& file : shader_files) {
-        Compiled result = compiler_.compile(file.path, file.stage);
-        if (!result.error.empty()) {
-            session_.shader_error = result.error;
+    const auto compile = [&](const std::string& path, ShaderStage stage) {
+        Compiled result = compiler_.compile(path, stage);
+        session_.shader_error = result.error;
+        compiled[path] = std::move(result.spirv);
+        return result.error.empty();
+    };
+    for (const ShaderFile& file : shader_files)
+        if (!compile(file.path, file.stage))
             return;
-        }
-        compiled[file.path] = std::move(result.spirv);
-    }
-    session_.shader_error.clear();
+    for (const Pane& pane : panes_)
+        if (const std::string& path = pane.canvas->noise().shader;
+            !compiled.contains(path) && !compile(path, ShaderStage::compute))
+            return;
     swapchain_.wait();
     spirv_ = std::move(compiled);
     painter_ = std::make_unique<Painter>(device_, swapchain_.render_pass(), spirv_["viewer/show.vert"],
                                          spirv_["viewer/show.frag"]);
     for (std::size_t index = 0; index < panes_.size(); ++index) {
-        panes_[index].canvas->replace(spirv(panes_[index].canvas->noise()));
+        panes_[index].canvas->replace(*spirv(panes_[index].canvas->noise()));
         panes_[index].sampler.reset();
     }
 }
@@ -142,22 +142,40 @@ void App::poll_shaders() {
     }
 }
 
-const std::vector<std::uint32_t>& App::spirv(const NoisePass& noise) const {
-    return spirv_.find(noise.shader)->second;
+const Spirv* App::spirv(const NoisePass& noise) {
+    const auto known = spirv_.find(noise.shader);
+    if (known != spirv_.end())
+        return &known->second;
+    if (!session_.shader_error.empty()) // until a shader is saved
+        return nullptr;
+    Compiled compiled = compiler_.compile(noise.shader, ShaderStage::compute);
+    session_.shader_error = compiled.error;
+    return compiled.error.empty() ? &(spirv_[noise.shader] = std::move(compiled.spirv)) : nullptr;
 }
 
 std::vector<Area> App::areas(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    if (!session_.history.now.comparison || render::in_space(session_.history.now.request))
+    const render::Request& request = session_.history.now.request;
+    if (shows_photograph(session_)) {
+        const int photograph = static_cast<int>(static_cast<float>(width) * session_.divider);
+        return {{photograph, 0, std::max(width - photograph, 2), window.height}};
+    }
+    if (!session_.history.now.comparison || render::in_space(request) || render::has_material(request))
         return {{0, 0, width, window.height}};
     const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
     return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
 }
 
 bool App::refine(Extent window) {
+    if (!session_.fitter.photograph()) {
+        photograph_.reset();
+        photograph_pixels_.reset();
+    }
     const std::vector<NoisePass> wanted = noise_passes(session_.document());
+    if (!std::ranges::all_of(wanted, [&](const NoisePass& noise) { return spirv(noise) != nullptr; }))
+        return true; // the last good picture stays
     const std::vector<Area> where = areas(window);
     session_.view = {where[0].width, where[0].height};
     if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
@@ -168,7 +186,7 @@ bool App::refine(Extent window) {
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
         if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
-            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], spirv(wanted[index]));
+            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], *spirv(wanted[index]));
         const double share = 1.0 / static_cast<double>(wanted.size());
         const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
         if (pane.canvas->refine(wanted[index], session_.document().camera,
@@ -177,8 +195,13 @@ bool App::refine(Extent window) {
             more = true;
             pane.picture_measured = false;
         }
-        measure(index, wanted[index]);
-        more |= !pane.picture_measured || pane.samples < most_samples;
+        if (render::has_material(wanted[index].request)) {
+            if (std::exchange(pane.sampler, nullptr)) // its values have no law
+                measuring_.reset(index);
+        } else {
+            measure(index, wanted[index]);
+            more |= !pane.picture_measured || pane.samples < most_samples;
+        }
 
         PaneReport& report = session_.panes[index];
         const double cost = pane.canvas->seconds_per_pixel();
@@ -200,7 +223,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
         if (pane.sampler && pane.sampler->noise().same_pipeline(values))
             pane.sampler->set(std::move(values));
         else
-            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), spirv(noise));
+            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), *spirv(noise));
         pane.samples = 0;
         pane.picture_measured = false;
         measuring_.reset(index);
@@ -210,7 +233,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
     const Canvas& canvas = *pane.canvas;
     if (canvas.fine() && !pane.picture_measured) {
         pane.picture_measured = true;
-        if (is_flat(noise.request.view))
+        if (is_flat(noise.request.view) && !noise.request.colour)
             measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
                                    noise.request.scale * session_.document().camera.zoom);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
@@ -226,6 +249,7 @@ void App::panels() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float width = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
     overlay(session_, size.x - width, size.y);
+    photograph_overlay(session_, size.x - width, size.y);
     help_window(session_);
     if (!session_.panels)
         return;
@@ -243,8 +267,9 @@ void App::panels() {
         void (*panel)(Session&);
     };
     constexpr std::array sections{
-        Section{"Noise", noise_panel}, Section{"Spectrum", spectrum_panel}, Section{"Output", output_panel},
-        Section{"Measurements", measurements_panel}, Section{"Files and code", files_panel}};
+        Section{"Noise", noise_panel},           Section{"Spectrum", spectrum_panel},
+        Section{"Output", output_panel},         Section{"Measurements", measurements_panel},
+        Section{"Photograph", photograph_panel}, Section{"Files and code", files_panel}};
     for (const Section& section : sections)
         if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
             ImGui::PushID(section.title);
@@ -258,8 +283,30 @@ void App::panels() {
 }
 
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
-    for (std::size_t index = 0; index < panes_.size(); ++index)
-        painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
+    for (std::size_t index = 0; index < panes_.size() && index < where.size(); ++index)
+        if (panes_[index].canvas)
+            painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
+    if (shows_photograph(session_) && where[0].x > 0)
+        paint_photograph(commands, {0, 0, where[0].x, where[0].height});
+}
+
+// Where the noise has the picture, pixel by pixel.
+void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
+    if (photograph_ != session_.fitter.photograph()) {
+        photograph_ = session_.fitter.photograph();
+        photograph_pixels_ = render::upload(device_, photograph_->pixels);
+    }
+    const Document& document = session_.document();
+    const double scale =
+        document.request.scale * document.camera.zoom; // pixels of the window per kernel radius
+    const auto corner = [&](const Coordinate& middle, int first, int pixels) {
+        return static_cast<float>(first + pixels / 2.0 -
+                                  (static_cast<double>(middle.whole) + middle.part) * scale);
+    };
+    painter_->paint_colours(
+        commands, *photograph_pixels_, photograph_->grid,
+        {corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
+        static_cast<float>(photograph_->square * document.camera.zoom), area);
 }
 
 void App::draw(const Target& target) {
@@ -293,7 +340,10 @@ void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
     const NoisePass noise = noise_passes(document).front();
     const Extent extent{document.request.width, document.request.height};
-    Canvas canvas(device_, noise, spirv(noise));
+    const Spirv* code = spirv(noise);
+    if (!code)
+        throw std::runtime_error(session_.shader_error);
+    Canvas canvas(device_, noise, *code);
     while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();
@@ -312,7 +362,7 @@ bool App::frame(const FrameHook& hook) {
         return false;
     ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
-    if (session_.playing) {
+    if (session_.playing && !render::has_material(session_.document().request)) {
         double& time = session_.document().request.time;
         time += double{io.DeltaTime} / double{session_.period};
         time -= std::floor(time);
@@ -320,7 +370,9 @@ bool App::frame(const FrameHook& hook) {
     const float panel = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
     handle_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y);
     panels();
-    question_window(session_); // after all others: a modal window must not be the first to appear
+    dialog_window(session_); // after all others: a modal window must not be the first to appear
+    question_window(session_);
+    go_on_fitting(session_);
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.commit();
     gui_.end();
@@ -344,7 +396,8 @@ bool App::frame(const FrameHook& hook) {
 
 void App::run(const FrameHook& hook) {
     do {
-        const bool wanted = busy_ || hook || session_.playing || session_.exporter.running();
+        const bool wanted =
+            busy_ || hook || session_.playing || session_.exporter.running() || session_.fitter.running();
         if (!window_.shown())
             glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)

@@ -38,8 +38,8 @@ class App {
 
     Session& session() { return session_; }
     const Window& window() const { return window_; }
-    /// Whether nothing is left to refine, to measure or to export.
-    bool settled() const { return !busy_ && !session_.exporter.running(); }
+    /// Whether nothing is left to refine, to measure, to fit or to export.
+    bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// The picture itself, without a window around it, as gabor render would have it.
     void save_picture(const std::string& path);
     /// The window with its panels, at the end of this frame.
@@ -64,14 +64,16 @@ class App {
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
+    void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void write_window_png(const std::string& path);
-    const std::vector<std::uint32_t>& spirv(const NoisePass& noise) const;
+    /// Compiled when first wanted. Nothing where it does not compile, and the session says why.
+    const Spirv* spirv(const NoisePass& noise);
 
     Settings settings_;
     Window window_;
     vulkan::Device device_;
     ShaderCompiler compiler_;
-    std::map<std::string, std::vector<std::uint32_t>, std::less<>> spirv_;
+    std::map<std::string, Spirv, std::less<>> spirv_;
     Swapchain swapchain_;
     Gui gui_;
     std::unique_ptr<Painter> painter_;
@@ -80,6 +82,8 @@ class App {
     Session session_;
     MeasuringThread measuring_;
     std::vector<Pane> panes_;
+    std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
+    std::optional<vulkan::Buffer> photograph_pixels_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double shaders_polled_ = 0;
     double last_input_ = 0;

@@ -25,8 +25,10 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
     std::ranges::copy(values, buffer.as<T>().begin());
 }
 
-// The buffers and the push constants of the three passes.
+// The buffers and the push constants of each kind of pass.
 vulkan::Pass::Interface interface_of(const NoisePass& noise) {
+    if (render::has_material(noise.request))
+        return {1, sizeof(passes::MaterialPush)};
     if (render::in_space(noise.request))
         return {2, sizeof(passes::SolidPush)};
     if (noise.ingredients)
@@ -38,7 +40,7 @@ vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, con
     return {device, spirv, interface_of(noise), noise.constants};
 }
 
-static_assert(passes::pixels_group == passes::solid_group &&
+static_assert(passes::pixels_group == passes::solid_group && passes::pixels_group == passes::material_group &&
               passes::pixels_group == passes::ingredients_group);
 
 } // namespace
@@ -74,12 +76,15 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
         if (!device_.unified())
             staging_.emplace(device_, bytes, vulkan::Memory::readback);
     }
+    upload(device_, colour_, std::vector{input_.colour});
     upload(device_, columns_, input_.columns);
     upload(device_, rows_, input_.rows);
     std::visit([&](const auto& waves) { upload(device_, waves_, waves); }, input_.waves);
     vulkan::Job::Buffers buffers{waves_, values_};
     if (std::holds_alternative<passes::IngredientsPush>(input_.push))
         buffers = {columns_, rows_, values_};
+    else if (std::holds_alternative<passes::MaterialPush>(input_.push))
+        buffers = {values_};
     else if (std::holds_alternative<passes::PixelsPush>(input_.push))
         buffers = {columns_, rows_, waves_, paint, colour_, values_};
     job_.emplace(device_, pass, buffers);

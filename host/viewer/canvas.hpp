@@ -49,7 +49,7 @@ class ValueGrid {
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;
-    vulkan::Buffer colour_;                 ///< what Pixels reads of colours, which are not drawn here
+    vulkan::Buffer colour_;
     std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
     std::optional<vulkan::Job> job_;
     int next_row_ = -1; ///< -1: all are filled

@@ -2,6 +2,7 @@
 
 #include "render/load.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gabor::viewer {
@@ -39,23 +40,33 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
     render::Request& request = document.request;
     if (name == "paint")
         render::load_paint(std::get<std::string>(value)); // it must be there
+    const bool was_noise = !render::has_material(request);
     render::set(request, name, value);
+    if (name == "material" &&
+        was_noise != !render::has_material(request)) // four by four units make a picture
+        request.scale = was_noise ? std::max(2.0, std::min(request.width, request.height) / 4.0)
+                                  : render::Request().scale;
     if (name == "view") {
         request.filter = !is_flat(request.view) && render::can_filter(request);
         render::give_way(request, "filter");
     }
     render::give_way(request, name);
-    if (name == "view" || name == "width" || name == "height")
+    if (name == "view" || name == "material" || name == "width" || name == "height")
         document.camera = default_camera(document);
 }
 
 render::Request with_output(render::Request request, Output output) {
-    if (output == Output::gradient) {
+    if (render::has_material(request))
+        return request; // which has all its channels
+    if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;
         render::give_way(request, "gradient");
     } else if (output == Output::phase || output == Output::intensity) {
         request.quadrature = true;
         render::give_way(request, "quadrature");
+    } else if (output == Output::phasor) {
+        request.quadrature = request.phasor = true;
+        render::give_way(request, "phasor");
     }
     return request;
 }

@@ -28,7 +28,10 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-enum class Output { value, gradient, phase, intensity, variance };
+enum class Output { value, gradient, phase, intensity, variance, phasor, lit };
+
+/// What is shown of a material.
+enum class Look { lit, colour, height, normal, roughness, metalness };
 
 /// What stands beside the picture in the split view, on the same parameters: one of the noises that the paper
 /// compares, the seminal one by default, or the drop-in with another recipe.
@@ -43,8 +46,10 @@ struct Document {
     render::Request request;
     Camera camera;
     Output output = Output::value;
-    int colours = 0;    ///< colour map, as in shaders/viewer/colours.glsl
-    float contrast = 2; ///< standard deviations from the mean to the ends
+    Look look = Look::lit;
+    bool directx_normals = false; ///< normal maps have green for down, as DirectX, and not for up, as OpenGL
+    int colours = 0;              ///< colour map, as in shaders/viewer/colours.glsl
+    float contrast = 2;           ///< standard deviations from the mean to the ends
     std::optional<Comparison> comparison;
 
     bool operator==(const Document&) const = default;

@@ -16,7 +16,11 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 5> outputs{"value", "gradient", "phase", "intensity", "variance"};
+constexpr std::array<std::string_view, 7> outputs{"value",    "gradient", "phase", "intensity",
+                                                  "variance", "phasor",   "lit"};
+constexpr std::array<std::string_view, 6> looks{"lit",    "colour",    "height",
+                                                "normal", "roughness", "metalness"};
+constexpr std::array<std::string_view, 2> normal_maps{"OpenGL", "DirectX"};
 constexpr std::array<std::string_view, 5> colours{"grey", "viridis", "cool to warm", "ember", "sea"};
 
 // Which of these names stands at `key`.
@@ -76,6 +80,10 @@ Camera camera_of(const json& object) {
 void read_view(const json& view, Document& document) {
     if (view.contains("output"))
         document.output = static_cast<Output>(index_of(view, "output", outputs));
+    if (view.contains("look"))
+        document.look = static_cast<Look>(index_of(view, "look", looks));
+    if (view.contains("normals"))
+        document.directx_normals = index_of(view, "normals", normal_maps) == 1;
     if (view.contains("colours"))
         document.colours = static_cast<int>(index_of(view, "colours", colours));
     if (view.contains("contrast"))
@@ -93,6 +101,10 @@ std::span<const std::string_view> output_names() {
     return outputs;
 }
 
+std::span<const std::string_view> look_names() {
+    return looks;
+}
+
 std::span<const std::string_view> colour_names() {
     return colours;
 }
@@ -100,6 +112,8 @@ std::span<const std::string_view> colour_names() {
 std::string to_json(const Document& document) {
     ordered_json object = ordered_json::parse(render::to_json(document.request));
     object["viewer"] = {{"output", outputs.at(static_cast<std::size_t>(document.output))},
+                        {"look", looks.at(static_cast<std::size_t>(document.look))},
+                        {"normals", normal_maps.at(document.directx_normals)},
                         {"colours", colours.at(static_cast<std::size_t>(document.colours))},
                         {"contrast", document.contrast},
                         {"compared", document.comparison ? json_of(*document.comparison) : ordered_json()},
@@ -110,6 +124,8 @@ std::string to_json(const Document& document) {
 Document document_from_json(std::string_view text, const Document& defaults) {
     Document document = document_of(render::from_json(text));
     document.output = defaults.output;
+    document.look = defaults.look;
+    document.directx_normals = defaults.directx_normals;
     document.colours = defaults.colours;
     document.contrast = defaults.contrast;
     document.comparison = defaults.comparison;

@@ -14,8 +14,9 @@ std::string to_json(const Document& document);
 /// The way back. What is not there is as in `defaults`. Throws RequestError, saying what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
-/// The names of outputs and of colour maps, in the order of their numbers.
+/// The names of outputs, of looks and of colour maps, in the order of their numbers.
 std::span<const std::string_view> output_names();
+std::span<const std::string_view> look_names();
 std::span<const std::string_view> colour_names();
 
 } // namespace gabor::viewer

@@ -1,5 +1,8 @@
 #include "viewer/effect.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace gabor::viewer {
 
 std::string_view without_effect(const Document& document, std::string_view control) {
@@ -7,6 +10,19 @@ std::string_view without_effect(const Document& document, std::string_view contr
     const Output output = document.output;
     const bool space = render::in_space(request);
     const bool painted = !request.paint.empty();
+    if (render::has_material(request)) {
+        if (control == "colours" || control == "output")
+            return "A material has colours of its own";
+        if (control == "contrast" && document.look != Look::height)
+            return "Contrast is for a material's height";
+        constexpr std::array kept{"scale",  "seed",     "view",     "yaw",   "pitch", "zoom",
+                                  "filter", "material", "contrast", "width", "height"};
+        if (std::ranges::find(kept, control) == kept.end())
+            return "A material has noises of its own";
+        return {};
+    }
+    if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
+        return "A photograph's noise has its colours";
     if (control == "recipe" && space)
         return "Noise in space has one recipe, the lattice's";
     if (control == "comparison" && space)
@@ -24,9 +40,12 @@ std::string_view without_effect(const Document& document, std::string_view contr
         return "Paint takes the place of a single lobe, and here are several";
     if (control == "colours" && output == Output::gradient)
         return "A gradient is shown as a normal map, which has its own colours";
-    if (control == "contrast" && (output == Output::phase || output == Output::variance))
-        return output == Output::phase ? "A phase goes round all colours once"
-                                       : "The share of the variance goes from 0 to 1";
+    if (control == "contrast" && output == Output::phase)
+        return "A phase goes round all colours once";
+    if (control == "contrast" && output == Output::variance)
+        return "The share of the variance goes from 0 to 1";
+    if (control == "contrast" && output == Output::phasor)
+        return "A phasor has the same contrast everywhere";
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "viewer/document_json.hpp"
 #include "viewer/effect.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/photograph.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -86,7 +87,8 @@ constexpr std::array shortcuts{
     Shortcut{"arrows, + and -", "the same from the keyboard"},
     Shortcut{"double click, Home", "back to the view that gabor render shows", GLFW_KEY_HOME, false,
              reset_camera},
-    Shortcut{"1 to 5", "show value, gradient, phase, intensity, variance"},
+    Shortcut{"1 to 7",
+             "show value, gradient, phase, intensity, variance, phasor, lit; of a material its looks"},
     Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s.document(), "view"); }},
     Shortcut{"F", "filtering on and off", GLFW_KEY_F, false,
              [](Session& s) {
@@ -105,20 +107,27 @@ constexpr std::array shortcuts{
                      next_choice(s.document(), "recipe");
              }},
     Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
-    Shortcut{"Tab", "split view; its divider can be dragged", GLFW_KEY_TAB, false,
+    Shortcut{"Tab", "split view, or the photograph beside its noise; the divider can be dragged",
+             GLFW_KEY_TAB, false,
              [](Session& s) {
+                 if (s.fitter.photograph()) {
+                     s.photograph_beside = !s.photograph_beside;
+                     return;
+                 }
                  if (!has_effect(s, "comparison"))
                      return;
                  std::optional<Comparison>& comparison = s.document().comparison;
                  comparison = comparison ? std::nullopt : std::optional(Comparison());
              }},
     Shortcut{"Space", "play time, in a loop", GLFW_KEY_SPACE, false,
-             [](Session& s) { s.playing = !s.playing; }},
+             [](Session& s) {
+                 if (has_effect(s, "time"))
+                     s.playing = !s.playing;
+             }},
     Shortcut{"Ctrl Z", "undo", GLFW_KEY_Z, true,
              [](Session& s) { ImGui::GetIO().KeyShift ? s.history.redo() : s.history.undo(); }},
     Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", GLFW_KEY_Y, true, [](Session& s) { s.history.redo(); }},
-    Shortcut{"Ctrl O", "open the preset", GLFW_KEY_O, true,
-             [](Session& s) { open_preset(s, s.preset_path); }},
+    Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", GLFW_KEY_O, true, ask_for_file},
     Shortcut{"Ctrl S", "save the preset", GLFW_KEY_S, true, save_preset},
     Shortcut{"Ctrl C", "copy the GLSL of this view", GLFW_KEY_C, true, copy_glsl},
     Shortcut{"Ctrl E", "export EXR and PNG", GLFW_KEY_E, true, start_export},
@@ -130,9 +139,15 @@ constexpr std::array shortcuts{
 
 // Those that repeat while they are held, and those of a row of keys.
 void held_keys(Document& document) {
-    for (int i = 0; i < 5; ++i)
-        if (pressed(GLFW_KEY_1 + i))
-            document.output = static_cast<Output>(i);
+    const bool material = render::has_material(document.request);
+    const auto shown = static_cast<int>((material ? look_names() : output_names()).size());
+    for (int i = 0; i < shown; ++i)
+        if (pressed(GLFW_KEY_1 + i)) {
+            if (material)
+                document.look = static_cast<Look>(i);
+            else
+                document.output = static_cast<Output>(i);
+        }
     const double step = 40.0 * double{pixels_per_unit()};
     const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1.0 : 0.0; };
     const double x = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
@@ -157,6 +172,11 @@ void keys(Session& session) {
             answer(session, {});
         return;
     }
+    if (session.dialog) {
+        if (pressed(GLFW_KEY_ESCAPE))
+            session.dialog.reset();
+        return;
+    }
     if (pressed(GLFW_KEY_F1))
         session.help = !session.help;
     if (pressed(GLFW_KEY_F11))
@@ -178,7 +198,7 @@ void mouse(Session& session, float width, float height) {
         return;
     Document& document = session.document();
     const float density = pixels_per_unit();
-    const bool split = session.panes.size() > 1;
+    const bool split = session.panes.size() > 1 || shows_photograph(session);
     const float divider = width * session.divider;
     const bool at_divider = split && std::abs(io.MousePos.x - divider) < 6;
     if (ImGui::IsMouseClicked(0))

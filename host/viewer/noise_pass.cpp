@@ -1,7 +1,5 @@
 #include "viewer/noise_pass.hpp"
 
-#include "render/material.hpp"
-
 #include "noise/spectrum.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +22,7 @@ NoisePass of_drop_in(const render::Request& request) {
     pass.channels = render::channels(request);
     if (render::in_space(request)) {
         pass.shader = "passes/solid.comp";
-        pass.constants = render::solid_constants(request, 0);
+        pass.constants = render::solid_constants(request);
         pass.name = "in space";
         pass.visited = 27; // nodes of the lattice in space
     } else {
@@ -36,6 +34,18 @@ NoisePass of_drop_in(const render::Request& request) {
         pass.visited = noise::visited_impulses(recipe) *
                        static_cast<double>(noise::waves(request.lobes, request.seed).size());
     }
+    return pass;
+}
+
+NoisePass of_material(const render::Request& request) {
+    NoisePass pass;
+    pass.request = request;
+    pass.channels = render::channels(request);
+    std::string function = request.material;
+    std::ranges::replace(function, '-', '_');
+    pass.shader = "passes/material.comp@" + function;
+    pass.constants = render::material_constants(request);
+    pass.name = request.material;
     return pass;
 }
 
@@ -107,6 +117,27 @@ passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Exten
     return push;
 }
 
+// The light stands still over the view, as over a picture of the request's size.
+passes::MaterialPush material_push(const NoisePass& noise, const Camera& camera, Extent extent, int stride) {
+    const render::Request& request = noise.request;
+    passes::MaterialPush push = render::material_push(request, extent.width, extent.height, stride);
+    const bool flat = is_flat(request.view);
+    const double pixel = 1 / (request.scale * camera.zoom);
+    const auto corner = [&](const Coordinate& middle, int pixels) {
+        return static_cast<float>(static_cast<double>(middle.whole) +
+                                  (middle.part - (flat ? pixels / 2.0 * pixel : 0)));
+    };
+    push.corner = {corner(camera.x, extent.width), corner(camera.y, extent.height)};
+    if (flat) {
+        push.pixel = static_cast<float>(stride * pixel);
+        push.size = {static_cast<float>(request.width * camera.zoom / stride),
+                     static_cast<float>(request.height * camera.zoom / stride)};
+    } else if (render::in_perspective(request)) {
+        push.pixel /= static_cast<float>(camera.zoom);
+    }
+    return push;
+}
+
 // In perspective: the camera's cell in each table, and the place in the picture.
 void add_pixels(std::vector<passes::Line>& points, const std::vector<passes::Line>& camera, int pixels,
                 int stride, double middle) {
@@ -150,14 +181,21 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
                           std::back_inserter(points));
 }
 
+void NoisePass::add_normal() {
+    constants.push_back(1);
+    channels.insert(channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
+}
+
 std::vector<NoisePass> noise_passes(const Document& document) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
-    request.colour.reset(); // the window shows the noise, an export colours and materials
-    request.material = render::no_material;
+    if (render::has_material(request))
+        return {of_material(request)};
     request = with_output(request, document.output);
     std::vector<NoisePass> passes{of_drop_in(request)};
+    if (document.output == Output::lit && std::holds_alternative<render::Body>(request.view))
+        passes.front().add_normal();
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone
         return passes;
     if (const auto* ingredients = std::get_if<study::Ingredients>(&*document.comparison)) {
@@ -178,6 +216,7 @@ NoisePass value_pass(const NoisePass& noise) {
     request.scale = 32;
     request.filter = request.quadrature = request.gradient = false;
     request.paint.clear();
+    request.colour.reset();
     if (render::in_space(request)) {
         request.view = render::Slice();
         NoisePass pass = of_drop_in(request);
@@ -194,6 +233,10 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     const render::Request& request = noise.request;
     GridInput input;
     input.grid = {(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
+    if (render::has_material(request)) {
+        input.push = material_push(noise, camera, extent, stride);
+        return input;
+    }
     if (render::in_space(request)) {
         put(input, solid_push(noise, camera, extent, stride), render::solid_waves(request));
         return input;
@@ -232,6 +275,7 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
         input.push = ingredients_push(noise, push, {x.front().local, y.front().local}, request.seed);
     else
         put(input, push, std::move(waves));
+    input.colour = render::pixels_colour(request);
     return input;
 }
 

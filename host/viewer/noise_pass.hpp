@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/material.hpp"
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 #include "viewer/document.hpp"
@@ -38,6 +39,9 @@ struct NoisePass {
         return shader == other.shader && constants == other.constants && request.paint == other.request.paint;
     }
     bool operator==(const NoisePass&) const = default;
+    /// Of noise on a body, what its light needs beside the gradient: `normal.x`, `normal.y` and `normal.z`,
+    /// and `gradient.z`, along the picture's right and down and to the eye.
+    void add_normal();
 };
 
 /// The passes of a document: the picture's, and in the split view that of the compared noise.
@@ -48,11 +52,12 @@ NoisePass value_pass(const NoisePass& noise);
 
 /// What a pass is given to fill a grid of values.
 struct GridInput {
-    std::variant<passes::PixelsPush, passes::IngredientsPush, passes::SolidPush> push;
+    std::variant<passes::PixelsPush, passes::IngredientsPush, passes::SolidPush, passes::MaterialPush> push;
     Extent grid;
     std::vector<passes::Line> columns; ///< with the rows: where the values are, but for noise in space
     std::vector<passes::Line> rows;
     std::variant<std::vector<passes::PixelsWave>, std::vector<passes::SolidWave>> waves; ///< their sum
+    passes::PixelsColour colour = {};
 };
 
 /// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.

@@ -1,23 +1,30 @@
 #include "viewer/painter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gabor::viewer {
 
 namespace {
 
 constexpr std::uint32_t most_canvases = 2;
+constexpr std::size_t colours_set = most_canvases; ///< of the descriptor sets, after those of canvases
 constexpr std::size_t most_pipelines = 16;
 
-// As in shaders/viewer/show.frag.
-struct ShowPush {
-    float origin[2];
-    std::int32_t grid[2];
-    float stride;
-    float contrast;
-    float slope;
-};
+// Of `shown` in show.frag, beside outputs.
+constexpr std::int32_t coloured = 7;
+constexpr std::int32_t first_look = 8;
+
+std::int32_t shown(const NoisePass& noise, const Document& document) {
+    if (render::has_material(noise.request))
+        return first_look + static_cast<std::int32_t>(document.look);
+    if (noise.request.colour)
+        return coloured;
+    // The noises that the paper compares have their value alone.
+    return noise.ingredients ? 0 : static_cast<std::int32_t>(document.output);
+}
 
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
     const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
@@ -31,9 +38,9 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, vk::Descrip
 }
 
 vk::raii::DescriptorPool make_pool(const vk::raii::Device& device) {
-    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, most_canvases);
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, colours_set + 1);
     return {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-                                                 most_canvases, size)};
+                                                 colours_set + 1, size)};
 }
 
 vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::vector<std::uint32_t>& spirv) {
@@ -77,7 +84,7 @@ Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::v
       layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
       pass_(pass), vertex_(make_module(device.state().device, vertex)),
       fragment_(make_module(device.state().device, fragment)) {
-    const std::vector<vk::DescriptorSetLayout> layouts(most_canvases, *set_layout_);
+    const std::vector<vk::DescriptorSetLayout> layouts(colours_set + 1, *set_layout_);
     vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
     for (vk::raii::DescriptorSet& set : sets)
         sets_.push_back(std::move(set));
@@ -103,18 +110,8 @@ void Painter::prepare(vk::CommandBuffer commands) {
 
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
                     const Document& document, std::size_t index) {
-    const vk::raii::DescriptorSet& set = sets_.at(index);
-    const vk::DescriptorBufferInfo values(*canvas.values().state().buffer, 0, VK_WHOLE_SIZE);
-    device_.state().device.updateDescriptorSets(
-        vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, values), {});
-
-    // The noises that the paper compares have their value alone.
     const NoisePass& noise = canvas.noise();
-    const auto shown = noise.ingredients ? 0 : static_cast<std::int32_t>(document.output);
     const int last = noise.channels.back() == "removed" ? 1 : noise.channels.back() == "A" ? 2 : 0;
-    const vk::Pipeline pipeline =
-        this->pipeline({shown, document.colours, noise.channel_count(), canvas.stride() > 1, last});
-
     ShowPush push{};
     push.origin[0] = static_cast<float>(area.x);
     push.origin[1] = static_cast<float>(area.y);
@@ -122,14 +119,50 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.grid[1] = canvas.grid().height;
     push.stride = static_cast<float>(canvas.stride());
     push.contrast = document.contrast;
+    push.step = static_cast<float>(canvas.stride() / (noise.request.scale * document.camera.zoom));
+    push.green = document.directx_normals ? -1.0f : 1.0f;
     push.slope = static_cast<float>(2 * std::numbers::pi * noise.request.lobes.front().frequency /
                                     std::numbers::sqrt2);
+    draw(commands, canvas.values(),
+         {shown(noise, document), document.colours, noise.channel_count(), canvas.stride() > 1, last}, push,
+         area, index);
+}
 
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
+                            std::array<float, 2> origin, float stride, const Area& within) {
+    // No further than the picture reaches.
+    const auto visible = [&](float first, int cells, int from, int pixels) {
+        const int begin = std::max(from, static_cast<int>(std::lround(std::clamp(first, -1e9f, 1e9f))));
+        const int end = std::min(from + pixels,
+                                 static_cast<int>(std::lround(
+                                     std::clamp(first + static_cast<float>(cells) * stride, -1e9f, 1e9f))));
+        return std::pair(begin, end - begin);
+    };
+    const auto [x, width] = visible(origin[0], grid.width, within.x, within.width);
+    const auto [y, height] = visible(origin[1], grid.height, within.y, within.height);
+    if (width <= 0 || height <= 0)
+        return;
+    ShowPush push{};
+    push.origin[0] = origin[0];
+    push.origin[1] = origin[1];
+    push.grid[0] = grid.width;
+    push.grid[1] = grid.height;
+    push.stride = stride;
+    draw(commands, colours, {coloured, 0, 3, 1, 0}, push, {x, y, width, height}, colours_set);
+}
+
+void Painter::draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const Constants& constants,
+                   const ShowPush& push, const Area& area, std::size_t index) {
+    const vk::raii::DescriptorSet& set = sets_.at(index);
+    const vk::DescriptorBufferInfo buffer(*values.state().buffer, 0, VK_WHOLE_SIZE);
+    device_.state().device.updateDescriptorSets(
+        vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, buffer), {});
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(constants));
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
     commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
-    commands.setViewport(0, vk::Viewport(push.origin[0], push.origin[1], static_cast<float>(area.width),
-                                         static_cast<float>(area.height), 0, 1));
+    commands.setViewport(0,
+                         vk::Viewport(static_cast<float>(area.x), static_cast<float>(area.y),
+                                      static_cast<float>(area.width), static_cast<float>(area.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({area.x, area.y}, {static_cast<std::uint32_t>(area.width),
                                                          static_cast<std::uint32_t>(area.height)}));
     commands.draw(3, 1, 0, 0);

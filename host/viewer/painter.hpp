@@ -3,6 +3,7 @@
 #include "viewer/canvas.hpp"
 #include "vulkan/state.hpp"
 
+#include <array>
 #include <map>
 
 namespace gabor::viewer {
@@ -13,6 +14,17 @@ struct Area {
     int y = 0;
     int width = 0;
     int height = 0;
+};
+
+/// As in shaders/viewer/show.frag.
+struct ShowPush {
+    float origin[2];
+    std::int32_t grid[2];
+    float stride;
+    float contrast;
+    float slope;
+    float step;
+    float green;
 };
 
 /// Shows canvases through a colour map: shaders/viewer/show.vert and show.frag.
@@ -28,11 +40,18 @@ class Painter {
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                std::size_t index);
 
+    /// The same of red, green and blue of each cell of a grid, `stride` pixels apart, whose corner is at
+    /// `origin` in the framebuffer.
+    void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
+                       std::array<float, 2> origin, float stride, const Area& within);
+
     /// The specialization constants of shaders/viewer/show.frag.
     using Constants = std::array<std::int32_t, 5>;
 
   private:
     vk::Pipeline pipeline(const Constants& constants);
+    void draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const Constants& constants,
+              const ShowPush& push, const Area& area, std::size_t index);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;

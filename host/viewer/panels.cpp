@@ -129,7 +129,8 @@ void recipe_ingredients(render::Request& request) {
 
 // Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
 // export.
-constexpr std::array<std::string_view, 18> placed{"recipe",
+constexpr std::array<std::string_view, 19> placed{"material",
+                                                  "recipe",
                                                   "scale",
                                                   "seed",
                                                   "paint",
@@ -149,9 +150,20 @@ constexpr std::array<std::string_view, 18> placed{"recipe",
                                                   "orientation_spread"};
 
 constexpr std::array output_tips{
-    "The noise itself, of mean 0 and variance 1", "Its analytic gradient, as a normal map",
-    "The phase of the complex noise, for patterns of even contrast", "The magnitude of the complex noise",
-    "The share of its variance that the filter leaves at each place; all of it without a filter"};
+    "The noise itself, of mean 0 and variance 1",
+    "Its analytic gradient, as a normal map",
+    "The phase of the complex noise, for patterns of even contrast",
+    "The magnitude of the complex noise",
+    "The share of its variance that the filter leaves at each place; all of it without a filter",
+    "A wave of the same height everywhere, along the phase",
+    "The value as a height, under a lamp"};
+
+constexpr std::array look_tips{"Under a lamp",
+                               "The base colour of physically based shading",
+                               "How high the surface stands; mean height is grey",
+                               "A normal map of the height",
+                               "Dark is smooth; its square is the width of the microfacets' slopes",
+                               "White where the base colour is that of its reflections"};
 
 // A name from a list, by its number.
 template <typename Tip>
@@ -216,6 +228,19 @@ void comparison_choice(Comparison& comparison) {
     }
 }
 
+// Beside the field of its name.
+void paint_button(Session& session) {
+    const std::string_view dead = without_effect(session.document(), "paint");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!dead.empty());
+    if (ImGui::SmallButton("..."))
+        ask_for_paint(session);
+    ImGui::EndDisabled();
+    tooltip(dead.empty() ? "Choose a file" : dead);
+}
+
+} // namespace
+
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = ImGui::GetStyle().FramePadding.x;
@@ -224,17 +249,16 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
     draw.AddText({at.x + pad, at.y + pad / 2}, colour, text.c_str());
 }
 
-} // namespace
-
 void noise_panel(Session& session) {
     render::Request& request = session.document().request;
     control(session, "recipe");
-    if (!request.recipe.is_lattice() && ImGui::TreeNode("ingredients")) {
+    if (!request.recipe.is_lattice() && !render::has_material(request) && ImGui::TreeNode("ingredients")) {
         recipe_ingredients(request);
         ImGui::TreePop();
     }
     for (const char* name : {"scale", "seed", "paint"})
         control(session, name);
+    paint_button(session);
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
     tooltip("Space: lets time go by, and begin again after 1");
@@ -251,12 +275,22 @@ void noise_panel(Session& session) {
 
 void output_panel(Session& session) {
     Document& document = session.document();
-    for (const char* name : {"view", "tileable", "depth", "solid", "yaw", "pitch", "zoom", "filter"})
+    for (const char* name :
+         {"material", "view", "tileable", "depth", "solid", "yaw", "pitch", "zoom", "filter"})
         control(session, name);
-    auto output = static_cast<int>(document.output);
-    if (choose("show", output, output_names(), [](std::size_t i) { tooltip(output_tips.at(i)); }))
-        document.output = static_cast<Output>(output);
-    tooltip("What is drawn, keys 1 to 5");
+    if (render::has_material(document.request)) {
+        auto look = static_cast<int>(document.look);
+        if (choose("show", look, look_names(), [](std::size_t i) { tooltip(look_tips.at(i)); }))
+            document.look = static_cast<Look>(look);
+        tooltip("What of the material is drawn, keys 1 to 6");
+    } else {
+        auto output = static_cast<int>(document.output);
+        if (choose("show", output, output_names(), [](std::size_t i) { tooltip(output_tips.at(i)); }))
+            document.output = static_cast<Output>(output);
+        tooltip("What is drawn, keys 1 to 7");
+    }
+    ImGui::Checkbox("DirectX normals", &document.directx_normals);
+    tooltip("Normal maps have green for down, as DirectX, and not for up, as OpenGL");
     const auto explained = [&](std::string_view control, std::string_view help, auto draw) {
         const std::string_view dead = without_effect(document, control);
         ImGui::BeginDisabled(!dead.empty());
@@ -302,7 +336,7 @@ void files_panel(Session& session) {
                 ImGui::Separator();
             const std::string path = session.recent[i]; // opening changes the list
             if (ImGui::Selectable(path.c_str()))
-                open_preset(session, path);
+                open_file(session, path);
         }
         ImGui::EndCombo();
     }
@@ -312,13 +346,17 @@ void files_panel(Session& session) {
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
         "dropped "
         "on the window.");
-    if (ImGui::Button("Open", {half, 0}))
-        open_preset(session, session.preset_path);
-    tooltip("Ctrl O");
+    const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    if (ImGui::Button("Open...", {third, 0}))
+        ask_for_file(session);
+    tooltip("Ctrl O: a preset, an EXR that gabor rendered, or a photograph, to which a noise is fitted");
     ImGui::SameLine();
-    if (ImGui::Button("Save", {half, 0}))
+    if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
     tooltip("Ctrl S");
+    ImGui::SameLine();
+    if (ImGui::Button("Save as...", {third, 0}))
+        ask_where_to_save(session);
 
     if (ImGui::BeginCombo("interface", fmt::format("{:.0f} %", 100 * session.ui_scale).c_str())) {
         for (const float scale : {0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 3.0f})

@@ -2,6 +2,8 @@
 
 #include "viewer/session.hpp"
 
+#include <imgui.h>
+
 namespace gabor::viewer {
 
 /// The user interface: each function draws a part of it, and changes the session by what is done to it. Sizes
@@ -26,6 +28,9 @@ bool number_slider(const char* label, double& value, const render::Range& range,
 /// Whether the slider of that label, drawn just now, is to go back: from a double click until the button is
 /// released.
 bool reset_asked(const char* label);
+
+/// Text on a picture.
+void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);
 
 /// Explains the item before once the pointer rests on it.
 void tooltip(std::string_view text);

@@ -1,5 +1,7 @@
 #include "viewer/session.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/material_snippet.hpp"
+#include "viewer/photograph.hpp"
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
@@ -19,13 +21,6 @@ namespace gabor::viewer {
 namespace {
 
 constexpr double message_seconds = 5;
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 /// The name under which the parameters of what was opened from `path` are saved.
 std::filesystem::path json_path(std::filesystem::path path) {
@@ -57,6 +52,13 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
 }
 
 } // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
 
 void notify(Session& session, std::string text, bool error) {
     session.message = {std::move(text), error, ImGui::GetTime() + message_seconds};
@@ -132,19 +134,42 @@ Document load_document(const std::string& path, const Document& defaults) {
     return document;
 }
 
-namespace {
-
-void keep(Session& session, const std::string& path) {
+void keep_recent(Session& session, const std::string& path) {
     constexpr std::size_t most_recent = 10;
-    session.preset_path = path;
-    session.kept = session.history.now;
     const std::string whole = std::filesystem::absolute(path).string();
     std::erase(session.recent, whole);
     session.recent.insert(session.recent.begin(), whole);
     session.recent.resize(std::min(session.recent.size(), most_recent));
 }
 
+namespace {
+
+void keep(Session& session, const std::string& path) {
+    session.preset_path = path;
+    session.kept = session.history.now;
+    keep_recent(session, path);
+}
+
+// Whether it is an EXR that gabor did not render.
+bool is_foreign_exr(const std::string& path) {
+    if (lower_extension(path) != ".exr" || !std::filesystem::exists(path))
+        return false;
+    try {
+        render::load_request(path);
+        return false;
+    } catch (const RequestError&) {
+        return true;
+    }
+}
+
 } // namespace
+
+void open_file(Session& session, const std::string& path) {
+    if (is_photograph(path) || is_foreign_exr(path))
+        open_photograph(session, path);
+    else
+        open_preset(session, path);
+}
 
 void open_preset(Session& session, const std::string& path) {
     attempt(session, [&] {
@@ -191,7 +216,13 @@ void start_export(Session& session) {
 }
 
 void copy_glsl(Session& session) {
-    ImGui::SetClipboardText(snippet(session.document(), session.view).c_str());
+    const Document& document = session.document();
+    const std::optional<std::string> fitted = fitted_glsl(session);
+    const std::string code = fitted ? *fitted
+                             : render::has_material(document.request)
+                                 ? material_snippet(document, session.view)
+                                 : snippet(document, session.view);
+    ImGui::SetClipboardText(code.c_str());
     notify(session, "the GLSL of this view is on the clipboard");
 }
 

@@ -2,6 +2,8 @@
 
 #include "viewer/document.hpp"
 #include "viewer/export.hpp"
+#include "viewer/file_dialog.hpp"
+#include "viewer/fitting.hpp"
 #include "viewer/measurements.hpp"
 
 #include <functional>
@@ -60,10 +62,15 @@ struct Session {
     ExportTarget export_target;
     std::string preset_path = "noise.json"; ///< what is opened and saved
     Document kept;                          ///< as it was opened, saved or begun with
-    std::vector<std::string> recent;        ///< presets that were opened or saved, the last one first
+    std::vector<std::string> recent;        ///< what was opened or saved, the last one first
     /// Files that this session wrote: only they are overwritten without a question.
     std::map<std::filesystem::path, FileStamp> written;
     std::optional<Question> question;
+    std::optional<FileDialog> dialog;
+    Fitter fitter;
+    std::optional<FittedNoise> fitted; ///< to the photograph of that path
+    std::string fitted_path;
+    bool photograph_beside = true; ///< the noise, where there is one
     std::size_t selected_lobe = 0;
     bool playing = false;
     static constexpr float default_period = 8;
@@ -82,6 +89,8 @@ struct Session {
 };
 
 /// What shortcuts, buttons and tests do. Failures become messages.
+/// Opens a preset, or a photograph, to which a noise is fitted.
+void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
 /// Writes the parameters to `preset_path` where its name ends in .json, and else to a name made from it that
 /// does.
@@ -89,6 +98,10 @@ void save_preset(Session& session);
 void start_export(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
+/// Puts a file before all others that were opened or saved.
+void keep_recent(Session& session, const std::string& path);
+/// The end of a file's name from the last dot on, in small letters.
+std::string lower_extension(const std::filesystem::path& path);
 /// Gives the answer of that number, or cancels.
 void answer(Session& session, std::optional<std::size_t> number);
 /// Whether a preset would hold something else than the file that was opened or saved last.

@@ -9,6 +9,7 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -60,6 +61,14 @@ std::string first_error(const std::string& log) {
     return log.substr(0, log.find('\n'));
 }
 
+// As shaders/CMakeLists.txt compiles its passes.
+std::string macros_of(std::string_view variant) {
+    if (std::isdigit(static_cast<unsigned char>(variant.front())) != 0)
+        return fmt::format("#define GABOR_TAPS {}\n", variant);
+    return fmt::format(
+        "#define GABOR_MATERIAL gabor_{0}\n#define GABOR_MATERIAL_FILTERED gabor_{0}_filtered\n", variant);
+}
+
 } // namespace
 
 ShaderCompiler::ShaderCompiler(std::filesystem::path folder) : folder_(std::move(folder)) {
@@ -103,8 +112,7 @@ bool ShaderCompiler::changed() {
 Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
     const std::size_t at = path.find('@');
     const std::string name(path.substr(0, at));
-    const std::string preamble =
-        at == path.npos ? "" : fmt::format("#define GABOR_TAPS {}\n", path.substr(at + 1));
+    const std::string preamble = at == path.npos ? "" : macros_of(path.substr(at + 1));
     std::string text;
     if (!read(name, text))
         return {{}, fmt::format("{}: there is no such shader", name)};

@@ -1,5 +1,6 @@
 #include "viewer/snippet.hpp"
 
+#include "viewer/glsl_literal.hpp"
 #include "viewer/noise_pass.hpp"
 
 #include <fmt/format.h>
@@ -9,18 +10,6 @@
 namespace gabor::viewer {
 
 namespace {
-
-// A float literal of GLSL, as short as it can be and still the same number.
-std::string literal(double value) {
-    std::string text = fmt::format("{}", static_cast<float>(value));
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return text;
-}
-
-std::string vec2(double x, double y) {
-    return fmt::format("vec2({}, {})", literal(x), literal(y));
-}
 
 // A function for one noise of the sum, in kernel radii of its own.
 std::string of_wave(const render::Request& request) {

@@ -16,11 +16,13 @@
 // A slice of the noise in space is noise in the plane too, with the sum of three nodes along z, each times its window and
 // wave, for an amplitude.
 //
-// A spectrum is a sum of such noises, added up in the picture one after the other.
+// A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
+// of which the last one makes colours.
 //
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
+#include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_lattice_3d.glsl"
@@ -33,14 +35,15 @@ layout(constant_id = 10) const bool with_quadrature = false; // the real part be
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
 layout(constant_id = 13) const bool sum = false;             // of more than one noise
-layout(constant_id = 14) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
+layout(constant_id = 14) const bool coloured = false;        // red, green and blue in place of the noise
+layout(constant_id = 15) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
 const int terms = visited * visited * recipe_impulses; // impulses
 #endif
 
-const int gradient_at = 1 + (with_quadrature ? 1 : 0);
+const int gradient_at = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0);
 const int channels = gradient_at + (with_gradient ? 2 : 0) + (slice ? 1 : 0);
 
 layout(local_size_x = bake_group) in;
@@ -112,6 +115,16 @@ void put(int at, float value, uint index)
     picture[at] = value;
 }
 
+void put_colour(int at, vec3 components, uint index)
+{
+    if (index > 0u)
+        components += vec3(picture[at], picture[at + 1], picture[at + 2]);
+    if (index == uint(waves.length() - 1))
+        components = colour_of(components, vec3(0.0));
+    for (int i = 0; i < 3; ++i)
+        picture[at + i] = components[i];
+}
+
 void fill(Run across, Run down, uint index)
 {
     vec2 wave = waves[index].wave;
@@ -119,6 +132,9 @@ void fill(Run across, Run down, uint index)
     vec2 row_turn = waves[index].row_turn;
     float amplitude = waves[index].amplitude;
     uint seed = waves[index].seed;
+    vec2 weights_0 = waves[index].weights[0];
+    vec2 weights_1 = waves[index].weights[1];
+    vec2 weights_2 = waves[index].weights[2];
     vec2 cell_side = 1.0 / radius;
     vec2 local = vec2(across.local, down.local);
 
@@ -216,7 +232,10 @@ void fill(Run across, Run down, uint index)
                     continue;
                 vec2 value = rotated(envelope[k], carrier);
                 int at = (start + k) * channels;
-                put(at, value.y, index);
+                if (coloured)
+                    put_colour(at, vec3(dot(weights_0, value), dot(weights_1, value), dot(weights_2, value)), index);
+                else
+                    put(at, value.y, index);
                 if (with_quadrature)
                     put(at + 1, value.x, index);
                 if (with_gradient) {

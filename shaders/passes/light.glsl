@@ -10,17 +10,19 @@ vec3 surroundings(vec3 d, float roughness)
     return vec3(0.13, 0.14, 0.16) + vec3(0.8, 0.85, 0.95) * window;
 }
 
-// Towards the eye above the middle of a picture of `size` pixels, from a pixel.
-vec3 eye_above(vec2 pixel, vec2 size)
+// Towards the eye above the middle of a picture, from a place between -0.5 and 0.5 along its longer side.
+vec3 eye_above(vec2 place)
 {
-    return normalize(vec3((0.5 * size - pixel) / max(size.x, size.y), 1.8));
+    return normalize(vec3(-place, 1.8));
 }
 
-// Towards the lamp, from a place in the picture between -0.5 and 0.5 along its longer side.
+// Towards the lamp, likewise.
 vec3 lamp_above(vec2 place)
 {
     return normalize(vec3(vec2(-0.75, -0.85) - 0.6 * place, 1.0));
 }
+
+const vec3 backdrop = vec3(0.016, 0.017, 0.019); // behind a body
 
 // Of the sky, from the horizon at 0 to the picture's edge at 1.
 vec3 sky_colour(float up)
@@ -28,12 +30,18 @@ vec3 sky_colour(float up)
     return mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up);
 }
 
+// What shines back the light, as in GaborMaterial.
+struct Surface {
+    vec3 colour;
+    float roughness;
+    float metalness;
+};
+
 // The light, linear, that goes to the eye.
-//   slope      of the height along x and y
+//   normal     of the surface, of length 1, z pointing out of the picture
 //   eye, lamp  where they are, of length 1
-vec3 lit(GaborMaterial material, vec2 slope, vec3 eye, vec3 lamp)
+vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp)
 {
-    vec3 normal = normalize(vec3(-slope, 1.0));
     vec3 between = normalize(eye + lamp);
     float facing = max(dot(normal, lamp), 0.0);
     float seen = max(dot(normal, eye), 0.05);

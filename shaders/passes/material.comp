@@ -10,8 +10,12 @@
 #include "light.glsl"
 
 layout(constant_id = 0) const bool filtered = false;
-layout(constant_id = 1) const bool horizon = false; // a plane in perspective
-const int channels = 9;
+layout(constant_id = 1) const int view = 0; // 0 flat, 1 sphere, 2 torus, 3 a plane in perspective
+const bool body = view == 1 || view == 2;
+const int channels = body ? 10 : 9;
+const int rays = 4;
+
+#include "body.glsl"
 
 layout(local_size_x = material_group, local_size_y = material_group) in;
 
@@ -24,6 +28,23 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
     return GABOR_MATERIAL(p, seed);
 }
 
+// A plane through space on which the material lies.
+struct Plane {
+    vec3 right;
+    vec3 down;
+};
+
+Plane plane_along(int axis)
+{
+    return Plane(axis == 0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
+                 axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0));
+}
+
+vec2 on_plane(vec3 p, Plane plane)
+{
+    return vec2(dot(p, plane.right), dot(p, plane.down));
+}
+
 void main()
 {
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
@@ -32,34 +53,81 @@ void main()
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
 
-    vec2 p = pixel * place;
-    vec2 dx = vec2(pixel, 0.0);
-    vec2 dy = vec2(0.0, pixel);
-    vec3 eye = eye_above(place, size);
-    if (horizon) {
+    vec3 p = vec3(corner + pixel * place, 0.0);
+    vec3 dx = vec3(pixel, 0.0, 0.0);
+    vec3 dy = vec3(0.0, pixel, 0.0);
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+    vec2 seen_from = (place - center) / max(size.x, size.y);
+    vec3 eye = eye_above(seen_from);
+    float coverage = 1.0;
+    Axes axes;
+    if (view == 3) {
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
-        vec2 below = place - vec2(0.5 * size.x, sky);
+        seen_from = vec2(0.0);
+        vec2 below = place - vec2(center.x, sky);
         if (below.y <= 0.0) { // the sky
             for (int i = 0; i < channels; ++i)
                 picture[at + i] = i < 6 ? 0.0 : sky_colour(-below.y / sky)[i - 6];
             return;
         }
         float near = pixel / below.y;
-        p = near * vec2(below.x, -size.x);
-        dx = vec2(near, 0.0);
-        dy = near / below.y * vec2(-below.x, size.x);
+        p = vec3(corner + near * vec2(below.x, -size.x), 0.0);
+        dx = vec3(near, 0.0, 0.0);
+        dy = vec3(near / below.y * vec2(-below.x, size.x), 0.0);
         eye = normalize(vec3(-below.x, size.x, below.y));
     }
-
-    // Slopes over a pixel's smaller side; in a loop, which compilers do not unroll.
-    float side = min(length(dx), length(dy));
-    GaborMaterial m = material_at(p, dx, dy);
-    vec2 slope = vec2(0.0);
-    for (int i = 0; i < 2; ++i) {
-        vec2 along = i == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-        slope += (material_at(p + side * along, dx, dy).height - m.height) / side * along;
+    if (body) {
+        seen_from = vec2(0.0);
+        axes = camera_axes();
+        Seen seen = seen_at(place - 0.5, axes);
+        coverage = seen.coverage;
+        if (!seen.found) {
+            for (int i = 0; i < channels; ++i)
+                picture[at + i] = i < 6 || i == 9 ? 0.0 : backdrop[i - 6];
+            return;
+        }
+        p = unit * seen.p;
+        dx = unit * seen.dx;
+        dy = unit * seen.dy;
+        normal = seen.normal;
+        eye = normalize(in_picture(eye_distance * axes.toward_eye - seen.p, axes));
     }
-    vec3 light = lit(m, slope, eye, lamp_above(horizon ? vec2(0.0) : (place - 0.5 * size) / max(size.x, size.y)));
+
+    // On a body the material lies on the three planes of the axes, and is seen on those that the surface faces. Slopes
+    // over a pixel's smaller side; in a loop, which compilers do not unroll.
+    vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
+    facing /= facing.x + facing.y + facing.z;
+    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, 0.0, 0.0);
+    vec3 slope = vec3(0.0);
+    for (int axis = body ? 0 : 2; axis < 3; ++axis) {
+        float share = facing[axis];
+        if (share < 0.01)
+            continue;
+        Plane plane = plane_along(axis);
+        vec2 step_x = on_plane(dx, plane);
+        vec2 step_y = on_plane(dy, plane);
+        float side = min(length(step_x), length(step_y));
+        float level = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            vec2 along = i == 0 ? vec2(0.0) : i == 1 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+            GaborMaterial there = material_at(on_plane(p, plane) + side * along, step_x, step_y);
+            if (i == 0) {
+                level = there.height;
+                m.colour += share * there.colour;
+                m.height += share * there.height;
+                m.roughness += share * there.roughness;
+                m.metalness += share * there.metalness;
+            } else {
+                slope += share * ((there.height - level) / side) * (along.x * plane.right + along.y * plane.down);
+            }
+        }
+    }
+    vec3 bumped = normalize(normal - (slope - dot(slope, normal) * normal));
+    if (body)
+        bumped = in_picture(bumped, axes);
+    vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from));
+    if (body)
+        light = mix(backdrop, light, coverage);
 
     picture[at++] = m.colour.r;
     picture[at++] = m.colour.g;
@@ -69,5 +137,7 @@ void main()
     picture[at++] = m.metalness;
     picture[at++] = light.r;
     picture[at++] = light.g;
-    picture[at] = light.b;
+    picture[at++] = light.b;
+    if (body)
+        picture[at] = coverage;
 }

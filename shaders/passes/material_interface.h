@@ -1,4 +1,4 @@
-// For passes/material.comp and host/render.
+// For passes/material.comp, host/render, and the viewer, which draws with it.
 
 #ifndef GABOR_MATERIAL_INTERFACE_H
 #define GABOR_MATERIAL_INTERFACE_H
@@ -11,8 +11,14 @@ const uint material_group = 8; // pixels along x and y
 
 GABOR_PUSH_CONSTANTS(MaterialPush) {
     vec2 size;   // of the whole picture, in pixels
-    float pixel; // units of p per pixel; in perspective the camera's height in them
-    float sky;   // rows above the horizon, 0 but in perspective
+    vec2 center; // the pixel that is seen from straight above, or where the camera looks
+    vec2 corner; // where p is in the picture's corner, or under the camera
+    vec2 yaw;    // of a body: cosine and sine of the eye's angle around the axis z
+    vec2 pitch;  // and of its height above the plane z = 0
+    float
+        pixel;  // units of p per pixel; in perspective the camera's height in them; of a body as in SolidPush
+    float unit; // of a body: the unit in which the sphere has radius 1, in those of p
+    float sky;  // rows above the horizon, 0 but in perspective
     uint seed;
     int first_column; // of these pixels in the picture
     int first_row;

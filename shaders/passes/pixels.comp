@@ -4,6 +4,7 @@
 // A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
+#include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
@@ -27,7 +28,6 @@ layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; }
 layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Waves { PixelsWave wave_table[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
-layout(std430, set = 0, binding = 4) readonly buffer Colour { PixelsColour colour; };
 layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
 
 // Frequency and orientation at a pixel, between the samples of the paint around it.
@@ -115,21 +115,6 @@ Values values_at(Footprint here)
         }
     }
     return sum;
-}
-
-// Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
-// mean of that over what was removed: of z^n over a normal rest of variance v.
-vec3 colour_of(vec3 z, vec3 v)
-{
-    z = clamp(z, -4.0, 4.0);
-    vec3 s = z * z;
-    vec3 even = colour.histogram[0].xyz + colour.histogram[2].xyz * (s + v)
-              + colour.histogram[4].xyz * (s * (s + 6.0 * v) + 3.0 * v * v);
-    vec3 odd = colour.histogram[1].xyz + colour.histogram[3].xyz * (s + 3.0 * v)
-             + colour.histogram[5].xyz * (s * (s + 10.0 * v) + 15.0 * v * v);
-    vec3 component = even + z * odd;
-    return colour.mean.xyz + vec3(dot(colour.mixing[0].xyz, component), dot(colour.mixing[1].xyz, component),
-                                  dot(colour.mixing[2].xyz, component));
 }
 
 void write_pixel(int at, Values here)

@@ -3,6 +3,7 @@
 #ifndef GABOR_PIXELS_INTERFACE_H
 #define GABOR_PIXELS_INTERFACE_H
 
+#include "passes/colour.h"
 #include "passes/line.h"
 
 GABOR_INTERFACE_BEGIN
@@ -21,13 +22,6 @@ struct PixelsWave {
     uint seed;
     int table;       // of lines
     vec2 weights[3]; // in the components of colours, of (quadrature, noise)
-};
-
-// What colours are made of: see noise::Colour. Three numbers each.
-struct PixelsColour {
-    vec4 histogram[6]; // coefficients of 1, z, ... z^5, of each component
-    vec4 mean;
-    vec4 mixing[3]; // a row for each channel
 };
 
 // Lengths are in kernel radii of the picture.

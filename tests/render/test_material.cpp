@@ -181,7 +181,7 @@ TEST_CASE("beside a material there is no noise", "[material]") {
     refused({.lobes = {{.frequency = 3}}, .material = "wood"},
             "frequency and material wood exclude each other");
     refused({.material = "wood", .gradient = true}, "gradient and material wood");
-    refused({.view = render::Slice{}, .material = "wood"}, "a material lies in the views flat and horizon");
+    refused({.view = render::Slice{}, .material = "wood"}, "a material lies on planes and bodies");
     Request request{.time = 0.5, .material = "sand"};
     render::give_way(request, "material");
     CHECK(request == Request{.material = "sand"});

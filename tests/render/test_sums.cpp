@@ -7,11 +7,14 @@
 #include "reference/spectrum.hpp"
 #include "render/bake.hpp"
 #include "render/parameters.hpp"
+#include "render/pixels.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -201,6 +204,73 @@ TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]")
         fmt::print("{}: largest difference {:.2g} of the tolerance, {}\n", recipe.name, largest, where);
         CHECK(largest > 0);
         CHECK(largest < 1);
+    }
+}
+
+TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises", "[render]") {
+    const vulkan::Device device;
+    const noise::Colour colour{.weights = {{{{0, 0.8}, {0.3, 0.2}, {-0.1, 0.4}}},
+                                           {{{0, 0.5}, {0.1, -0.9}, {0.5, 0.3}}},
+                                           {{{0, 0.3}, {-0.2, 0.1}, {0.6, -0.4}}}},
+                               .histogram = {{{0.05, 0.9, -0.05, 0.02, 0.003, 0.001},
+                                              {0, 1, 0, 0, 0, 0},
+                                              {-0.1, 0.8, 0.1, 0.05, -0.004, 0.002}}},
+                               .mean = {0.5, 0.4, 0.3},
+                               .mixing = {{{0.2, 0.05, -0.03}, {0.15, -0.1, 0.02}, {0.1, 0.02, 0.08}}}};
+    for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
+        double largest = 0;
+        std::string where;
+        for (const bool tileable : {false, true}) {
+            render::Request request{.width = 94,
+                                    .height = 101,
+                                    .scale = 17.3,
+                                    .recipe = *recipe,
+                                    .lobes = {several[0], several[1], {.frequency = 1, .radius = 1.7}},
+                                    .seed = 77};
+            request.view = render::Plane{.tileable = tileable};
+            request.colour = colour;
+            CHECK(render::Bake::can_fill(request));
+            const image::Window region{43, 50, 17, 12};
+            std::vector<float> blocks = rendered(device, request, region);
+            std::vector<float> pixels;
+            render::render_region(
+                device, render::Pixels(device, request, region), request, region,
+                [&](std::span<const float> rows) { pixels.insert(pixels.end(), rows.begin(), rows.end()); });
+            REQUIRE(blocks.size() == 3u * 17 * 12);
+            REQUIRE(pixels.size() == blocks.size());
+            const std::vector<noise::SpectrumLobe> terms = terms_of(request);
+            for (int i = 0; i < region.width * region.height; ++i) {
+                const int x = region.x + i % region.width;
+                const int y = region.y + i / region.width;
+                std::array<double, 3> components{};
+                for (std::size_t lobe = 0; lobe < terms.size(); ++lobe) {
+                    const std::complex<double> noise = expected(request, {terms[lobe]}, x, y).value;
+                    for (std::size_t c = 0; c < 3; ++c)
+                        components[c] += colour.weights[lobe][c].quadrature * noise.real() +
+                                         colour.weights[lobe][c].noise * noise.imag();
+                }
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    double value = colour.mean[channel];
+                    for (std::size_t c = 0; c < 3; ++c)
+                        for (std::size_t n = 0; n < 6; ++n)
+                            value += colour.mixing[channel][c] * colour.histogram[c][n] *
+                                     std::pow(components[c], static_cast<double>(n));
+                    for (const std::vector<float>* picture : {&blocks, &pixels}) {
+                        const double difference =
+                            std::abs((*picture)[3 * static_cast<std::size_t>(i) + channel] - value);
+                        if (!(difference <= largest)) {
+                            largest = difference;
+                            where = fmt::format("channel {} of pixel {}, {}, {}, {}", channel, x, y,
+                                                picture == &blocks ? "blocks" : "pixels",
+                                                tileable ? "tile" : "plane");
+                        }
+                    }
+                }
+            }
+        }
+        fmt::print("{} in colour: largest difference {:.2g}, {}\n", recipe->name, largest, where);
+        CHECK(largest > 0);
+        CHECK(largest < 2e-5);
     }
 }
 

@@ -9,7 +9,6 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 
@@ -42,9 +41,6 @@ def check(command, shared):
     return result.stdout or result.stderr
 
 
-if not shutil.which("clang-tidy"):
-    print("skipped: needs clang-tidy")
-    sys.exit(77)
 version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
 shared = version + (ROOT / ".clang-tidy").read_text()
 host = [command for command in json.loads((BUILD / "compile_commands.json").read_text())

@@ -170,7 +170,7 @@ bool Script::execute(const Command& command, App& app) {
     } else if (name == "show") {
         glfwShowWindow(window);
     } else if (name == "open") {
-        open_preset(session, command.rest());
+        open_file(session, command.rest());
     } else if (name == "save") {
         session.preset_path = command.rest();
         save_preset(session);
@@ -227,7 +227,9 @@ void Script::set(const Command& command, Session& session) {
     Document& document = session.document();
     const std::string& name = command.words[0];
     if (name == "output") {
-        document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 4));
+        document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 6));
+    } else if (name == "look") {
+        document.look = static_cast<Look>(std::clamp(static_cast<int>(command.number(1)), 0, 5));
     } else if (name == "colours") {
         document.colours = static_cast<int>(command.number(1));
     } else if (name == "contrast") {

@@ -14,7 +14,7 @@ namespace gabor::viewer {
 ///     move X Y | click X Y | doubleclick X Y | drag X Y TO_X TO_Y | scroll X Y AMOUNT
 ///     key NAME | key ctrl+NAME            a letter, a digit, F1 to F12, tab, space, home, escape ...
 ///     type TEXT                           into the field that has the keyboard
-///     set NAME VALUE                      a parameter of the preset, or output, colours, contrast
+///     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
 ///     compare NAME | compare off          with a recipe, seminal or advice
 ///     resize WIDTH HEIGHT | minimize | restore | hide | show
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file

@@ -157,7 +157,8 @@ TEST_CASE("a shader's error names the file and the line") {
 
 TEST_CASE("every shader that is built in compiles") {
     ShaderCompiler shaders{{}};
-    for (const char* path : {"passes/pixels.comp", "passes/solid.comp", "viewer/ingredients.comp"}) {
+    for (const char* path : {"passes/pixels.comp", "passes/pixels.comp@3", "passes/solid.comp",
+                             "passes/material.comp@brushed_metal", "viewer/ingredients.comp"}) {
         const Compiled compiled = shaders.compile(path, ShaderStage::compute);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());

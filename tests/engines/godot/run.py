@@ -1,4 +1,5 @@
-"""Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]"""
+"""Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]
+or, with a canvas shader of one's own, which may include all drop-ins: run.py ROOT canvas METHOD DRIVER VALUES.raw SHADER.gdshader"""
 
 import pathlib
 import shutil
@@ -16,8 +17,13 @@ with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     shutil.copytree(HERE, project, dirs_exist_ok=True)
     shutil.copytree(SHADERS / "nodes" / "godot", project, dirs_exist_ok=True, ignore=shutil.ignore_patterns("README.md", "*.png"))
     defines = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
-    for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
-        (project / f"gabor_lattice{path.suffix}").write_text(defines + path.read_text())
+    for path in (SHADERS / "translations").glob("*.gdshaderinc"):
+        shutil.copy(path, project)
+    if drop_in.endswith(".gdshader"):
+        shutil.copy(drop_in, project / "noise.gdshader")
+    else:
+        for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
+            (project / f"gabor_lattice{path.suffix}").write_text(defines + path.read_text())
     result = subprocess.run(
         ["chroot", root, "xvfb-run", "-a", "godot", "--path", f"/{project.relative_to(root)}", "--audio-driver",
          "Dummy", "--rendering-method", method, "--rendering-driver", driver, "--", "values.raw", kind],

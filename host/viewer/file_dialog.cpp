@@ -1,0 +1,212 @@
+#include "viewer/file_dialog.hpp"
+
+#include "viewer/panels.hpp"
+#include "viewer/session.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gabor::viewer {
+
+namespace {
+
+const std::vector<std::string> photographs{".png", ".jpg", ".jpeg", ".exr"};
+
+void ask(Session& session, FileDialog dialog, const std::filesystem::path& beside) {
+    std::error_code unknown;
+    dialog.folder = std::filesystem::absolute(beside, unknown).parent_path();
+    if (!std::filesystem::is_directory(dialog.folder, unknown))
+        dialog.folder = std::filesystem::current_path(unknown);
+    session.dialog = std::move(dialog);
+}
+
+// Reads the folder anew. One that cannot be read is empty, and a line says so.
+void list(Session& session, FileDialog& dialog) {
+    dialog.listed = dialog.folder;
+    dialog.folders.clear();
+    dialog.files.clear();
+    std::error_code unknown;
+    for (const auto& entry : std::filesystem::directory_iterator(dialog.folder, unknown)) {
+        std::error_code hidden;
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with('.'))
+            continue;
+        if (entry.is_directory(hidden))
+            dialog.folders.push_back(name);
+        else if (std::ranges::find(dialog.endings, lower_extension(name)) != dialog.endings.end())
+            dialog.files.push_back(name);
+    }
+    if (unknown)
+        notify(session, dialog.folder.string() + ": " + unknown.message(), true);
+    std::ranges::sort(dialog.folders);
+    std::ranges::sort(dialog.files);
+}
+
+// What was chosen in the lists by a click, and whether by two.
+struct Choice {
+    std::string name;
+    bool twice = false;
+};
+
+Choice contents(const FileDialog& dialog) {
+    Choice choice;
+    const auto entry = [&](const std::string& shown, const std::string& name) {
+        if (ImGui::Selectable(shown.c_str(), name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick))
+            choice = {name, ImGui::IsMouseDoubleClicked(0)};
+    };
+    entry("..", "..");
+    for (const std::string& name : dialog.folders)
+        entry(name + "/", name);
+    for (const std::string& name : dialog.files)
+        entry(name, name);
+    return choice;
+}
+
+Choice recent_files(const Session& session, const FileDialog& dialog) {
+    Choice choice;
+    for (const std::string& path : session.recent)
+        if (std::ranges::find(dialog.endings, lower_extension(path)) != dialog.endings.end() &&
+            ImGui::Selectable(path.c_str(), path == dialog.name, ImGuiSelectableFlags_AllowDoubleClick))
+            choice = {path, ImGui::IsMouseDoubleClicked(0)};
+    return choice;
+}
+
+} // namespace
+
+void ask_for_file(Session& session) {
+    ask(session,
+        {.title = "Open",
+         .action = "Open",
+         .endings = {".json", ".exr", ".png", ".jpg", ".jpeg"},
+         .folder = {},
+         .name = {},
+         .take = [&session](const std::string& path) { open_file(session, path); },
+         .recent = true},
+        session.preset_path);
+}
+
+void ask_for_photograph(Session& session) {
+    ask(session,
+        {.title = "Fit a noise to a photograph",
+         .action = "Open",
+         .endings = photographs,
+         .folder = {},
+         .name = {},
+         .take = [&session](const std::string& path) { open_file(session, path); },
+         .recent = true},
+        session.fitter.path().empty() ? session.preset_path : session.fitter.path());
+}
+
+void ask_for_paint(Session& session) {
+    ask(session,
+        {.title = "Paint with an EXR of frequency and orientation",
+         .action = "Open",
+         .endings = {".exr"},
+         .folder = {},
+         .name = {},
+         .take =
+             [&session](const std::string& path) {
+                 attempt(session, [&] { set_parameter(session.document(), "paint", path); });
+             }},
+        session.preset_path);
+}
+
+void ask_where_to_save(Session& session) {
+    ask(session,
+        {.title = "Save the parameters",
+         .action = "Save",
+         .endings = {".json"},
+         .folder = {},
+         .name = std::filesystem::path(session.preset_path).filename().string(),
+         .take =
+             [&session](const std::string& path) {
+                 session.preset_path = path;
+                 save_preset(session);
+             }},
+        session.preset_path);
+}
+
+void ask_where_to_export(Session& session) {
+    ask(session,
+        {.title = "Export the picture",
+         .action = "Export",
+         .endings = {".exr"},
+         .folder = {},
+         .name = std::filesystem::path(session.export_target.path).filename().string(),
+         .take =
+             [&session](const std::string& path) {
+                 session.export_target.path = path;
+                 start_export(session);
+             }},
+        session.export_target.path);
+}
+
+void answer_dialog(Session& session) {
+    FileDialog& dialog = *session.dialog;
+    if (dialog.name.empty())
+        return;
+    const std::filesystem::path path = (dialog.folder / dialog.name).lexically_normal();
+    std::error_code unknown;
+    if (std::filesystem::is_directory(path, unknown)) {
+        dialog.folder = path.has_filename() ? path : path.parent_path();
+        dialog.name.clear();
+        return;
+    }
+    const FileDialog answered = *std::exchange(session.dialog, {});
+    answered.take(path.string());
+}
+
+void dialog_window(Session& session) {
+    constexpr const char* id = "###file dialog";
+    if (session.dialog && !ImGui::IsPopupOpen(id))
+        ImGui::OpenPopup(id);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(44 * em, room.x - em), std::min(34 * em, room.y - em)});
+    const std::string title = (session.dialog ? session.dialog->title : "") + id;
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    if (!session.dialog) {
+        ImGui::CloseCurrentPopup();
+        return ImGui::EndPopup();
+    }
+    FileDialog& dialog = *session.dialog;
+    if (dialog.listed != dialog.folder)
+        list(session, dialog);
+    ImGui::TextUnformatted(dialog.folder.string().c_str());
+    const bool recent = dialog.recent && !session.recent.empty();
+    const float below = (recent ? 8.5f : 2.0f) * ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild("contents", {0, -below}, true);
+    Choice choice = contents(dialog);
+    ImGui::EndChild();
+    if (recent) {
+        ImGui::TextUnformatted("Of late");
+        ImGui::BeginChild("recent", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
+        if (Choice late = recent_files(session, dialog); !late.name.empty())
+            choice = std::move(late);
+        ImGui::EndChild();
+    }
+    if (!choice.name.empty())
+        dialog.name = choice.name;
+    if (ImGui::IsWindowAppearing())
+        ImGui::SetKeyboardFocusHere();
+    const float buttons = 8 * em;
+    ImGui::SetNextItemWidth(-buttons * 2 - 2 * ImGui::GetStyle().ItemSpacing.x);
+    const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered) // for the next name, where this is a folder's
+        ImGui::SetKeyboardFocusHere(-1);
+    ImGui::SameLine();
+    const bool taken = ImGui::Button(dialog.action.c_str(), {buttons, 0});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {buttons, 0}))
+        session.dialog.reset();
+    else if (entered || taken || choice.twice)
+        answer_dialog(session);
+    ImGui::EndPopup();
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,158 @@
+#include "viewer/fitting.hpp"
+
+#include "fit/fit.hpp"
+#include "fit/glsl.hpp"
+#include "fit/preset.hpp"
+#include "image/picture.hpp"
+#include "render/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace gabor::viewer {
+
+namespace {
+
+constexpr int largest_shown = 2048; // pixels
+
+static_assert(Fitter::most_lobes == fit::most_lobes);
+
+struct Cancelled {};
+
+Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
+    const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
+    const auto [width, height, channels, alpha] = reader->format();
+    Photograph photograph{.path = path, .extent = {width, height}, .grid = {}, .square = 1, .pixels = {}};
+    const int square = (std::max(width, height) + largest_shown - 1) / largest_shown;
+    photograph.square = square;
+    photograph.grid = {std::max(width / square, 1), std::max(height / square, 1)};
+    const auto columns = static_cast<std::size_t>(photograph.grid.width);
+    photograph.pixels.assign(3 * columns * static_cast<std::size_t>(photograph.grid.height), 0);
+    std::vector<float> row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));
+    for (int y = 0; y < height; ++y) {
+        reader->read_row(row);
+        advance(static_cast<double>(y) / height);
+        if (y / square >= photograph.grid.height)
+            continue;
+        float* const to = &photograph.pixels[3 * columns * static_cast<std::size_t>(y / square)];
+        for (std::size_t x = 0; x < columns * static_cast<std::size_t>(square); ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                to[x / static_cast<std::size_t>(square) * 3 + c] +=
+                    row[x * static_cast<std::size_t>(channels) + (channels == 3 ? c : 0)] /
+                    static_cast<float>(square * square);
+    }
+    return photograph;
+}
+
+// A name for the function after the file's.
+std::string glsl_name(const std::string& path) {
+    std::string name = "texture_" + std::filesystem::path(path).stem().string();
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    for (std::size_t at = 0; (at = name.find("__")) != std::string::npos;) // GLSL keeps those for itself
+        name.erase(at, 1);
+    return name;
+}
+
+std::vector<std::string> lines_of(const fit::Exemplar& exemplar, const fit::Texture& texture) {
+    std::vector<std::string> lines{
+        fmt::format("{} lobes; spectrum within {:.3f}, autocorrelation within {:.3f}", texture.waves.size(),
+                    texture.figures.l1, texture.figures.autocorrelation)};
+    if (exemplar.structure > fit::Structure::limit)
+        lines.emplace_back("The photograph has edges or things in it that no noise can have: they are lost");
+    if (exemplar.alpha)
+        lines.emplace_back("Its alpha channel is ignored");
+    return lines;
+}
+
+} // namespace
+
+Fitter::~Fitter() {
+    cancelled_ = true;
+    if (thread_.joinable())
+        thread_.join();
+}
+
+void Fitter::open(const std::string& path) {
+    wanted_ = {path, most_lobes};
+    if (begun_ == wanted_)
+        begun_ = {}; // read it again
+}
+
+void Fitter::close() {
+    wanted_ = {};
+    photograph_.reset();
+}
+
+void Fitter::go_on() {
+    if (thread_.joinable()) {
+        cancelled_ = wanted_ != begun_;
+        if (!done_)
+            return;
+        thread_.join();
+        thread_ = {};
+        if (wanted_.path == begun_.path) {
+            photograph_ = read_;
+            const bool ended = result_ || failure_;
+            fitted_ = std::exchange(result_, {});
+            error_ = std::exchange(failure_, {});
+            if (error_ && !exemplar_)
+                close();
+            if (!ended)
+                begun_ = {}; // cancelled for a number of lobes that is not wanted any more
+        }
+    }
+    if (wanted_ == begun_ || wanted_.path.empty())
+        return;
+    if (wanted_.path != begun_.path) {
+        read_.reset();
+        exemplar_.reset();
+    }
+    begun_ = wanted_;
+    result_.reset();
+    failure_.reset();
+    done_ = cancelled_ = false;
+    progress_ = 0;
+    thread_ = std::thread([this, wanted = wanted_] {
+        work(wanted);
+        done_ = true;
+    });
+}
+
+void Fitter::work(const Wanted& wanted) {
+    const auto part = [this](double from, double to) {
+        return [this, from, to](double share) {
+            if (cancelled_)
+                throw Cancelled();
+            progress_ = from + (to - from) * share;
+        };
+    };
+    try {
+        if (!exemplar_) {
+            Photograph photograph = read_photograph(wanted.path, part(0, 0.1));
+            auto exemplar = std::make_shared<fit::Exemplar>(fit::read_exemplar(wanted.path, part(0.1, 0.4)));
+            if (exemplar->channels == 1) // as the noise of a grey one is shown, of mean 0 and variance 1
+                for (float& value : photograph.pixels)
+                    value =
+                        render::unorm(static_cast<float>((static_cast<double>(value) - exemplar->mean[0]) /
+                                                         std::abs(exemplar->components(0, 0))));
+            read_ = std::make_shared<Photograph>(std::move(photograph));
+            exemplar_ = std::move(exemplar);
+        }
+        const fit::Texture texture = fit::fit(*exemplar_, wanted.lobes, part(0.4, 1));
+        result_ = FittedNoise{fit::request_of(*exemplar_, texture),
+                              fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, texture),
+                              lines_of(*exemplar_, texture)};
+    } catch (const Cancelled&) {
+        // for something else
+    } catch (const std::exception& error) {
+        failure_ = error.what();
+    }
+}
+
+} // namespace gabor::viewer

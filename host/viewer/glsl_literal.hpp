@@ -1,0 +1,22 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace gabor::viewer {
+
+/// A float literal of GLSL, as short as it can be and still the same number.
+inline std::string literal(double value) {
+    std::string text = fmt::format("{}", static_cast<float>(value));
+    if (text.find_first_of(".e") == std::string::npos)
+        text += ".0";
+    return text;
+}
+
+/// A vector of two of them.
+inline std::string vec2(double x, double y) {
+    return fmt::format("vec2({}, {})", literal(x), literal(y));
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,139 @@
+#include "viewer/photograph.hpp"
+
+#include "viewer/file_dialog.hpp"
+#include "viewer/panels.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gabor::viewer {
+
+namespace {
+
+// The same place of another noise, whose kernel radius is `times` as long.
+Camera in_radii(const Camera& camera, double times) {
+    const auto coordinate = [&](const Coordinate& c) {
+        return Coordinate{}.moved((static_cast<double>(c.whole) + c.part) / times);
+    };
+    return {coordinate(camera.x), coordinate(camera.y), camera.zoom};
+}
+
+void take(Session& session, FittedNoise fitted) {
+    Document& document = session.document();
+    const bool again = session.fitted && session.fitted_path == session.fitter.path() &&
+                       document.request.colour.has_value() == fitted.request.colour.has_value();
+    Document next = document;
+    next.request = fitted.request;
+    next.comparison.reset();
+    next.output = Output::value;
+    if (again) {
+        next.request.seed = document.request.seed;
+        next.request.filter = document.request.filter;
+        next.output = document.output;
+        next.camera = in_radii(document.camera, next.request.scale / document.request.scale);
+    } else {
+        next.camera = default_camera(next);
+        next.contrast = Document().contrast;
+        session.preset_path =
+            std::filesystem::path(session.fitter.path()).replace_extension(".json").string();
+    }
+    document = next;
+    session.fitted_path = session.fitter.path();
+    session.fitted = std::move(fitted);
+}
+
+} // namespace
+
+bool is_photograph(const std::filesystem::path& path) {
+    constexpr std::array endings{".png", ".jpg", ".jpeg"};
+    return std::ranges::find(endings, lower_extension(path)) != endings.end();
+}
+
+void open_photograph(Session& session, const std::string& path) {
+    session.fitter.open(path);
+    session.photograph_beside = true;
+    keep_recent(session, path);
+}
+
+void go_on_fitting(Session& session) {
+    session.fitter.go_on();
+    if (std::optional<std::string> error = session.fitter.take_error())
+        notify(session, std::move(*error), true);
+    if (std::optional<FittedNoise> fitted = session.fitter.take())
+        take(session, std::move(*fitted));
+}
+
+bool shows_photograph(const Session& session) {
+    const Document& document = session.history.now;
+    return session.photograph_beside && session.fitter.photograph() && !document.comparison &&
+           !render::has_material(document.request) &&
+           std::holds_alternative<render::Plane>(document.request.view);
+}
+
+std::optional<std::string> fitted_glsl(const Session& session) {
+    if (!session.fitted || session.history.now.output != Output::value)
+        return {};
+    const render::Request& now = session.history.now.request;
+    render::Request fitted = session.fitted->request;
+    fitted.seed = now.seed;
+    fitted.filter = now.filter; // both forms are there
+    fitted.width = now.width;
+    fitted.height = now.height;
+    if (fitted != now)
+        return {};
+    std::string code = session.fitted->glsl;
+    constexpr std::string_view seed = "_seed = 0u;";
+    if (const std::size_t at = code.find(seed); at != std::string::npos)
+        code.replace(at, seed.size(), fmt::format("_seed = {}u;", now.seed));
+    return code;
+}
+
+void photograph_panel(Session& session) {
+    Fitter& fitter = session.fitter;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Button("Fit a photograph...", {width, 0}))
+        ask_for_photograph(session);
+    tooltip("A PNG, JPEG or EXR of a texture, at least 128 x 128 pixels; or drop one on the window. Its "
+            "noise has the "
+            "same spectrum, colours and histogram.");
+    if (fitter.path().empty())
+        return;
+    ImGui::TextUnformatted(std::filesystem::path(fitter.path()).filename().string().c_str());
+    int lobes = fitter.lobes();
+    if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
+        fitter.set_lobes(lobes);
+    tooltip("The most lobes that the noise may have: each costs as much as a plain noise. It has fewer where "
+            "more would "
+            "fit what is chance.");
+    ImGui::Checkbox("beside it", &session.photograph_beside);
+    tooltip("Tab: the photograph beside its noise");
+    ImGui::SameLine();
+    if (ImGui::Button("Close"))
+        fitter.close();
+    tooltip("Leaves the noise, and forgets the photograph");
+    if (fitter.running())
+        ImGui::ProgressBar(static_cast<float>(fitter.progress()), {width, 0});
+    else if (session.fitted)
+        for (const std::string& line : session.fitted->lines)
+            ImGui::TextWrapped("%s", line.c_str());
+}
+
+void photograph_overlay(const Session& session, float width, float height) {
+    if (!shows_photograph(session))
+        return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    const float middle = width * session.divider;
+    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
+    label(draw, {margin, margin}, "photograph", text);
+    label(draw, {middle + margin, margin},
+          session.fitted ? fmt::format("its noise, {} lobes", session.history.now.request.lobes.size())
+                         : "its noise is being fitted",
+          text);
+    draw.AddLine({middle, 0}, {middle, height}, IM_COL32(12, 13, 15, 255), 3);
+}
+
+} // namespace gabor::viewer

@@ -1,0 +1,19 @@
+// For passes that draw in colour, and host/render.
+
+#ifndef GABOR_COLOUR_H
+#define GABOR_COLOUR_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+// What colours are made of: see noise::Colour. Three numbers each.
+struct PixelsColour {
+    vec4 histogram[6]; // coefficients of 1, z, ... z^5, of each component
+    vec4 mean;
+    vec4 mixing[3]; // a row for each channel
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_COLOUR_H

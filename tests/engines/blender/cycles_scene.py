@@ -1,0 +1,68 @@
+"""A plane with a Script node of the Open Shading Language, in Blender's Cycles: needs a Python that has bpy."""
+
+import pathlib
+import shutil
+import sys
+
+import bpy
+import numpy as np
+
+# bpy does not look for the packages that it brings along, and the one that reads shaders is among them.
+sys.path.insert(0, str(next(pathlib.Path(bpy.utils.resource_path("LOCAL")).glob("python/lib/*/site-packages"))))
+
+import cycles.osl  # noqa: E402
+
+
+class Said:
+    """Takes what Cycles says of a shader."""
+
+    def __call__(self, kinds, message):
+        if kinds & {"ERROR"}:
+            sys.exit(message)
+
+
+def script_node(tree, shader, folder, **inputs):
+    """With those of the inputs that the shader has. Blender puts what it compiles beside the shader: here into a folder."""
+    shutil.copytree(shader.parent, folder, dirs_exist_ok=True)
+    node = tree.nodes.new("ShaderNodeScript")
+    node.mode, node.filepath = "EXTERNAL", f"{folder}/{shader.name}"
+    cycles.osl.update_script_node(node, Said())
+    for name, value in inputs.items():
+        if name in node.inputs:
+            node.inputs[name].default_value = value
+    return node
+
+
+def lit_by(tree, colour):
+    """What is drawn is the colour itself."""
+    emission = tree.nodes.new("ShaderNodeEmission")
+    tree.links.new(colour, emission.inputs["Color"])
+    tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+
+
+def plane(size, location):
+    """A square in the plane, and the nodes of its material, of which there are none yet."""
+    bpy.ops.mesh.primitive_plane_add(size=size, location=location)
+    material = bpy.data.materials.new("material")
+    material.use_nodes = True
+    bpy.context.object.data.materials.append(material)
+    material.node_tree.nodes.clear()
+    return material.node_tree
+
+
+def render(width, height, samples, folder):
+    """Red, green, blue and alpha, rows from the lowest up."""
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.shading_system = True
+    scene.cycles.samples = samples
+    scene.cycles.use_denoising = False
+    scene.view_settings.view_transform = "Raw"
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = f"{folder}/values.exr"
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    image.colorspace_settings.name = "Non-Color"
+    return np.array(image.pixels, "<f4").reshape(height, width, 4)

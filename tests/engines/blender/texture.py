@@ -1,0 +1,44 @@
+"""Planes to the horizon in Blender's Cycles, each with a mip-mapped texture: texture.py PICTURE.npy TEXTURE.exr...
+by a Python that has bpy. A texture that is flat gets the levels that OpenImageIO's maketx gives it, averages of 2 x 2."""
+
+import math
+import pathlib
+import sys
+import tempfile
+
+import bpy
+import numpy as np
+from cycles_scene import lit_by, plane, render, script_node
+
+import OpenImageIO as oiio  # cycles_scene knows where bpy has it
+
+picture, *textures = map(pathlib.Path, sys.argv[1:])
+SIDE, TILE = 512, 4.0  # pixels, and the size of a texture beside the camera's height of 1
+
+
+def with_levels(texture, folder):
+    """The texture, or what maketx makes of it."""
+    if oiio.ImageInput.open(str(texture)).seek_subimage(0, 1):
+        return texture
+    options = oiio.ImageSpec()
+    options.attribute("maketx:filtername", "box")
+    options.attribute("wrapmodes", "periodic,periodic")
+    made = pathlib.Path(folder) / "maketx.exr"
+    if not oiio.ImageBufAlgo.make_texture(oiio.MakeTxTexture, str(texture), str(made), options):
+        sys.exit(oiio.geterror())
+    return made
+
+
+def drawn(texture):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tree = plane(4000, (0, 0, 0))
+    bpy.ops.object.camera_add(location=(0, 0, 1), rotation=(math.radians(80), 0, 0))
+    bpy.context.scene.camera = bpy.context.object
+    with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+        shader = pathlib.Path(__file__).with_name("texture.osl")
+        node = script_node(tree, shader, folder, File=str(with_levels(texture, folder)), Tile=TILE)
+        lit_by(tree, node.outputs["Value"])
+        return render(SIDE, SIDE, 16, folder)[::-1, :, 0]
+
+
+np.save(picture, [drawn(texture) for texture in textures])
