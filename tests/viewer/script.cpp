@@ -19,7 +19,7 @@ namespace gabor::viewer {
 namespace {
 
 constexpr int drag_frames = 12;
-constexpr double patience = 300;   // seconds for anything to settle
+constexpr double patience = 300;    // seconds for anything to settle
 constexpr double expectation = 120; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{

@@ -192,7 +192,7 @@ class Window(ViewerTest):
             screenshot other.png
             expect no error
             screenshot brighter.png
-            export brighter.exr
+            export taken.exr
             exported
             quit""", "--shaders", shaders)
 
@@ -215,7 +215,7 @@ class Window(ViewerTest):
         self.assertTrue((before == mended).all())
         self.assertGreater((brighter - before).mean(), 30)
         # An export has the shaders on the screen, and says that they are not gabor's own.
-        exported = Exr(self.folder / "brighter.exr")
+        exported = Exr(self.folder / "taken.exr")
         self.assertAlmostEqual(exported.pixels.mean(), 1, delta=0.05)
         self.assertIn(b"other shaders", exported.attributes["software"][1])
         # The message stands in the window, on the last good picture.
