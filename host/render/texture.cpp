@@ -153,7 +153,7 @@ image::Window join_texture(std::span<const std::filesystem::path> regions,
         const image::Window picture = image::ExrReader(path).picture();
         levels[{picture.width, picture.height}].push_back(path);
     }
-    const std::filesystem::path& first = levels.begin()->second.front();
+    const std::filesystem::path first = levels.begin()->second.front();
     const image::ExrReader whole(first);
     const Request request = from_json(whole.parameters());
     if (!request.filter)
