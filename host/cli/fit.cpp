@@ -64,8 +64,8 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
                fit::furthest_lag);
     if (exemplar.structure > fit::Structure::limit)
         fmt::print(
-            "  This is no texture of waves alone: its gradient has an excess kurtosis of {:.1f}, where "
-            "Gaussian textures have 0.\n"
+            "  This is no texture of waves alone: its derivatives are {:.1f} from normal, by excess kurtosis "
+            "or skewness, where Gaussian textures are 0.\n"
             "  Its random-phase noise has lost the edges and the things that it is made of: the fit will "
             "too.\n",
             exemplar.structure);

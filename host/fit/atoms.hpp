@@ -4,9 +4,10 @@
 
 namespace gabor::fit {
 
-/// Kernel radii that can be found, in pixels: windows do not tell wider kernels apart.
+/// Kernel radii that can be found, in pixels. Windows hardly tell wider kernels apart; of a picture radii are
+/// at most half its shorter side, so that the texture can be tiled at its size.
 constexpr double smallest_radius = 2;
-constexpr double largest_radius = 64;
+constexpr double largest_radius = 181;
 
 /// The autocorrelation of Hann's window h(x) = (1 + cos pi x) / 2, at most 1, at a shift of t kernel radii:
 /// of the lattice's noise, averaged over the places of a cell, that along each axis, without its wave.

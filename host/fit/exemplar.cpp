@@ -122,7 +122,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
         advance((1 + static_cast<double>(y + 1) / exemplar.height) / 2);
     }
     exemplar.spectra = estimate.spectra();
-    exemplar.structure = structure.excess_kurtosis();
+    exemplar.structure = structure.excess();
     return exemplar;
 }
 

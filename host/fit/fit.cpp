@@ -1,5 +1,6 @@
 #include "fit/fit.hpp"
 
+#include "fit/atoms.hpp"
 #include "fit/colour.hpp"
 #include "fit/greedy.hpp"
 
@@ -46,7 +47,7 @@ Spectra channel_spectra(const Exemplar& exemplar) {
 Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
-    const Target target(spectra);
+    const Target target(spectra, std::min(std::min(exemplar.width, exemplar.height) / 2.0, largest_radius));
     const Search search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {

@@ -56,9 +56,10 @@ int stride_of(double radius) {
 
 Search::Search(const Target& target) : channels_(target.channels), weight_(target.weight) {
     const Eigen::MatrixXf weight = whole_plane(target.weight.square() / multiplicities(), 1);
-    for (double radius = smallest_radius; radius < 1.01 * largest_radius; radius *= std::numbers::sqrt2) {
+    for (double radius = smallest_radius; radius < 1.01 * target.largest_radius;
+         radius *= std::numbers::sqrt2) {
         Scale scale;
-        scale.radius = std::min(radius, largest_radius);
+        scale.radius = std::min(radius, target.largest_radius);
         const int stride = stride_of(radius);
         for (int k = -(grid_side / 2 - 1) / stride * stride; k <= grid_side / 2; k += stride)
             scale.rows.push_back(k);

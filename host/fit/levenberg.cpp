@@ -172,14 +172,14 @@ Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vec
 }
 
 // Radii that are at a bound and would leave it stay there.
-void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
+void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves, double largest,
                     Normal& normal) {
     for (Index i = 0; i < std::ssize(parameters); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
         const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
         const double slope = normal.slope[i];
         if (p.function != 3 ||
-            !((radius <= smallest_radius && slope < 0) || (radius >= largest_radius && slope > 0)))
+            !((radius <= smallest_radius && slope < 0) || (radius >= largest && slope > 0)))
             continue;
         normal.matrix.row(i).setZero();
         normal.matrix.col(i).setZero();
@@ -189,7 +189,7 @@ void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<
 }
 
 // The waves after a step, which is kept within what the equations can know of.
-std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Free free) {
+std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Free free, double largest) {
     Index at = 0;
     for (Wave& wave : waves) {
         const Index channels = wave.weight.size();
@@ -206,8 +206,8 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
         const double reach = 0.5 / wave.radius;
         wave.wave += turn * (reach / std::max(turn.norm(), reach));
         wave.wave.array() -= (wave.wave.array() + 0.5).floor(); // aliases of one another
-        wave.radius = std::clamp(wave.radius * std::exp(std::clamp(step[at + 2], -0.5, 0.5)), smallest_radius,
-                                 largest_radius);
+        wave.radius =
+            std::clamp(wave.radius * std::exp(std::clamp(step[at + 2], -0.5, 0.5)), smallest_radius, largest);
         at += 3;
     }
     return waves;
@@ -226,8 +226,8 @@ Residual subtract(const Target& target, const std::vector<Wave>& waves, const Pa
 
 } // namespace
 
-Target::Target(const Spectra& spectra)
-    : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary) {
+Target::Target(const Spectra& spectra, double radius)
+    : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary), largest_radius(radius) {
     const Eigen::ArrayXd total = spectra.total();
     const double mean = (total * multiplicities()).sum() / (grid_side * grid_side);
     weight = (multiplicities() / (total + 0.01 * mean)).sqrt();
@@ -269,14 +269,15 @@ void refine(const Target& target, std::vector<Wave>& waves, Free free, int steps
         const std::vector<Parameter> parameters = parameters_of(waves, free);
         Normal normal = normal_equations(parameters, parts, each, left);
         const Eigen::VectorXd diagonal = damping(parameters, waves, normal);
-        freeze_bounded(parameters, waves, normal);
+        freeze_bounded(parameters, waves, target.largest_radius, normal);
 
         bool better = false;
         double gain = 0;
         for (int trial = 0; trial < most_trials && !better; ++trial) {
             Eigen::MatrixXd damped = normal.matrix;
             damped.diagonal() += lambda * diagonal;
-            std::vector<Wave> next = moved(waves, damped.ldlt().solve(normal.slope), free);
+            std::vector<Wave> next =
+                moved(waves, damped.ldlt().solve(normal.slope), free, target.largest_radius);
             gain = cost - residual(target, next).cost();
             better = gain > 0;
             if (better)

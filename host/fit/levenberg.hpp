@@ -25,8 +25,9 @@ struct Target {
     Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal
     Eigen::MatrixXd imaginary;
     Eigen::ArrayXd weight; ///< the root, with multiplicities
+    double largest_radius; ///< that waves may have
 
-    explicit Target(const Spectra& spectra);
+    Target(const Spectra& spectra, double largest_radius);
 };
 
 /// What waves leave of the target.

@@ -266,7 +266,8 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
 <table>
 <tr><th>against the exemplar<th>spectrum, L1<th>L2<th>autocorrelation
 {random_phase}{fit}</table>
-<p>Excess kurtosis of the exemplar's gradient, 0 for Gaussian textures: {structure:.2f}</p>
+<p>Excess kurtosis of the exemplar's derivatives, or twice its Laplacian's skewness, 0 for Gaussian textures:
+{structure:.2f}</p>
 <h2>Lobes</h2>
 <table>
 <tr><th>cycles per pixel<th>orientation, degrees<th>kernel radius, pixels<th>power, %

@@ -1,34 +1,44 @@
 #include "fit/structure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gabor::fit {
 
-Structure::Structure(int width) {
+Structure::Structure(int width) : row_(static_cast<std::size_t>(width)) {
     for (std::vector<float>& row : rows_)
-        row.resize(static_cast<std::size_t>(width));
+        row.resize(row_.size() - 1);
+    derivatives_.resize(row_.size() - 3);
 }
 
-// Differences two pixels apart of means of two pixels: no noise of single pixels, and no direction preferred.
+// Of means of 2 x 2 pixels: no noise of single pixels, and no direction preferred.
 void Structure::add_row(std::span<const float> row) {
     std::swap(rows_[2], rows_[1]);
     std::swap(rows_[1], rows_[0]);
-    std::ranges::copy(row, rows_[0].begin());
-    if (++count_ < 3)
+    for (std::size_t x = 0; x + 1 < row_.size(); ++x)
+        rows_[0][x] = (row_[x] + row_[x + 1] + row[x] + row[x + 1]) / 4;
+    std::ranges::copy(row, row_.begin());
+    if (++count_ < 4)
         return;
-    const std::size_t count = row.size() - 2;
-    derivatives_.resize(count);
-    for (std::size_t x = 0; x < count; ++x)
-        derivatives_[x] = rows_[0][x + 2] + rows_[1][x + 2] - rows_[0][x] - rows_[1][x];
-    across_.add(derivatives_);
-    for (std::size_t x = 0; x < count; ++x)
-        derivatives_[x] = rows_[0][x] + rows_[0][x + 1] - rows_[2][x] - rows_[2][x + 1];
-    down_.add(derivatives_);
+    const auto& [below, here, above] = rows_;
+    const auto add = [&](statistics::Moments& moments, auto derivative) {
+        for (std::size_t x = 0; x < derivatives_.size(); ++x)
+            derivatives_[x] = derivative(x + 1);
+        moments.add(derivatives_);
+    };
+    add(across_, [&](std::size_t x) { return here[x + 1] - here[x - 1]; });
+    add(down_, [&](std::size_t x) { return below[x] - above[x]; });
+    add(laplacian_,
+        [&](std::size_t x) { return here[x - 1] + here[x + 1] + below[x] + above[x] - 4 * here[x]; });
 }
 
-double Structure::excess_kurtosis() const {
-    return std::max(across_.excess_kurtosis(), down_.excess_kurtosis());
+double Structure::excess() const {
+    double largest = 0; // a derivative that is 0 everywhere has no law
+    for (const double value : {across_.excess_kurtosis(), down_.excess_kurtosis(), 2 * laplacian_.skewness()})
+        if (std::abs(value) > largest)
+            largest = std::abs(value);
+    return largest;
 }
 
 } // namespace gabor::fit

@@ -7,8 +7,8 @@
 
 namespace gabor::fit {
 
-/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be: by the
-/// excess kurtosis of derivatives, which is 0 for a Gaussian texture of any spectrum.
+/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be, whose
+/// derivatives are normal whatever its spectrum.
 class Structure {
   public:
     explicit Structure(int width);
@@ -16,17 +16,21 @@ class Structure {
     /// The next row of one channel.
     void add_row(std::span<const float> row);
 
-    /// The larger one of the derivatives along x and y.
-    double excess_kurtosis() const;
+    /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and
+    /// things far apart have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
+    /// The largest of them without its sign, and 0 for a Gaussian texture.
+    double excess() const;
 
     /// From here on random-phase noise has visibly lost something: grass has 1.7, gravel 2.3, bricks 17.
     static constexpr double limit = 1;
 
   private:
-    std::vector<float> rows_[3]; ///< the last ones, the newest first
+    std::vector<float> rows_[3]; ///< means of 2 x 2 pixels: the last ones, the newest first
+    std::vector<float> row_;     ///< the last row of pixels
     int count_ = 0;
     statistics::Moments across_;
     statistics::Moments down_;
+    statistics::Moments laplacian_;
     std::vector<float> derivatives_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gabor::noise {
 
@@ -87,6 +88,30 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed) {
 
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
     return waves(lobes, seed, true);
+}
+
+std::vector<Wave> directed_waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
+    std::vector<Wave> all;
+    for (const Wave& wave : waves_in_space(lobes, seed)) {
+        if (!wave.isotropic) {
+            all.push_back(wave);
+            continue;
+        }
+        // Along a spiral over half the sphere; the last one has what is left of the power.
+        const double frequency = wave.frequency * wave.radius;
+        const double count = 8 + 8 * std::min(frequency * frequency, 64.0);
+        for (int i = 0; i < count; ++i) {
+            const double share = std::min(count - i, 1.0) / count;
+            Wave directed = wave;
+            directed.isotropic = false;
+            directed.rise = i / count + share / 2;
+            directed.angle = 2 * std::numbers::pi * (0.61803399 * i - std::floor(0.61803399 * i));
+            directed.share *= share;
+            directed.seed = lobe_seed(wave.seed, i);
+            all.push_back(directed);
+        }
+    }
+    return all;
 }
 
 std::vector<double> radii(std::span<const Wave> waves) {

@@ -13,6 +13,9 @@
 //
 // For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
+// A slice of the noise in space is noise in the plane too, with the sum of three nodes along z, each times its window and
+// wave, for an amplitude.
+//
 // A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
 // of which the last one makes colours.
 //
@@ -21,6 +24,9 @@
 #include "passes/bake_interface.h"
 #include "colour.glsl"
 #include "recipe.glsl"
+#if GABOR_TAPS == 3
+#include "gabor_lattice_3d.glsl"
+#endif
 
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = 8) const int block_columns = 8;
@@ -30,13 +36,15 @@ layout(constant_id = 11) const bool with_gradient = false;   // and the noise's 
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
 layout(constant_id = 13) const bool sum = false;             // of more than one noise
 layout(constant_id = 14) const bool coloured = false;        // red, green and blue in place of the noise
+layout(constant_id = 15) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
 const int terms = visited * visited * recipe_impulses; // impulses
 #endif
 
-const int channels = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0);
+const int gradient_at = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0);
+const int channels = gradient_at + (with_gradient ? 2 : 0) + (slice ? 1 : 0);
 
 layout(local_size_x = bake_group) in;
 
@@ -52,13 +60,43 @@ vec2 rotated(vec2 z, vec2 by)
 
 #ifdef GABOR_TAPS
 
-// Those of an axis' nodes.
-//   x  place in node spacings from the first node
-GaborWindows windows_at(float x, float nodes_per_radius)
+// The nodes along z that reach the slice: a word and a factor for each.
+struct Depth {
+    uint word[3];
+    vec2 factor[3];
+};
+
+Depth depth_of(float wave, uint salt)
 {
-    GaborWindows windows = gabor_impl_windows(GABOR_TAPS == 2 ? x : x - 1.0);
-    windows.slope *= nodes_per_radius / GABOR_RADIUS;
-    return windows;
+    Depth depth;
+#if GABOR_TAPS == 3
+    if (slice) {
+        vec4 windows;
+        vec4 slopes;
+        gabor_impl_windows(slice_offset, windows, slopes);
+        [[unroll]] for (int i = 0; i < 3; ++i) {
+            depth.word[i] = gabor_impl_line_word(first_slice + i, salt ^ GABOR_IMPL_SLICES);
+            depth.factor[i] = inversesqrt(GABOR_IMPL_ENERGY) * windows[i]
+                            * gabor_impl_wave(wave * (slice_offset + 1.0 - float(i)) / GABOR_RADIUS);
+        }
+    }
+#endif
+    return depth;
+}
+
+vec2 node_amplitude(uint column, uint row, Depth depth)
+{
+#if GABOR_TAPS == 3
+    if (slice) {
+        vec2 sum = vec2(0.0);
+        [[unroll]] for (int i = 0; i < 3; ++i) {
+            uint word = column * gabor_impl_slice_word(row, depth.word[i]);
+            sum += rotated(gabor_impl_amplitude_at(word, animated, time), depth.factor[i]);
+        }
+        return sum;
+    }
+#endif
+    return gabor_impl_amplitude_at(column * row, animated, time);
 }
 
 #endif
@@ -99,29 +137,31 @@ void fill(Run across, Run down, uint index)
     vec2 bracket_slope[terms * block_columns]; // with q' for q
 
 #ifdef GABOR_TAPS
-    GaborWindows across_windows[block_columns];
+    vec4 across_windows[block_columns];
+    vec4 across_slopes[block_columns];
     vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
-        across_windows[k] = windows_at(local.x + float(k) * pixel * radius.x, radius.x);
+        gabor_impl_windows(local.x + float(k) * pixel * radius.x - 1.0, across_windows[k], across_slopes[k]);
+        across_slopes[k] *= radius.x / GABOR_RADIUS;
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
-    vec2 moment = gabor_impl_wave(time);
+    Depth depth = depth_of(waves[index].depth_wave, salt);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
         vec2 node[GABOR_TAPS];
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
             uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            vec2 a = gabor_impl_amplitude_at(gabor_impl_node_word(column_word, row_word), animated, moment);
+            vec2 a = node_amplitude(column_word, row_word, depth);
             node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
         }
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
             vec2 sum = vec2(0.0);
             vec2 slope = vec2(0.0);
             [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-                sum += across_windows[k].value[i] * node[i];
-                slope += across_windows[k].slope[i] * node[i];
+                sum += across_windows[k][i] * node[i];
+                slope += across_slopes[k][i] * node[i];
             }
             bracket[c * block_columns + k] = rotated(sum, turned[k]);
             if (with_gradient)
@@ -164,11 +204,13 @@ void fill(Run across, Run down, uint index)
             slope_y[k] = vec2(0.0);
         }
 #ifdef GABOR_TAPS
-        GaborWindows down_windows = windows_at(local.y + float(r) * pixel * radius.y, radius.y);
+        vec4 down_windows;
+        vec4 down_slopes;
+        gabor_impl_windows(local.y + float(r) * pixel * radius.y - 1.0, down_windows, down_slopes);
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            vec2 q = vec2(down_windows.value[c], down_windows.slope[c]); // and its derivative per kernel radius
+            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS));
 #else
             vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif
@@ -181,7 +223,7 @@ void fill(Run across, Run down, uint index)
             }
         }
         if (row >= 0 && row < height) {
-            int start = row * width + across.first;
+            int start = before + row * width + across.first;
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 if (k >= across.count || across.first + k < 0 || across.first + k >= width)
                     continue;
@@ -196,9 +238,11 @@ void fill(Run across, Run down, uint index)
                 if (with_gradient) {
                     vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
                                 + 6.2831853 * wave * value.x;
-                    put(at + channels - 2, stretch * slopes.x, index);
-                    put(at + channels - 1, stretch * slopes.y, index);
+                    put(at + gradient_at, stretch * slopes.x, index);
+                    put(at + gradient_at + 1, stretch * slopes.y, index);
                 }
+                if (slice)
+                    picture[at + channels - 1] = 1.0; // its coverage
             }
         }
         carrier = rotated(carrier, row_turn);

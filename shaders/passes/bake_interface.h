@@ -24,7 +24,8 @@ struct BakeWave {
     vec2 row_turn;    // and from one row to the next
     float amplitude;  // what it is multiplied with; for the sparse noise, what normalizes it too
     uint seed;
-    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+    float depth_wave; // of a slice of space: the third of `wave`
+    vec2 weights[3];  // in the components of colours, of (quadrature, noise)
 };
 
 // The noises of one kernel radius: their pixels fall into the same runs.
@@ -39,9 +40,12 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     int width;
     int height;
     int first_row; // of the band, in the units of Run.first
+    int before;    // pixels in the buffer before those of the band
     uint first_column_run;
     uint column_runs;
     uint first_row_run;
+    int first_slice;    // of a slice of space: the first of its three nodes along z
+    float slice_offset; // from the second of them, in node spacings
 };
 
 GABOR_INTERFACE_END

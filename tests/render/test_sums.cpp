@@ -231,7 +231,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
             request.colour = colour;
             CHECK(render::Bake::can_fill(request));
             const image::Window region{43, 50, 17, 12};
-            const std::vector<float> blocks = rendered(device, request, region);
+            std::vector<float> blocks = rendered(device, request, region);
             std::vector<float> pixels;
             render::render_region(
                 device, render::Pixels(device, request, region), request, region,
