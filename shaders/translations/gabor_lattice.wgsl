@@ -270,22 +270,10 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
 
 // The nodes along an axis that reach a point.
 struct GaborAxis {
-    if GABOR_TAPS == 2 {
-        offset: f32,
-        turns: f32,
-        word: array<u32, 2>,
-        node: array<vec4<f32>, 2>,
-    } else if GABOR_TAPS == 4 {
-        offset: f32,
-        turns: f32,
-        word: array<u32, 4>,
-        node: array<vec4<f32>, 4>,
-    } else {
-        offset: f32,
-        turns: f32,
-        word: array<u32, 3>,
-        node: array<vec4<f32>, 3>,
-    }
+    offset: f32,
+    turns: f32,
+    word: array<u32, 4>,
+    node: array<vec4<f32>, 4>,
 }
 
 // With `wave` cycles and `radius` nodes per kernel radius.
@@ -296,10 +284,9 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn: vec2<f32>;
-        var to_zero: vec2<f32>;
-        var i: i32 = 0i;
-        var local_2: vec2<f32>;
-        var local_3: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
 
         zero = floor((local + 1f));
         let _e17 = zero;
@@ -311,67 +298,65 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         let _e31 = gabor_impl_wave(_e29.turns);
         turn = _e31;
         let _e33 = turn;
-        to_zero = _e33;
-        loop {
-            let _e37 = i;
-            if !((_e37 < 2i)) {
-                break;
-            }
-            {
-                let _e44 = i;
-                let _e47 = zero;
-                let _e50 = i;
-                let _e54 = gabor_impl_wrap((((cell + i32(_e47)) + _e50) - 1i), period);
-                let _e55 = gabor_impl_line_word(_e54, salt);
-                axis.word[_e44] = _e55;
-                let _e56 = i;
-                let _e59 = i;
-                let _e61 = value_1[_e59];
-                let _e62 = to_zero;
-                let _e63 = (_e61 * _e62);
-                let _e64 = i;
-                let _e66 = slope_1[_e64];
-                let _e67 = to_zero;
-                let _e68 = (_e66 * _e67);
-                axis.node[_e56] = vec4<f32>(_e63.x, _e63.y, _e68.x, _e68.y);
-                let _e74 = i;
-                if (_e74 == 0i) {
-                    local_3 = vec2<f32>(1f, 0f);
-                } else {
-                    let _e80 = i;
-                    if (_e80 == 1i) {
-                        let _e83 = turn;
-                        let _e85 = turn;
-                        local_2 = vec2<f32>(_e83.x, -(_e85.y));
-                    } else {
-                        let _e89 = to_zero;
-                        let _e90 = to_zero;
-                        let _e91 = gabor_impl_product(_e89, _e90);
-                        local_2 = _e91;
-                    }
-                    let _e93 = local_2;
-                    local_3 = _e93;
-                }
-                let _e95 = local_3;
-                to_zero = _e95;
-            }
-            continuing {
-                let _e41 = i;
-                i = (_e41 + 1i);
-            }
-        }
-        let _e96 = axis;
-        return _e96;
+        let _e35 = turn;
+        back = vec2<f32>(_e33.x, -(_e35.y));
+        let _e40 = back;
+        let _e41 = back;
+        let _e42 = gabor_impl_product(_e40, _e41);
+        twice = _e42;
+        let _e47 = value_1;
+        let _e49 = turn;
+        let _e50 = (_e47.x * _e49);
+        let _e51 = slope_1;
+        let _e53 = turn;
+        let _e54 = (_e51.x * _e53);
+        axis.node[0i] = vec4<f32>(_e50.x, _e50.y, _e54.x, _e54.y);
+        let _e63 = value_1;
+        let _e66 = slope_1;
+        axis.node[1i] = vec4<f32>(_e63.y, 0f, _e66.y, 0f);
+        let _e73 = value_1;
+        let _e75 = back;
+        let _e76 = (_e73.z * _e75);
+        let _e77 = slope_1;
+        let _e79 = back;
+        let _e80 = (_e77.z * _e79);
+        axis.node[2i] = vec4<f32>(_e76.x, _e76.y, _e80.x, _e80.y);
+        let _e89 = value_1;
+        let _e91 = twice;
+        let _e92 = (_e89.w * _e91);
+        let _e93 = slope_1;
+        let _e95 = twice;
+        let _e96 = (_e93.w * _e95);
+        axis.node[3i] = vec4<f32>(_e92.x, _e92.y, _e96.x, _e96.y);
+        let _e102 = zero;
+        first = ((cell + i32(_e102)) - 1i);
+        let _e111 = first;
+        let _e112 = gabor_impl_wrap(_e111, period);
+        let _e113 = gabor_impl_line_word(_e112, salt);
+        axis.word[0i] = _e113;
+        let _e117 = first;
+        let _e120 = gabor_impl_wrap((_e117 + 1i), period);
+        let _e121 = gabor_impl_line_word(_e120, salt);
+        axis.word[1i] = _e121;
+        let _e125 = first;
+        let _e128 = gabor_impl_wrap((_e125 + 2i), period);
+        let _e129 = gabor_impl_line_word(_e128, salt);
+        axis.word[2i] = _e129;
+        let _e133 = first;
+        let _e136 = gabor_impl_wrap((_e133 + 3i), period);
+        let _e137 = gabor_impl_line_word(_e136, salt);
+        axis.word[3i] = _e137;
+        let _e138 = axis;
+        return _e138;
     } else if GABOR_TAPS == 4 {
         var axis: GaborAxis;
         var zero: f32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn: vec2<f32>;
-        var to_zero: vec2<f32>;
-        var i: i32 = 0i;
-        var local_2: vec2<f32>;
-        var local_3: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
 
         zero = floor((local + 0f));
         let _e17 = zero;
@@ -383,67 +368,65 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         let _e31 = gabor_impl_wave(_e29.turns);
         turn = _e31;
         let _e33 = turn;
-        to_zero = _e33;
-        loop {
-            let _e37 = i;
-            if !((_e37 < 4i)) {
-                break;
-            }
-            {
-                let _e44 = i;
-                let _e47 = zero;
-                let _e50 = i;
-                let _e54 = gabor_impl_wrap((((cell + i32(_e47)) + _e50) - 1i), period);
-                let _e55 = gabor_impl_line_word(_e54, salt);
-                axis.word[_e44] = _e55;
-                let _e56 = i;
-                let _e59 = i;
-                let _e61 = value_1[_e59];
-                let _e62 = to_zero;
-                let _e63 = (_e61 * _e62);
-                let _e64 = i;
-                let _e66 = slope_1[_e64];
-                let _e67 = to_zero;
-                let _e68 = (_e66 * _e67);
-                axis.node[_e56] = vec4<f32>(_e63.x, _e63.y, _e68.x, _e68.y);
-                let _e74 = i;
-                if (_e74 == 0i) {
-                    local_3 = vec2<f32>(1f, 0f);
-                } else {
-                    let _e80 = i;
-                    if (_e80 == 1i) {
-                        let _e83 = turn;
-                        let _e85 = turn;
-                        local_2 = vec2<f32>(_e83.x, -(_e85.y));
-                    } else {
-                        let _e89 = to_zero;
-                        let _e90 = to_zero;
-                        let _e91 = gabor_impl_product(_e89, _e90);
-                        local_2 = _e91;
-                    }
-                    let _e93 = local_2;
-                    local_3 = _e93;
-                }
-                let _e95 = local_3;
-                to_zero = _e95;
-            }
-            continuing {
-                let _e41 = i;
-                i = (_e41 + 1i);
-            }
-        }
-        let _e96 = axis;
-        return _e96;
+        let _e35 = turn;
+        back = vec2<f32>(_e33.x, -(_e35.y));
+        let _e40 = back;
+        let _e41 = back;
+        let _e42 = gabor_impl_product(_e40, _e41);
+        twice = _e42;
+        let _e47 = value_1;
+        let _e49 = turn;
+        let _e50 = (_e47.x * _e49);
+        let _e51 = slope_1;
+        let _e53 = turn;
+        let _e54 = (_e51.x * _e53);
+        axis.node[0i] = vec4<f32>(_e50.x, _e50.y, _e54.x, _e54.y);
+        let _e63 = value_1;
+        let _e66 = slope_1;
+        axis.node[1i] = vec4<f32>(_e63.y, 0f, _e66.y, 0f);
+        let _e73 = value_1;
+        let _e75 = back;
+        let _e76 = (_e73.z * _e75);
+        let _e77 = slope_1;
+        let _e79 = back;
+        let _e80 = (_e77.z * _e79);
+        axis.node[2i] = vec4<f32>(_e76.x, _e76.y, _e80.x, _e80.y);
+        let _e89 = value_1;
+        let _e91 = twice;
+        let _e92 = (_e89.w * _e91);
+        let _e93 = slope_1;
+        let _e95 = twice;
+        let _e96 = (_e93.w * _e95);
+        axis.node[3i] = vec4<f32>(_e92.x, _e92.y, _e96.x, _e96.y);
+        let _e102 = zero;
+        first = ((cell + i32(_e102)) - 1i);
+        let _e111 = first;
+        let _e112 = gabor_impl_wrap(_e111, period);
+        let _e113 = gabor_impl_line_word(_e112, salt);
+        axis.word[0i] = _e113;
+        let _e117 = first;
+        let _e120 = gabor_impl_wrap((_e117 + 1i), period);
+        let _e121 = gabor_impl_line_word(_e120, salt);
+        axis.word[1i] = _e121;
+        let _e125 = first;
+        let _e128 = gabor_impl_wrap((_e125 + 2i), period);
+        let _e129 = gabor_impl_line_word(_e128, salt);
+        axis.word[2i] = _e129;
+        let _e133 = first;
+        let _e136 = gabor_impl_wrap((_e133 + 3i), period);
+        let _e137 = gabor_impl_line_word(_e136, salt);
+        axis.word[3i] = _e137;
+        let _e138 = axis;
+        return _e138;
     } else {
         var axis: GaborAxis;
         var zero: f32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn: vec2<f32>;
-        var to_zero: vec2<f32>;
-        var i: i32 = 0i;
-        var local_2: vec2<f32>;
-        var local_3: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
 
         zero = floor((local + 0.5f));
         let _e17 = zero;
@@ -455,57 +438,56 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         let _e31 = gabor_impl_wave(_e29.turns);
         turn = _e31;
         let _e33 = turn;
-        to_zero = _e33;
-        loop {
-            let _e37 = i;
-            if !((_e37 < 3i)) {
-                break;
-            }
-            {
-                let _e44 = i;
-                let _e47 = zero;
-                let _e50 = i;
-                let _e54 = gabor_impl_wrap((((cell + i32(_e47)) + _e50) - 1i), period);
-                let _e55 = gabor_impl_line_word(_e54, salt);
-                axis.word[_e44] = _e55;
-                let _e56 = i;
-                let _e59 = i;
-                let _e61 = value_1[_e59];
-                let _e62 = to_zero;
-                let _e63 = (_e61 * _e62);
-                let _e64 = i;
-                let _e66 = slope_1[_e64];
-                let _e67 = to_zero;
-                let _e68 = (_e66 * _e67);
-                axis.node[_e56] = vec4<f32>(_e63.x, _e63.y, _e68.x, _e68.y);
-                let _e74 = i;
-                if (_e74 == 0i) {
-                    local_3 = vec2<f32>(1f, 0f);
-                } else {
-                    let _e80 = i;
-                    if (_e80 == 1i) {
-                        let _e83 = turn;
-                        let _e85 = turn;
-                        local_2 = vec2<f32>(_e83.x, -(_e85.y));
-                    } else {
-                        let _e89 = to_zero;
-                        let _e90 = to_zero;
-                        let _e91 = gabor_impl_product(_e89, _e90);
-                        local_2 = _e91;
-                    }
-                    let _e93 = local_2;
-                    local_3 = _e93;
-                }
-                let _e95 = local_3;
-                to_zero = _e95;
-            }
-            continuing {
-                let _e41 = i;
-                i = (_e41 + 1i);
-            }
-        }
-        let _e96 = axis;
-        return _e96;
+        let _e35 = turn;
+        back = vec2<f32>(_e33.x, -(_e35.y));
+        let _e40 = back;
+        let _e41 = back;
+        let _e42 = gabor_impl_product(_e40, _e41);
+        twice = _e42;
+        let _e47 = value_1;
+        let _e49 = turn;
+        let _e50 = (_e47.x * _e49);
+        let _e51 = slope_1;
+        let _e53 = turn;
+        let _e54 = (_e51.x * _e53);
+        axis.node[0i] = vec4<f32>(_e50.x, _e50.y, _e54.x, _e54.y);
+        let _e63 = value_1;
+        let _e66 = slope_1;
+        axis.node[1i] = vec4<f32>(_e63.y, 0f, _e66.y, 0f);
+        let _e73 = value_1;
+        let _e75 = back;
+        let _e76 = (_e73.z * _e75);
+        let _e77 = slope_1;
+        let _e79 = back;
+        let _e80 = (_e77.z * _e79);
+        axis.node[2i] = vec4<f32>(_e76.x, _e76.y, _e80.x, _e80.y);
+        let _e89 = value_1;
+        let _e91 = twice;
+        let _e92 = (_e89.w * _e91);
+        let _e93 = slope_1;
+        let _e95 = twice;
+        let _e96 = (_e93.w * _e95);
+        axis.node[3i] = vec4<f32>(_e92.x, _e92.y, _e96.x, _e96.y);
+        let _e102 = zero;
+        first = ((cell + i32(_e102)) - 1i);
+        let _e111 = first;
+        let _e112 = gabor_impl_wrap(_e111, period);
+        let _e113 = gabor_impl_line_word(_e112, salt);
+        axis.word[0i] = _e113;
+        let _e117 = first;
+        let _e120 = gabor_impl_wrap((_e117 + 1i), period);
+        let _e121 = gabor_impl_line_word(_e120, salt);
+        axis.word[1i] = _e121;
+        let _e125 = first;
+        let _e128 = gabor_impl_wrap((_e125 + 2i), period);
+        let _e129 = gabor_impl_line_word(_e128, salt);
+        axis.word[2i] = _e129;
+        let _e133 = first;
+        let _e136 = gabor_impl_wrap((_e133 + 3i), period);
+        let _e137 = gabor_impl_line_word(_e136, salt);
+        axis.word[3i] = _e137;
+        let _e138 = axis;
+        return _e138;
     }
 }
 
@@ -540,155 +522,136 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
 }
 
-// Sums over all nodes: with windows along y, and with their derivatives; in zw with the derivatives of those along x.
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
+    if GABOR_TAPS == 2 {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if false {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if false {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if true {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if true {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if true {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if false {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    }
+}
+
 fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     if GABOR_TAPS == 2 {
-        var j: i32 = 0i;
-        var row: vec4<f32>;
-        var i_1: i32;
-
         let _e7 = vec4(0f);
         (*slope) = _e7;
         (*sum) = _e7;
-        loop {
-            let _e10 = j;
-            if !((_e10 < 2i)) {
-                break;
-            }
-            {
-                row = vec4(0f);
-                i_1 = 0i;
-                loop {
-                    let _e22 = i_1;
-                    if !((_e22 < 2i)) {
-                        break;
-                    }
-                    let _e30 = i_1;
-                    let _e33 = i_1;
-                    let _e36 = j;
-                    let _e40 = gabor_impl_amplitude_at((x.word[_e33] * y.word[_e36]), animated, time);
-                    gabor_impl_add((&row), x.node[_e30], _e40);
-                    continuing {
-                        let _e26 = i_1;
-                        i_1 = (_e26 + 1i);
-                    }
-                }
-                let _e42 = j;
-                if ((_e42 != 1i) || (x.offset < 8f)) {
-                    {
-                        let _e50 = row;
-                        let _e51 = j;
-                        gabor_impl_add(sum, _e50, y.node[_e51].xy);
-                        let _e57 = row;
-                        let _e58 = j;
-                        gabor_impl_add(slope, _e57, y.node[_e58].zw);
-                    }
-                }
-            }
-            continuing {
-                let _e14 = j;
-                j = (_e14 + 1i);
-            }
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
         }
-        return;
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
     } else if GABOR_TAPS == 4 {
-        var j: i32 = 0i;
-        var row: vec4<f32>;
-        var i_1: i32;
-
         let _e7 = vec4(0f);
         (*slope) = _e7;
         (*sum) = _e7;
-        loop {
-            let _e10 = j;
-            if !((_e10 < 4i)) {
-                break;
-            }
-            {
-                row = vec4(0f);
-                i_1 = 0i;
-                loop {
-                    let _e22 = i_1;
-                    if !((_e22 < 4i)) {
-                        break;
-                    }
-                    let _e30 = i_1;
-                    let _e33 = i_1;
-                    let _e36 = j;
-                    let _e40 = gabor_impl_amplitude_at((x.word[_e33] * y.word[_e36]), animated, time);
-                    gabor_impl_add((&row), x.node[_e30], _e40);
-                    continuing {
-                        let _e26 = i_1;
-                        i_1 = (_e26 + 1i);
-                    }
-                }
-                let _e42 = j;
-                if ((_e42 != 1i) || (x.offset < 8f)) {
-                    {
-                        let _e50 = row;
-                        let _e51 = j;
-                        gabor_impl_add(sum, _e50, y.node[_e51].xy);
-                        let _e57 = row;
-                        let _e58 = j;
-                        gabor_impl_add(slope, _e57, y.node[_e58].zw);
-                    }
-                }
-            }
-            continuing {
-                let _e14 = j;
-                j = (_e14 + 1i);
-            }
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
         }
-        return;
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
     } else {
-        var j: i32 = 0i;
-        var row: vec4<f32>;
-        var i_1: i32;
-
         let _e7 = vec4(0f);
         (*slope) = _e7;
         (*sum) = _e7;
-        loop {
-            let _e10 = j;
-            if !((_e10 < 3i)) {
-                break;
-            }
-            {
-                row = vec4(0f);
-                i_1 = 0i;
-                loop {
-                    let _e22 = i_1;
-                    if !((_e22 < 3i)) {
-                        break;
-                    }
-                    let _e30 = i_1;
-                    let _e33 = i_1;
-                    let _e36 = j;
-                    let _e40 = gabor_impl_amplitude_at((x.word[_e33] * y.word[_e36]), animated, time);
-                    gabor_impl_add((&row), x.node[_e30], _e40);
-                    continuing {
-                        let _e26 = i_1;
-                        i_1 = (_e26 + 1i);
-                    }
-                }
-                let _e42 = j;
-                if ((_e42 != 1i) || (x.offset < 8f)) {
-                    {
-                        let _e50 = row;
-                        let _e51 = j;
-                        gabor_impl_add(sum, _e50, y.node[_e51].xy);
-                        let _e57 = row;
-                        let _e58 = j;
-                        gabor_impl_add(slope, _e57, y.node[_e58].zw);
-                    }
-                }
-            }
-            continuing {
-                let _e14 = j;
-                j = (_e14 + 1i);
-            }
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
         }
-        return;
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
     }
 }
 
@@ -697,18 +660,18 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
         var turn_3: vec2<f32>;
-        var local_4: f32;
+        var local_2: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if true {
-            local_4 = 1f;
+            local_2 = 1f;
         } else {
-            local_4 = 0.75f;
+            local_2 = 0.75f;
         }
-        let _e18 = local_4;
+        let _e18 = local_2;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -726,18 +689,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else if GABOR_TAPS == 4 {
         var turn_3: vec2<f32>;
-        var local_4: f32;
+        var local_2: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if false {
-            local_4 = 1f;
+            local_2 = 1f;
         } else {
-            local_4 = 1.5f;
+            local_2 = 1.5f;
         }
-        let _e18 = local_4;
+        let _e18 = local_2;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -755,18 +718,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else {
         var turn_3: vec2<f32>;
-        var local_4: f32;
+        var local_2: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if false {
-            local_4 = 1f;
+            local_2 = 1f;
         } else {
-            local_4 = 1.125f;
+            local_2 = 1.125f;
         }
-        let _e18 = local_4;
+        let _e18 = local_2;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -791,11 +754,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_2: GaborAxis;
+        var x_4: GaborAxis;
+        var y_3: GaborAxis;
         var turn_4: vec2<f32>;
-        var sum_2: vec4<f32>;
-        var slope_4: vec4<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
         let _e4 = kernel_1;
@@ -805,24 +768,24 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
+        x_4 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_2 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_2;
-        let _e45 = y_2;
+        y_3 = _e36;
+        let _e38 = x_4;
+        let _e40 = x_4;
+        let _e43 = y_3;
+        let _e45 = y_3;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_2;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_2), (&slope_4));
-        let _e61 = sum_2;
-        let _e62 = slope_4;
+        let _e53 = x_4;
+        let _e54 = y_3;
+        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e61 = sum_3;
+        let _e62 = slope_5;
         let _e63 = turn_4;
         let _e64 = wave_2;
         let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(1f)));
@@ -831,11 +794,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_3: GaborAxis;
+        var x_4: GaborAxis;
+        var y_4: GaborAxis;
         var turn_4: vec2<f32>;
-        var sum_2: vec4<f32>;
-        var slope_4: vec4<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
         let _e4 = kernel_1;
@@ -845,24 +808,24 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
+        x_4 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_3 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_3;
-        let _e45 = y_3;
+        y_4 = _e36;
+        let _e38 = x_4;
+        let _e40 = x_4;
+        let _e43 = y_4;
+        let _e45 = y_4;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_3;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_2), (&slope_4));
-        let _e61 = sum_2;
-        let _e62 = slope_4;
+        let _e53 = x_4;
+        let _e54 = y_4;
+        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e61 = sum_3;
+        let _e62 = slope_5;
         let _e63 = turn_4;
         let _e64 = wave_2;
         let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(2f)));
@@ -871,11 +834,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_3: GaborAxis;
+        var x_4: GaborAxis;
+        var y_4: GaborAxis;
         var turn_4: vec2<f32>;
-        var sum_2: vec4<f32>;
-        var slope_4: vec4<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
         let _e4 = kernel_1;
@@ -885,24 +848,24 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
+        x_4 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_3 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_3;
-        let _e45 = y_3;
+        y_4 = _e36;
+        let _e38 = x_4;
+        let _e40 = x_4;
+        let _e43 = y_4;
+        let _e45 = y_4;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_3;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_2), (&slope_4));
-        let _e61 = sum_2;
-        let _e62 = slope_4;
+        let _e53 = x_4;
+        let _e54 = y_4;
+        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e61 = sum_3;
+        let _e62 = slope_5;
         let _e63 = turn_4;
         let _e64 = wave_2;
         let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(1.5f)));
@@ -927,43 +890,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
+        var local_4: f32;
+        var local_5: f32;
+        var local_6: i32;
+        var local_7: i32;
 
         nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
+            local_4 = (_e26.x / period.x);
         } else {
-            local_6 = 1f;
+            local_4 = 1f;
         }
-        let _e35 = local_6;
+        let _e35 = local_4;
         if (period.y > 0f) {
             let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
+            local_5 = (_e39.y / period.y);
         } else {
-            local_7 = 1f;
+            local_5 = 1f;
         }
-        let _e48 = local_7;
+        let _e48 = local_5;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_8 = i32(_e54.x);
+            local_6 = i32(_e54.x);
         } else {
-            local_8 = 0i;
+            local_6 = 0i;
         }
-        let _e59 = local_8;
+        let _e59 = local_6;
         if (period.y > 0f) {
             let _e63 = nodes;
-            local_9 = i32(_e63.y);
+            local_7 = i32(_e63.y);
         } else {
-            local_9 = 0i;
+            local_7 = 0i;
         }
-        let _e68 = local_9;
+        let _e68 = local_7;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -972,43 +935,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else if GABOR_TAPS == 4 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
+        var local_4: f32;
+        var local_5: f32;
+        var local_6: i32;
+        var local_7: i32;
 
         nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
+            local_4 = (_e26.x / period.x);
         } else {
-            local_6 = 2f;
+            local_4 = 2f;
         }
-        let _e35 = local_6;
+        let _e35 = local_4;
         if (period.y > 0f) {
             let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
+            local_5 = (_e39.y / period.y);
         } else {
-            local_7 = 2f;
+            local_5 = 2f;
         }
-        let _e48 = local_7;
+        let _e48 = local_5;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_8 = i32(_e54.x);
+            local_6 = i32(_e54.x);
         } else {
-            local_8 = 0i;
+            local_6 = 0i;
         }
-        let _e59 = local_8;
+        let _e59 = local_6;
         if (period.y > 0f) {
             let _e63 = nodes;
-            local_9 = i32(_e63.y);
+            local_7 = i32(_e63.y);
         } else {
-            local_9 = 0i;
+            local_7 = 0i;
         }
-        let _e68 = local_9;
+        let _e68 = local_7;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -1017,43 +980,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
+        var local_4: f32;
+        var local_5: f32;
+        var local_6: i32;
+        var local_7: i32;
 
         nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
+            local_4 = (_e26.x / period.x);
         } else {
-            local_6 = 1.5f;
+            local_4 = 1.5f;
         }
-        let _e35 = local_6;
+        let _e35 = local_4;
         if (period.y > 0f) {
             let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
+            local_5 = (_e39.y / period.y);
         } else {
-            local_7 = 1.5f;
+            local_5 = 1.5f;
         }
-        let _e48 = local_7;
+        let _e48 = local_5;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_8 = i32(_e54.x);
+            local_6 = i32(_e54.x);
         } else {
-            local_8 = 0i;
+            local_6 = 0i;
         }
-        let _e59 = local_8;
+        let _e59 = local_6;
         if (period.y > 0f) {
             let _e63 = nodes;
-            local_9 = i32(_e63.y);
+            local_7 = i32(_e63.y);
         } else {
-            local_9 = 0i;
+            local_7 = 0i;
         }
-        let _e68 = local_9;
+        let _e68 = local_7;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -1182,28 +1145,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_11: f32;
+    var local_9: f32;
     var phase: f32;
-    var local_12: f32;
+    var local_10: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_11 = (atan2(value.y, value.x) * 0.15915494f);
+        local_9 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_11 = 0f;
+        local_9 = 0f;
     }
-    let _e13 = local_11;
+    let _e13 = local_9;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_12 = min((_e18 + 1f), 0.99999994f);
+        local_10 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_12 = _e23;
+        local_10 = _e23;
     }
-    let _e25 = local_12;
+    let _e25 = local_10;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }

@@ -122,8 +122,8 @@ int main(int, char** argv)
     for (int y = 0; y < 257; ++y) {
         draw(&noise[256 * y], y);
         for (int x = 0; x < 256; ++x)
-            words.push_back(gabor_impl_node_word(gabor_impl_line_word(x, gabor_impl_salt(7u)),
-                                                 gabor_impl_line_word(-y, gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS)));
+            words.push_back(gabor_impl_line_word(x, gabor_impl_salt(7u))
+                            * gabor_impl_line_word(-y, gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS));
     }
     std::ofstream file(argv[1], std::ios::binary);
     file.write(reinterpret_cast<const char*>(noise.data()), 4 * noise.size());
@@ -263,8 +263,8 @@ class Translations(unittest.TestCase):
         print(f"gabor_noise: largest difference {difference.max():.2g} at value {difference.argmax()}")
         self.assertLess(difference.max(), 1e-6)
         self.assertGreater(len(set(words)), 65000)
-        wanted = self.glsl("uintBitsToFloat(gabor_impl_node_word(gabor_impl_line_word(int(pixel.x), gabor_impl_salt(7u)), "
-                           "gabor_impl_line_word(-int(pixel.y), gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS)))")
+        wanted = self.glsl("uintBitsToFloat(gabor_impl_line_word(int(pixel.x), gabor_impl_salt(7u)) "
+                           "* gabor_impl_line_word(-int(pixel.y), gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS))")
         np.testing.assert_array_equal(words, wanted.view("<u4"))
 
 
