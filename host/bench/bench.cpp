@@ -5,8 +5,6 @@
 #include "render/bake.hpp"
 #include "statistics/gaussianity.hpp"
 
-#include "passes/bench/bench_interface.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,17 +15,7 @@ namespace gabor::bench {
 
 namespace {
 
-constexpr double base_scale = 32;
-constexpr double base_frequency = 4;
-constexpr double degrees = 40;
-constexpr auto radians = static_cast<float>(noise::radians(degrees));
 constexpr int sample_side = 1024;
-
-struct Setting {
-    int side;
-    double scale;
-    double frequency;
-};
 
 // Something that fills a picture, ready to be timed again and again.
 struct Measurement {
@@ -47,39 +35,14 @@ auto timed(double& seconds, Make make) {
     return made;
 }
 
-passes::BenchPush make_push(const Setting& setting, std::uint32_t seed) {
-    const auto side = static_cast<std::uint32_t>(setting.side);
-    return {static_cast<float>(setting.frequency),
-            radians,
-            static_cast<float>(1 / setting.scale),
-            seed,
-            side,
-            side};
-}
-
-vulkan::Groups groups(int side) {
-    const std::uint32_t count =
-        (static_cast<std::uint32_t>(side) + passes::bench_group - 1) / passes::bench_group;
-    return {count, count};
-}
-
 Measurement per_pixel(const vulkan::Device& device, const Subject& subject, const Setting& setting,
                       const vulkan::Buffer& picture) {
     Measurement measurement;
     measurement.row = {
         subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
-    struct State {
-        vulkan::Pass pass;
-        vulkan::Job job;
-    };
-    vulkan::Pass pass =
-        timed(measurement.row.pipeline, [&] { return make_pass(device, subject, Use::picture); });
-    vulkan::Job job(device, pass, {picture});
-    auto state = std::make_shared<State>(State{std::move(pass), std::move(job)});
-    measurement.run = [state, setting] {
-        state->job.submit(make_push(setting, 7), groups(setting.side));
-        return state->job.wait();
-    };
+    const auto filling = timed(measurement.row.pipeline,
+                               [&] { return std::make_shared<Filling>(device, subject, setting, picture); });
+    measurement.run = [filling] { return filling->run(); };
     return measurement;
 }
 
@@ -99,7 +62,7 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
                                  .height = setting.side,
                                  .scale = setting.scale,
                                  .recipe = recipe,
-                                 .lobes = {{.frequency = setting.frequency, .orientation = degrees}},
+                                 .lobes = {{.frequency = setting.frequency, .orientation = base_orientation}},
                                  .seed = 7};
     struct State {
         render::Bake bake;
@@ -148,9 +111,8 @@ statistics::Estimate measure_cvm(const vulkan::Device& device, const Subject& su
     vulkan::Job job(device, pass, {values});
     statistics::Gaussianity gaussianity;
     for (int batch = 0; batch < batches; ++batch) {
-        job.submit(make_push({sample_side, base_scale, base_frequency},
-                             0x51ed270bu * static_cast<std::uint32_t>(batch + 1)),
-                   groups(sample_side));
+        submit(job, {sample_side, base_setting.scale, base_setting.frequency},
+               0x51ed270bu * static_cast<std::uint32_t>(batch + 1));
         job.wait();
         gaussianity.add(values.as<float>());
         step();
@@ -159,14 +121,10 @@ statistics::Estimate measure_cvm(const vulkan::Device& device, const Subject& su
 }
 
 std::vector<Setting> trend_settings(int side) {
-    return {{side / 2, base_scale, base_frequency},
-            {side * 2, base_scale, base_frequency},
-            {side, 4, 1},
-            {side, 8, base_frequency},
-            {side, 128, base_frequency},
-            {side, 1024, base_frequency},
-            {side, base_scale, 0.5},
-            {side, base_scale, 12}};
+    const auto [_, scale, frequency] = base_setting;
+    return {
+        {side / 2, scale, frequency}, {side * 2, scale, frequency}, {side, 4, 1},       {side, 8, frequency},
+        {side, 128, frequency},       {side, 1024, frequency},      {side, scale, 0.5}, {side, scale, 12}};
 }
 
 } // namespace
@@ -192,7 +150,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
     const std::vector<Subject> all = subjects();
 
     Measurements measurements;
-    const Setting base{effort.side, base_scale, base_frequency};
+    const Setting base{effort.side, base_setting.scale, base_setting.frequency};
     for (const Subject& subject : all)
         measurements.push_back(per_pixel(device, subject, base, picture));
     for (const noise::Recipe& recipe : noise::recipes())

@@ -26,50 +26,75 @@ constexpr render::RecipeModules modules{
     recipe_spirv, {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
 // The options of passes/bench/seminal.comp: impulses per cell, the paper's advice, hoisted.
-void add_published(std::vector<Subject>& all) {
-    for (const auto& [name, hoisted] : {std::pair{"seminal, N = 30", 0u}, std::pair{seminal_yardstick, 1u}})
-        all.push_back({name, 270, seminal_spirv, nullptr, {30, 0, hoisted}, true, true});
-    for (const auto& [name, hoisted] :
-         {std::pair{"the paper's advice, N = 2, plain", 0u}, std::pair{advice_yardstick, 1u}})
-        all.push_back({name, 18, seminal_spirv, nullptr, {2, 1, hoisted}, true});
+Subject published(std::string name, int impulses, bool advised, bool hoisted) {
+    return {std::move(name),
+            9.0 * impulses,
+            seminal_spirv,
+            nullptr,
+            {static_cast<std::uint32_t>(impulses), advised, hoisted},
+            true,
+            !advised};
 }
 
-// The option of passes/bench/recipe.comp is the function.
 void add_drop_in(std::vector<Subject>& all) {
-    for (const noise::Recipe& recipe : noise::recipes())
-        all.push_back({fmt::format("gabor_noise, {}", recipe.name),
-                       static_cast<double>(noise::visited_impulses(recipe)),
-                       modules.of(recipe),
-                       &recipe,
-                       {0},
-                       true});
-    constexpr std::array functions{"gradient", "complex and phasor", "tiled",   "animated", "four",
-                                   "spread",   "lobes, 3",           "filtered"};
-    constexpr std::size_t of_sparse = 4; // the first functions
+    for (const noise::Recipe& recipe : noise::recipes()) {
+        all.push_back(drop_in(recipe, Function::noise));
+        all.back().measure_cvm = true;
+    }
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        for (std::size_t i = 0; i < (recipe->is_lattice() ? functions.size() : of_sparse); ++i)
-            all.push_back({fmt::format("gabor_noise_{}, {}", functions.at(i), recipe->name),
-                           static_cast<double>(noise::visited_impulses(*recipe)),
-                           modules.of(*recipe),
-                           recipe,
-                           {static_cast<std::uint32_t>(i + 1)}});
+        const Function last = recipe->is_lattice() ? Function::filtered : Function::animated;
+        for (auto i = static_cast<std::uint32_t>(Function::gradient); i <= static_cast<std::uint32_t>(last);
+             ++i)
+            all.push_back(drop_in(*recipe, static_cast<Function>(i)));
     }
 }
 
-// The option of passes/bench/space.comp is the function; each visits 3 x 3 x 3 nodes.
 void add_space(std::vector<Subject>& all) {
-    std::uint32_t function = 0;
-    for (const char* name :
-         {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient", "gabor_noise_surface",
-          "gabor_noise_surface_isotropic", "gabor_noise_3d_filtered"})
-        all.push_back({name, 27, space_spirv, nullptr, {++function}});
+    for (auto i = static_cast<std::uint32_t>(SpaceFunction::noise);
+         i <= static_cast<std::uint32_t>(SpaceFunction::filtered); ++i)
+        all.push_back(in_space(static_cast<SpaceFunction>(i)));
 }
 
 } // namespace
 
+Subject drop_in(const noise::Recipe& recipe, Function function) {
+    constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",   "_animated",
+                               "_four", "_spread",   "_lobes, 3",           "_filtered"};
+    const auto number = static_cast<std::uint32_t>(function);
+    return {fmt::format("gabor_noise{}, {}", names.at(number), recipe.name),
+            static_cast<double>(noise::visited_impulses(recipe)),
+            modules.of(recipe),
+            &recipe,
+            {number}};
+}
+
+// Each visits 3 x 3 x 3 nodes.
+Subject in_space(SpaceFunction function) {
+    constexpr std::array names{"",
+                               "gabor_noise_3d",
+                               "gabor_noise_3d_isotropic",
+                               "gabor_noise_3d_gradient",
+                               "gabor_noise_surface",
+                               "gabor_noise_surface_isotropic",
+                               "gabor_noise_3d_filtered"};
+    const auto number = static_cast<std::uint32_t>(function);
+    return {names.at(number), 27, space_spirv, nullptr, {number}};
+}
+
+Subject seminal(int impulses) {
+    return published(fmt::format("seminal, N = {}, hoisted", impulses), impulses, false, true);
+}
+
+Subject advice(int impulses) {
+    return published(fmt::format("the paper's advice, N = {}, hoisted", impulses), impulses, true, true);
+}
+
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    add_published(all);
+    all.push_back(published("seminal, N = 30", 30, false, false));
+    all.push_back(seminal(30));
+    all.push_back(published("the paper's advice, N = 2, plain", 2, true, false));
+    all.push_back(advice(2));
     add_drop_in(all);
     add_space(all);
     all.push_back({"gradient noise", 0, gradient_spirv});
@@ -86,6 +111,27 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     constants[passes::sampling_id] = use == Use::samples;
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
     return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
+}
+
+Filling::Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,
+                 const vulkan::Buffer& picture)
+    : setting_(setting), pass_(make_pass(device, subject, Use::picture)), job_(device, pass_, {picture}) {}
+
+double Filling::run() {
+    submit(job_, setting_, 7);
+    return job_.wait();
+}
+
+void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {
+    const auto side = static_cast<std::uint32_t>(setting.side);
+    const passes::BenchPush push{static_cast<float>(setting.frequency),
+                                 static_cast<float>(noise::radians(base_orientation)),
+                                 static_cast<float>(1 / setting.scale),
+                                 seed,
+                                 side,
+                                 side};
+    const std::uint32_t count = render::groups(setting.side, passes::bench_group);
+    job.submit(push, {count, count});
 }
 
 } // namespace gabor::bench

@@ -8,6 +8,8 @@
 #include "passes/bake_lattice_3.h"
 #include "passes/bake_lattice_4.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,14 +37,14 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
+// `scale`: pixels per radius of its kernels.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
-                           const Axis& y) {
+                           const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
     const double level = frequency * std::sqrt(1 - wave.rise * wave.rise);
     const double wave_x = level * std::cos(wave.angle);
     const double wave_y = level * std::sin(wave.angle);
-    const double scale = request.scale * wave.radius;
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
     const double normalized =
         recipe.is_lattice()
@@ -68,6 +70,11 @@ std::vector<noise::Wave> waves_of(const Request& request) {
 
 } // namespace
 
+std::string recipe_pass(std::string_view name, const noise::Recipe& recipe) {
+    const std::string path = fmt::format("passes/{}.comp", name);
+    return recipe.is_lattice() ? fmt::format("{}@{}", path, recipe.taps) : path;
+}
+
 std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
     using vulkan::constant;
     return {constant(recipe.impulses), constant(recipe.radius),    constant(recipe.weight_floor),
@@ -81,14 +88,15 @@ Block gpu_block(const noise::Recipe& recipe) {
     return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
 }
 
-std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest) {
-    const auto position = [&](int pixel) { return (pixel + 0.5) * cells_per_pixel; };
+std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
+                                   double origin) {
+    const auto position = [&](int pixel) { return origin + (pixel + 0.5) * cells_per_pixel; };
     const auto cell_of = [&](int pixel) {
         return static_cast<std::int32_t>(std::floor(position(pixel) - radius));
     };
     // The first pixel that visits no cell before this one: an estimate, which rounding may have put one off.
     const auto start_of = [&](std::int32_t cell) {
-        int pixel = static_cast<int>(std::ceil((cell + radius) / cells_per_pixel - 0.5));
+        int pixel = static_cast<int>(std::ceil((cell + radius - origin) / cells_per_pixel - 0.5));
         while (cell_of(pixel) >= cell)
             --pixel;
         while (cell_of(pixel) < cell)
@@ -110,8 +118,7 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
     return runs;
 }
 
-vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
-                            int fixed_rows) {
+std::vector<std::uint32_t> bake_constants(const Request& request, int block_columns, int fixed_rows) {
     const noise::Recipe recipe = drawing_recipe(request);
     const auto of_recipe = recipe_constants(recipe);
     std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
@@ -124,7 +131,15 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
     constants.push_back(waves_of(request).size() > 1);
     constants.push_back(request.colour.has_value());
     constants.push_back(in_space(request));
-    return {device, modules.of(recipe), {5, sizeof(passes::BakePush), fixed_rows > 0}, constants};
+    return constants;
+}
+
+vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
+                            int fixed_rows, Code code) {
+    return {device,
+            code_or(code, modules.of(drawing_recipe(request))),
+            {5, sizeof(passes::BakePush), fixed_rows > 0},
+            bake_constants(request, block_columns, fixed_rows)};
 }
 
 bool Bake::can_fill(const Request& request) {
@@ -133,21 +148,29 @@ bool Bake::can_fill(const Request& request) {
     return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
 }
 
-Bake::Tables Bake::make_tables(const Request& request, const image::Window& region, const Block& block) {
+BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
+                            const Block& block) {
     const noise::Recipe recipe = drawing_recipe(request);
     const std::vector<noise::Wave> waves = waves_of(request);
-    Tables tables;
+    BakeTables tables;
     for (const double radius : noise::radii(waves)) {
         const Axis x = axis_along(request, request.width, radius);
         const Axis y = axis_along(request, request.height, radius);
-        const double scale = request.scale * radius;
+        const double scale = across.scale * radius;
         // The lattice's windows stretch with its nodes to fit a period.
-        const auto runs = [&](const Axis& axis, int first, int count, int longest) {
+        const auto runs = [&](const Axis& axis, const BakeAxis& pixels, int longest) {
             const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
-            return make_runs(first, count, axis.radius / scale, reach, longest);
+            const auto [cell, place] =
+                pixels.origin ? pixels.origin(axis.radius / radius) : std::pair(0, 0.0);
+            std::vector<passes::Run> made =
+                make_runs(pixels.first, pixels.count, axis.radius / scale, reach, longest, place);
+            for (passes::Run& run : made) // cells wrap around at 2^31
+                run.cell = static_cast<std::int32_t>(static_cast<std::uint32_t>(run.cell) +
+                                                     static_cast<std::uint32_t>(cell));
+            return made;
         };
-        const std::vector<passes::Run> columns = runs(x, region.x, region.width, block.columns);
-        const std::vector<passes::Run> rows = runs(y, region.y, region.height, block.rows);
+        const std::vector<passes::Run> columns = runs(x, across, block.columns);
+        const std::vector<passes::Run> rows = runs(y, down, block.rows);
         passes::BakePush push{};
         push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
         push.period = {x.period, y.period};
@@ -163,9 +186,9 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
         push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
         for (std::size_t i = 0; i < waves.size(); ++i)
             if (waves[i].radius == radius)
-                tables.waves.push_back(make_wave(request, i, waves[i], x, y));
+                tables.waves.push_back(make_wave(request, i, waves[i], x, y, scale));
         push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
-        push.width = region.width;
+        push.width = across.count;
         push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
         push.column_runs = static_cast<std::uint32_t>(columns.size());
         push.first_row_run = static_cast<std::uint32_t>(tables.rows.size());
@@ -176,24 +199,26 @@ Bake::Tables Bake::make_tables(const Request& request, const image::Window& regi
     return tables;
 }
 
-Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Bake(device, request, region, block_for(device, request)) {}
+Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region, Code code)
+    : Bake(device, request, region, block_for(device, request), code) {}
 
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
-           const Block& block)
-    : Bake(device, make_tables(request, region, block), make_bake_pass(device, request, block.columns),
-           pixels_colour(request), region.height) {}
+           const Block& block, Code code)
+    : Bake(device,
+           make_bake_tables(request, {region.x, region.width, request.scale, {}},
+                            {region.y, region.height, request.scale, {}}, block),
+           make_bake_pass(device, request, block.columns, 0, code), pixels_colour(request), region.height) {}
 
-Bake::Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+Bake::Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
            const passes::PixelsColour& colour, int height)
-    : height_(height), grids_(tables.grids), pass_(std::move(pass)), columns_(upload(device, tables.columns)),
-      rows_(upload(device, tables.rows)), waves_(upload(device, tables.waves)),
-      colour_(upload(device, std::vector{colour})) {}
+    : height_(height), tables_(std::move(tables)), pass_(std::move(pass)),
+      columns_(upload(device, tables_.columns)), rows_(upload(device, tables_.rows)),
+      waves_(upload(device, tables_.waves)), colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
     std::vector<Band> bands;
-    for (const passes::Run& run : grids_.front().row_runs) {
+    for (const passes::Run& run : tables_.grids.front().row_runs) {
         const int begin = std::max(run.first, 0);
         const int end = std::min(run.first + run.count, height_);
         if (bands.empty() || end - bands.back().first_row > most_rows)
@@ -208,10 +233,15 @@ vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
+    tables_.submit(job, band, 0, copy);
+}
+
+void BakeTables::submit(vulkan::Job& job, const RegionRenderer::Band& band, int before,
+                        const std::optional<vulkan::Job::Copy>& copy) const {
     std::vector<passes::BakePush> pushes;
     std::vector<vulkan::Job::Dispatch> dispatches;
-    pushes.reserve(grids_.size());
-    for (const Grid& grid : grids_) {
+    pushes.reserve(grids.size());
+    for (const Grid& grid : grids) {
         const auto ends = [](const passes::Run& run) { return run.first + run.count; };
         const auto first = std::ranges::upper_bound(grid.row_runs, band.first_row, {}, ends);
         const auto last =
@@ -219,6 +249,7 @@ void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan
         passes::BakePush& push = pushes.emplace_back(grid.push);
         push.first_row = band.first_row;
         push.height = band.rows;
+        push.before = before;
         push.first_row_run += static_cast<std::uint32_t>(first - grid.row_runs.begin());
         dispatches.push_back({std::as_bytes(std::span(&push, 1)),
                               {groups(static_cast<int>(push.column_runs), passes::bake_group),

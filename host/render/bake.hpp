@@ -7,6 +7,9 @@
 #include "passes/colour.h"
 
 #include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gabor::render {
@@ -21,6 +24,9 @@ struct RecipeModules {
     }
 };
 
+/// The pass of that name as `pass_of` has it.
+std::string recipe_pass(std::string_view name, const noise::Recipe& recipe);
+
 /// The specialization constants of passes/recipe.glsl.
 std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 
@@ -28,7 +34,9 @@ std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe);
 /// centred at (i + 0.5) * cells_per_pixel cells and visits the cells within `radius` of there. Where runs
 /// begin depends on the grid alone, so that every part of a picture is cut in the same way; the first and the
 /// last run may reach beyond what was asked for.
-std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest);
+/// `origin`: the cells from where cells are counted to where pixels are, at most one.
+std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
+                                   double origin = 0);
 
 /// The pixels that one invocation of passes/bake.comp fills.
 struct Block {
@@ -41,10 +49,45 @@ struct Block {
 constexpr Block cpu_block{8, 32};
 Block gpu_block(const noise::Recipe& recipe);
 
-/// The pipeline of passes/bake.comp for a request's recipe, spectrum and channels. `fixed_rows`: see there,
-/// with statistics asked for; 0 to fill pictures.
+/// The specialization constants of passes/bake.comp for a request's recipe, spectrum and channels.
+std::vector<std::uint32_t> bake_constants(const Request& request, int block_columns, int fixed_rows = 0);
+
+/// Its pipeline. `fixed_rows`: see there, with statistics asked for; 0 to fill pictures.
 vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
-                            int fixed_rows = 0);
+                            int fixed_rows = 0, Code code = {});
+
+/// Pixels along an axis: pixel i is centred (i + 0.5) / scale kernel radii from `origin`.
+struct BakeAxis {
+    int first = 0; ///< pixel
+    int count = 0;
+    double scale = 32; ///< pixels per kernel radius
+    /// Where the pixels are counted from, in cells of so many to a kernel radius: a cell, and the place in
+    /// it.
+    std::function<std::pair<std::int32_t, double>(double)> origin;
+};
+
+/// What passes/bake.comp reads to fill a region.
+struct BakeTables {
+    /// The noises of one kernel radius, whose pixels fall into the same runs: what is pushed for the whole
+    /// region.
+    struct Grid {
+        passes::BakePush push;
+        std::vector<passes::Run> row_runs;
+    };
+
+    std::vector<passes::Run> columns;
+    std::vector<passes::Run> rows;
+    std::vector<passes::BakeWave> waves;
+    std::vector<Grid> grids;
+
+    /// Has `job`, of a bake's pass with these tables, fill any rows of the region. `before`: pixels in its
+    /// buffer before those.
+    void submit(vulkan::Job& job, const RegionRenderer::Band& band, int before,
+                const std::optional<vulkan::Job::Copy>& copy) const;
+};
+
+BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
+                            const Block& block);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
@@ -54,7 +97,7 @@ class Bake : public RegionRenderer {
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.
-    Bake(const vulkan::Device& device, const Request& request, const image::Window& region);
+    Bake(const vulkan::Device& device, const Request& request, const image::Window& region, Code code = {});
 
     /// Bands of the rows of one block at least.
     std::vector<Band> bands(int most_rows) const override;
@@ -63,29 +106,13 @@ class Bake : public RegionRenderer {
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
-    /// The noises of one kernel radius, whose pixels fall into the same runs: what is pushed for the whole
-    /// region.
-    struct Grid {
-        passes::BakePush push;
-        std::vector<passes::Run> row_runs;
-    };
-
-    /// Of all grids.
-    struct Tables {
-        std::vector<passes::Run> columns;
-        std::vector<passes::Run> rows;
-        std::vector<passes::BakeWave> waves;
-        std::vector<Grid> grids;
-    };
-    static Tables make_tables(const Request& request, const image::Window& region, const Block& block);
-
     Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
-         const Block& block);
-    Bake(const vulkan::Device& device, const Tables& tables, vulkan::Pass pass,
+         const Block& block, Code code);
+    Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
          const passes::PixelsColour& colour, int height);
 
     int height_;
-    std::vector<Grid> grids_;
+    BakeTables tables_;
     vulkan::Pass pass_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;

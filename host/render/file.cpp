@@ -49,14 +49,16 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     std::optional<image::ExrWriter> exr;
     if (files.exr)
         exr.emplace(*files.exr,
-                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                  .window = region,
-                                                  .channels = names,
-                                                  .compression = files.compression,
-                                                  .parameters = to_json(request),
-                                                  .software = software(device)});
+                    image::ExrWriter::Description{
+                        .picture = {0, 0, request.width, request.height},
+                        .window = region,
+                        .channels = names,
+                        .compression = files.compression,
+                        .parameters = to_json(request),
+                        .software = software(device) + (files.code.empty() ? "" : ", with other shaders")});
     // Colour, where there are as many noises; of a material its look.
-    const std::size_t colours = has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
+    const bool coloured = files.colours || has_material(request) || request.colour || request.values >= 3;
+    const std::size_t colours = coloured ? 3 : 1;
     const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;
     const auto show = has_material(request) ? srgb : request.colour ? as_is : unorm;
     std::optional<image::PngWriter> png;
@@ -65,20 +67,25 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
 
     FileTimes times;
     std::vector<float> shown;
-    times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
-        advance(values.size() / names.size());
-        const Clock::time_point before = Clock::now();
-        if (exr)
-            exr->write_rows(values);
-        if (png) {
-            shown.clear();
-            for (std::size_t i = 0; i < values.size(); i += names.size())
-                for (std::size_t k = first; k < first + colours; ++k)
-                    shown.push_back(show(values[i + k]));
-            png->write_rows(shown);
-        }
-        times.writing += seconds_since(before);
-    });
+    times.rendering = render_region(
+        device, request, region,
+        [&](std::span<const float> values) {
+            advance(values.size() / names.size());
+            const Clock::time_point before = Clock::now();
+            if (exr)
+                exr->write_rows(values);
+            if (png && files.colours) {
+                png->write_rows(files.colours(values));
+            } else if (png) {
+                shown.clear();
+                for (std::size_t i = 0; i < values.size(); i += names.size())
+                    for (std::size_t k = first; k < first + colours; ++k)
+                        shown.push_back(show(values[i + k]));
+                png->write_rows(shown);
+            }
+            times.writing += seconds_since(before);
+        },
+        files.code);
     advance(0);
     const Clock::time_point before = Clock::now();
     if (exr)

@@ -34,6 +34,9 @@ struct Files {
     std::optional<std::filesystem::path> exr;
     std::optional<std::filesystem::path> png; ///< of the noise, or in colour of three, to look at
     std::string_view compression = "none";
+    /// Red, green and blue of a band's pixels, from 0 to 1, that the PNG is to show in place of that.
+    std::function<std::span<const float>(std::span<const float>)> colours = {};
+    Code code = {}; ///< of `pass_of(request)`, in place of what was built in
 };
 
 /// Renders `region` of a checked request into an EXR, a PNG or both. `advance` is called with the number of

@@ -65,15 +65,16 @@ passes::MaterialPush material_push(const Request& request, int width, int height
     return push;
 }
 
-std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device,
-                                                        const Request& request) {
-    return std::make_shared<vulkan::Pass>(device, module_of(request),
+std::shared_ptr<const vulkan::Pass> Material::make_pass(const vulkan::Device& device, const Request& request,
+                                                        Code code) {
+    return std::make_shared<vulkan::Pass>(device, code_or(code, module_of(request)),
                                           vulkan::Pass::Interface{1, sizeof(passes::MaterialPush)},
                                           material_constants(request));
 }
 
-Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Material(request, region, make_pass(device, request)) {}
+Material::Material(const vulkan::Device& device, const Request& request, const image::Window& region,
+                   Code code)
+    : Material(request, region, make_pass(device, request, code)) {}
 
 Material::Material(const Request& request, const image::Window& region,
                    std::shared_ptr<const vulkan::Pass> pass)

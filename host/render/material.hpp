@@ -33,13 +33,14 @@ passes::MaterialPush material_push(const Request& request, int width, int height
 class Material : public RegionRenderer {
   public:
     /// `request` must have passed `check`, and `region` lie within it.
-    Material(const vulkan::Device& device, const Request& request, const image::Window& region);
+    Material(const vulkan::Device& device, const Request& request, const image::Window& region,
+             Code code = {});
 
     /// With the pipeline of another picture of the same material and view, filtered or not as this one: to
     /// compile one takes seconds.
     Material(const Request& request, const image::Window& region, std::shared_ptr<const vulkan::Pass> pass);
-    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device,
-                                                         const Request& request);
+    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device, const Request& request,
+                                                         Code code = {});
 
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;

@@ -138,14 +138,15 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height) {
     return push;
 }
 
-std::shared_ptr<const vulkan::Pass> Pixels::make_pass(const vulkan::Device& device, const Request& request) {
-    return std::make_shared<vulkan::Pass>(device, modules.of(request.recipe),
+std::shared_ptr<const vulkan::Pass> Pixels::make_pass(const vulkan::Device& device, const Request& request,
+                                                      Code code) {
+    return std::make_shared<vulkan::Pass>(device, code_or(code, modules.of(request.recipe)),
                                           vulkan::Pass::Interface{6, sizeof(passes::PixelsPush)},
                                           pixels_constants(request));
 }
 
-Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Pixels(device, request, region, make_pass(device, request)) {}
+Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region, Code code)
+    : Pixels(device, request, region, make_pass(device, request, code)) {}
 
 Pixels::Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
                std::shared_ptr<const vulkan::Pass> pass)

@@ -43,14 +43,14 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height);
 class Pixels : public RegionRenderer {
   public:
     /// `request` must have passed `check`, and `region` lie within it. Reads the request's paint.
-    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region);
+    Pixels(const vulkan::Device& device, const Request& request, const image::Window& region, Code code = {});
 
     /// With the pipeline of another picture, which may differ in its size, scale, lobes and seed: to compile
     /// one takes longer than to draw a small picture.
     Pixels(const vulkan::Device& device, const Request& request, const image::Window& region,
            std::shared_ptr<const vulkan::Pass> pass);
-    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device,
-                                                         const Request& request);
+    static std::shared_ptr<const vulkan::Pass> make_pass(const vulkan::Device& device, const Request& request,
+                                                         Code code = {});
 
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;

@@ -5,6 +5,8 @@
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -76,21 +78,32 @@ std::vector<RegionRenderer::Band> RegionRenderer::bands_of_rows(int height, int 
     return bands;
 }
 
-std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
-                                              const image::Window& region) {
-    if (has_material(request))
-        return std::make_unique<Material>(device, request, region);
+std::string pass_of(const Request& request) {
+    if (has_material(request)) {
+        std::string function = request.material;
+        std::ranges::replace(function, '-', '_');
+        return "passes/material.comp@" + function;
+    }
     if (Bake::can_fill(request))
-        return std::make_unique<Bake>(device, request, region);
+        return recipe_pass("bake", drawing_recipe(request));
+    return in_space(request) ? "passes/solid.comp" : recipe_pass("pixels", request.recipe);
+}
+
+std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
+                                              const image::Window& region, Code code) {
+    if (has_material(request))
+        return std::make_unique<Material>(device, request, region, code);
+    if (Bake::can_fill(request))
+        return std::make_unique<Bake>(device, request, region, code);
     if (in_space(request))
-        return std::make_unique<Solid>(device, request, region);
-    return std::make_unique<Pixels>(device, request, region);
+        return std::make_unique<Solid>(device, request, region, code);
+    return std::make_unique<Pixels>(device, request, region, code);
 }
 
 Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
-                    const std::function<void(std::span<const float>)>& sink) {
+                    const std::function<void(std::span<const float>)>& sink, Code code) {
     const Clock::time_point start = Clock::now();
-    const std::unique_ptr<RegionRenderer> renderer = make_renderer(device, request, region);
+    const std::unique_ptr<RegionRenderer> renderer = make_renderer(device, request, region, code);
     const double ready = seconds_since(start);
     Times times = render_region(device, *renderer, request, region, sink);
     times.first_dispatch += ready;

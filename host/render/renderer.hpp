@@ -75,9 +75,22 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
     return buffer;
 }
 
+/// SPIR-V of a pass.
+using Code = std::span<const std::uint32_t>;
+
+/// `code`, or what was built in where that is empty.
+inline Code code_or(Code code, Code built_in) {
+    return code.empty() ? built_in : code;
+}
+
+/// The pass that draws the request: a file of the folder shaders, with the GABOR_TAPS that it is compiled
+/// with, as "passes/bake.comp@3", or its material.
+std::string pass_of(const Request& request);
+
 /// The fastest one for the request, which must have passed `check`; `region` must lie within the picture.
+/// `code`: of `pass_of(request)`, in place of what was built in.
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
-                                              const image::Window& region);
+                                              const image::Window& region, Code code = {});
 
 struct Times {
     double first_dispatch = 0; ///< seconds from the call to the first submission
@@ -89,7 +102,7 @@ struct Times {
 /// while one band is taken the next is on the device. Memory does not grow with the height. What `sink`
 /// throws ends it.
 Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
-                    const std::function<void(std::span<const float>)>& sink);
+                    const std::function<void(std::span<const float>)>& sink, Code code = {});
 
 /// The same by a renderer of one's own choice.
 Times render_region(const vulkan::Device& device, const RegionRenderer& renderer, const Request& request,

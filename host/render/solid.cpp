@@ -74,13 +74,13 @@ passes::SolidPush solid_push(const Request& request, int width, int height, int 
     return push;
 }
 
-Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region)
-    : Solid(device, request, region, solid_waves(request)) {}
+Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region, Code code)
+    : Solid(device, request, region, solid_waves(request), code) {}
 
 Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region,
-             const std::vector<passes::SolidWave>& waves)
+             const std::vector<passes::SolidWave>& waves, Code code)
     : height_(region.height),
-      pass_(device, solid_spirv, {2, sizeof(passes::SolidPush)}, solid_constants(request)),
+      pass_(device, code_or(code, solid_spirv), {2, sizeof(passes::SolidPush)}, solid_constants(request)),
       waves_(upload(device, waves)), push_(solid_push(request, request.width, request.height)) {
     push_.waves = static_cast<int>(waves.size());
     push_.width = region.width;

@@ -24,7 +24,7 @@ double sphere_radius(const Request& request);
 class Solid : public RegionRenderer {
   public:
     /// `request` must have passed `check`, and `region` lie within it.
-    Solid(const vulkan::Device& device, const Request& request, const image::Window& region);
+    Solid(const vulkan::Device& device, const Request& request, const image::Window& region, Code code = {});
 
     std::vector<Band> bands(int most_rows) const override;
     vulkan::Job job(const vulkan::Device& device, const vulkan::Buffer& result) const override;
@@ -33,7 +33,7 @@ class Solid : public RegionRenderer {
 
   private:
     Solid(const vulkan::Device& device, const Request& request, const image::Window& region,
-          const std::vector<passes::SolidWave>& waves);
+          const std::vector<passes::SolidWave>& waves, Code code);
 
     int height_;
     vulkan::Pass pass_;

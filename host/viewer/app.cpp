@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,18 +25,15 @@ constexpr std::uint32_t most_samples = 1 << 21;
 constexpr double reload_interval = 0.25; // seconds
 constexpr float panel_width = 26;        // in heights of the font
 
-struct ShaderFile {
-    const char* path;
-    ShaderStage stage;
-};
-// Those of every picture. Compute passes are compiled when a picture first wants them.
-constexpr std::array shader_files{ShaderFile{"viewer/show.vert", ShaderStage::vertex},
-                                  ShaderFile{"viewer/show.frag", ShaderStage::fragment}};
-
 void drop(GLFWwindow* window, int count, const char** paths) {
     Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
     if (count > 0 && !session.question)
         open_file(session, paths[0]);
+}
+
+// The values of a material have none.
+bool has_law(const NoisePass& noise) {
+    return !render::has_material(noise.request);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -67,13 +65,17 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(Document()), options.device), remember_(!options.screenshot) {
+      session_(options.document.value_or(Document()), options.device), timing_(device_),
+      remember_(!options.screenshot) {
     if (remember_)
         restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
+    session_.export_shaders = [this](const render::Request& request) { return export_shaders(request); };
     load_shaders();
-    if (!spirv(noise_passes(session_.document()).front()))
+    if (session_.shader_error.empty())
+        spirv(wanted().front().shader);
+    if (!session_.shader_error.empty())
         throw std::runtime_error(session_.shader_error);
 }
 
@@ -103,30 +105,63 @@ void App::restore(const Options& options) {
     });
 }
 
-// All or nothing: what does not compile leaves everything as it was.
+// What is on the screen, all or nothing: what does not compile leaves everything as it was.
 void App::load_shaders() {
+    std::vector<std::string> shown{"viewer/show.vert", "viewer/show.frag"};
+    for (const Pane& pane : panes_) {
+        shown.push_back(pane.canvas->noise().shader);
+        if (pane.sampler)
+            shown.push_back(pane.sampler->noise().shader);
+    }
     decltype(spirv_) compiled;
-    const auto compile = [&](const std::string& path, ShaderStage stage) {
-        Compiled result = compiler_.compile(path, stage);
-        session_.shader_error = result.error;
+    for (const std::string& path : shown) {
+        if (compiled.contains(path))
+            continue;
+        Compiled result = compiler_.compile(path);
+        if (!result.error.empty()) {
+            session_.shader_error = result.error;
+            return;
+        }
         compiled[path] = std::move(result.spirv);
-        return result.error.empty();
-    };
-    for (const ShaderFile& file : shader_files)
-        if (!compile(file.path, file.stage))
-            return;
-    for (const Pane& pane : panes_)
-        if (const std::string& path = pane.canvas->noise().shader;
-            !compiled.contains(path) && !compile(path, ShaderStage::compute))
-            return;
+    }
+    session_.shader_error.clear();
     swapchain_.wait();
     spirv_ = std::move(compiled);
     painter_ = std::make_unique<Painter>(device_, swapchain_.render_pass(), spirv_["viewer/show.vert"],
                                          spirv_["viewer/show.frag"]);
-    for (std::size_t index = 0; index < panes_.size(); ++index) {
-        panes_[index].canvas->replace(*spirv(panes_[index].canvas->noise()));
-        panes_[index].sampler.reset();
+    for (Pane& pane : panes_) {
+        pane.canvas->replace(spirv_[pane.canvas->noise().shader]);
+        pane.sampler.reset();
     }
+}
+
+// Compiled when it is first wanted.
+const Spirv* App::spirv(const std::string& path) {
+    auto known = spirv_.find(path);
+    if (known == spirv_.end()) {
+        Compiled result = compiler_.compile(path);
+        if (!result.error.empty())
+            session_.shader_error = result.error;
+        // Empty where it does not compile, and not tried again until something changes.
+        known = spirv_.emplace(path, std::move(result.spirv)).first;
+    }
+    return known->second.empty() ? nullptr : &known->second;
+}
+
+const Spirv& App::required(const std::string& path) {
+    const Spirv* code = spirv(path);
+    if (!code)
+        throw std::runtime_error(session_.shader_error);
+    return *code;
+}
+
+Exporter::Shaders App::export_shaders(const render::Request& request) {
+    Exporter::Shaders shaders;
+    shaders.colours = required("viewer/show.comp");
+    const Spirv& pass = required(render::pass_of(request));
+    if (!compiler_.as_built())
+        shaders.pass = pass;
+    return shaders;
 }
 
 void App::poll_shaders() {
@@ -142,15 +177,8 @@ void App::poll_shaders() {
     }
 }
 
-const Spirv* App::spirv(const NoisePass& noise) {
-    const auto known = spirv_.find(noise.shader);
-    if (known != spirv_.end())
-        return &known->second;
-    if (!session_.shader_error.empty()) // until a shader is saved
-        return nullptr;
-    Compiled compiled = compiler_.compile(noise.shader, ShaderStage::compute);
-    session_.shader_error = compiled.error;
-    return compiled.error.empty() ? &(spirv_[noise.shader] = std::move(compiled.spirv)) : nullptr;
+std::vector<NoisePass> App::wanted() const {
+    return noise_passes(session_.history.now, device_.info().kind == "CPU");
 }
 
 std::vector<Area> App::areas(Extent window) const {
@@ -173,45 +201,54 @@ bool App::refine(Extent window) {
         photograph_.reset();
         photograph_pixels_.reset();
     }
-    const std::vector<NoisePass> wanted = noise_passes(session_.document());
-    if (!std::ranges::all_of(wanted, [&](const NoisePass& noise) { return spirv(noise) != nullptr; }))
-        return true; // the last good picture stays
+    const std::vector<NoisePass> wanted = this->wanted();
+    for (const NoisePass& noise : wanted)
+        if (!spirv(noise.shader) || (has_law(noise) && !spirv(value_pass(noise).shader)))
+            return false; // until its error is mended the last good picture stays
     const std::vector<Area> where = areas(window);
     session_.view = {where[0].width, where[0].height};
     if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
         panes_.resize(wanted.size());
         session_.panes.resize(wanted.size());
     }
+    const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+    const double budget = (moving ? moving_budget : resting_budget) / static_cast<double>(wanted.size());
     bool more = false;
     for (std::size_t index = 0; index < wanted.size(); ++index) {
         Pane& pane = panes_[index];
         if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
-            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], *spirv(wanted[index]));
-        const double share = 1.0 / static_cast<double>(wanted.size());
-        const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], required(wanted[index].shader));
         if (pane.canvas->refine(wanted[index], session_.document().camera,
-                                {where[index].width, where[index].height},
-                                share * (moving ? moving_budget : resting_budget))) {
+                                {where[index].width, where[index].height}, budget)) {
             more = true;
             pane.picture_measured = false;
         }
-        if (render::has_material(wanted[index].request)) {
-            if (std::exchange(pane.sampler, nullptr)) // its values have no law
-                measuring_.reset(index);
-        } else {
-            measure(index, wanted[index]);
-            more |= !pane.picture_measured || pane.samples < most_samples;
-        }
-
-        PaneReport& report = session_.panes[index];
-        const double cost = pane.canvas->seconds_per_pixel();
-        report.name = wanted[index].name;
-        report.visited = wanted[index].visited;
-        report.nanoseconds = cost * 1e9;
-        report.milliseconds = cost * 1e3 * where[index].width * where[index].height;
-        report.measured = measuring_.measured(index);
     }
-    return more || !measuring_.idle();
+    timing_.set(wanted);
+    const bool quiet = !more && !moving && !session_.exporter.running() && measuring_.idle();
+    if (quiet && !timing_.done()) {
+        timing_.run();
+        more = true;
+    } else {
+        for (std::size_t index = 0; index < wanted.size(); ++index) {
+            if (has_law(wanted[index])) {
+                measure(index, wanted[index]);
+                more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
+            } else if (std::exchange(panes_[index].sampler, nullptr)) {
+                measuring_.reset(index);
+            }
+        }
+    }
+    for (std::size_t index = 0; index < wanted.size(); ++index) {
+        const double nanoseconds = timing_.nanoseconds(index);
+        session_.panes[index] = {wanted[index].name,
+                                 wanted[index].visits(),
+                                 timing_.function(index),
+                                 nanoseconds,
+                                 1e-6 * nanoseconds * where[index].width * where[index].height,
+                                 measuring_.measured(index)};
+    }
+    return more || !timing_.done() || !measuring_.idle();
 }
 
 // While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
@@ -223,7 +260,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
         if (pane.sampler && pane.sampler->noise().same_pipeline(values))
             pane.sampler->set(std::move(values));
         else
-            pane.sampler = std::make_unique<ValueSampler>(device_, std::move(values), *spirv(noise));
+            pane.sampler = std::make_unique<ValueSampler>(device_, values, required(values.shader));
         pane.samples = 0;
         pane.picture_measured = false;
         measuring_.reset(index);
@@ -241,7 +278,8 @@ void App::measure(std::size_t index, const NoisePass& noise) {
             pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
         const int channels = pane.sampler->noise().channel_count();
         pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
-        measuring_.add_samples(index, values_now, channels);
+        const bool covered = pane.sampler->noise().channels.back() == "A";
+        measuring_.add_samples(index, values_now, channels, covered ? channels - 1 : -1);
     }
 }
 
@@ -280,6 +318,11 @@ void App::panels() {
     ImGui::PopAllowKeyboardFocus();
     ImGui::PopItemWidth();
     ImGui::End();
+}
+
+bool App::fine() const {
+    return !panes_.empty() &&
+           std::ranges::all_of(panes_, [](const Pane& pane) { return pane.canvas->fine(); });
 }
 
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
@@ -338,12 +381,9 @@ void App::write_window_png(const std::string& path) {
 
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
-    const NoisePass noise = noise_passes(document).front();
+    const NoisePass noise = wanted().front();
     const Extent extent{document.request.width, document.request.height};
-    const Spirv* code = spirv(noise);
-    if (!code)
-        throw std::runtime_error(session_.shader_error);
-    Canvas canvas(device_, noise, *code);
+    Canvas canvas(device_, noise, required(noise.shader));
     while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();

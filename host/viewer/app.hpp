@@ -6,6 +6,7 @@
 #include "viewer/settings.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/target.hpp"
+#include "viewer/timing.hpp"
 
 #include <functional>
 #include <memory>
@@ -38,6 +39,8 @@ class App {
 
     Session& session() { return session_; }
     const Window& window() const { return window_; }
+    /// Whether the picture is in full resolution.
+    bool fine() const;
     /// Whether nothing is left to refine, to measure, to fit or to export.
     bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// The picture itself, without a window around it, as gabor render would have it.
@@ -66,14 +69,17 @@ class App {
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void write_window_png(const std::string& path);
-    /// Compiled when first wanted. Nothing where it does not compile, and the session says why.
-    const Spirv* spirv(const NoisePass& noise);
+    std::vector<NoisePass> wanted() const; ///< of what the session shows
+    /// A shader's code; for one that does not compile none, and its error in the session.
+    const Spirv* spirv(const std::string& path);
+    const Spirv& required(const std::string& path); ///< throws then
+    Exporter::Shaders export_shaders(const render::Request& request);
 
     Settings settings_;
     Window window_;
     vulkan::Device device_;
     ShaderCompiler compiler_;
-    std::map<std::string, Spirv, std::less<>> spirv_;
+    std::map<std::string, Spirv, std::less<>> spirv_; ///< by path
     Swapchain swapchain_;
     Gui gui_;
     std::unique_ptr<Painter> painter_;
@@ -81,6 +87,7 @@ class App {
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
     MeasuringThread measuring_;
+    Timing timing_;
     std::vector<Pane> panes_;
     std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
     std::optional<vulkan::Buffer> photograph_pixels_;

@@ -9,7 +9,8 @@ namespace gabor::viewer {
 namespace {
 
 constexpr int coarsest_stride = 16;
-constexpr int rows_at_once = 8; ///< at least, of the passes' groups
+constexpr int coarsest_baked = 4; // where blocks are still full
+constexpr int rows_at_once = 8;   ///< at least, of the passes' groups
 constexpr int sample_columns = 256;
 constexpr int most_sample_rows = 256;
 
@@ -25,23 +26,27 @@ void upload(const vulkan::Device& device, vulkan::Buffer& buffer, const std::vec
     std::ranges::copy(values, buffer.as<T>().begin());
 }
 
-// The buffers and the push constants of each kind of pass.
+// The buffers and the push constants of the passes.
 vulkan::Pass::Interface interface_of(const NoisePass& noise) {
     if (render::has_material(noise.request))
         return {1, sizeof(passes::MaterialPush)};
     if (render::in_space(noise.request))
         return {2, sizeof(passes::SolidPush)};
-    if (noise.ingredients)
-        return {3, sizeof(passes::IngredientsPush)};
+    if (noise.block)
+        return {5, sizeof(passes::BakePush)};
     return {6, sizeof(passes::PixelsPush)};
 }
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+    using Functions::operator()...;
+};
 
 vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
     return {device, spirv, interface_of(noise), noise.constants};
 }
 
-static_assert(passes::pixels_group == passes::solid_group && passes::pixels_group == passes::material_group &&
-              passes::pixels_group == passes::ingredients_group);
+static_assert(passes::pixels_group == passes::solid_group && passes::pixels_group == passes::material_group);
 
 } // namespace
 
@@ -76,17 +81,27 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
         if (!device_.unified())
             staging_.emplace(device_, bytes, vulkan::Memory::readback);
     }
-    upload(device_, colour_, std::vector{input_.colour});
-    upload(device_, columns_, input_.columns);
-    upload(device_, rows_, input_.rows);
-    std::visit([&](const auto& waves) { upload(device_, waves_, waves); }, input_.waves);
-    vulkan::Job::Buffers buffers{waves_, values_};
-    if (std::holds_alternative<passes::IngredientsPush>(input_.push))
-        buffers = {columns_, rows_, values_};
-    else if (std::holds_alternative<passes::MaterialPush>(input_.push))
-        buffers = {values_};
-    else if (std::holds_alternative<passes::PixelsPush>(input_.push))
-        buffers = {columns_, rows_, waves_, paint, colour_, values_};
+    const auto lines = [&](const auto& of) {
+        upload(device_, columns_, of.columns);
+        upload(device_, rows_, of.rows);
+        upload(device_, waves_, of.waves);
+    };
+    vulkan::Job::Buffers buffers;
+    std::visit(Overloaded{[&](const PixelsInput& of) {
+                              lines(of);
+                              upload(device_, colour_, std::vector{of.colour});
+                              buffers = {columns_, rows_, waves_, paint, colour_, values_};
+                          },
+                          [&](const SolidInput& of) {
+                              upload(device_, waves_, of.waves);
+                              buffers = {waves_, values_};
+                          },
+                          [&](const MaterialInput&) { buffers = {values_}; },
+                          [&](const render::BakeTables& of) {
+                              lines(of);
+                              buffers = {columns_, rows_, waves_, values_, colour_};
+                          }},
+               input_.of);
     job_.emplace(device_, pass, buffers);
 }
 
@@ -99,18 +114,22 @@ void ValueGrid::fill(int rows, Cost& cost) {
     if (staging_ && whole)
         copy.emplace(vulkan::Job::Copy{values_, *staging_, count() * sizeof(float)});
     const Clock::time_point before = Clock::now();
-    std::visit(
-        [&](auto push) {
-            push.width = input_.grid.width;
-            push.height = filled;
-            push.first_row += first;
-            push.before = first * input_.grid.width;
-            job_->submit(push,
-                         {render::groups(push.width, passes::pixels_group),
-                          render::groups(filled, passes::pixels_group)},
-                         copy);
-        },
-        input_.push);
+    const int before_first = first * input_.grid.width;
+    const auto pushed = [&](auto push) {
+        push.width = input_.grid.width;
+        push.height = filled;
+        push.first_row += first;
+        push.before = before_first;
+        job_->submit(
+            push,
+            {render::groups(push.width, passes::pixels_group), render::groups(filled, passes::pixels_group)},
+            copy);
+    };
+    std::visit(Overloaded{[&](const render::BakeTables& of) {
+                              of.submit(*job_, {first, filled}, before_first, copy);
+                          },
+                          [&](const auto& of) { pushed(of.push); }},
+               input_.of);
     job_->wait();
     next_row_ = whole ? -1 : first + filled;
     // Not by the device's own clock: lavapipe stops it before the work is done.
@@ -142,18 +161,13 @@ void Canvas::start(ValueGrid& grid, int stride) {
 bool Canvas::refine(const NoisePass& noise, const Camera& camera, Extent extent, double seconds) {
     ValueGrid& behind = grids_[1 - front_];
     if (stale_ || noise != noise_ || camera != camera_ || extent != extent_) {
-        stale_ = false;
         noise_ = noise;
-        camera_ = camera;
-        extent_ = extent;
         const double whole = cost_.per_value() * extent.width * extent.height;
         int stride = 1;
-        while (stride < coarsest_stride && whole / (stride * stride) > seconds)
+        while (stride < (noise.block ? coarsest_baked : coarsest_stride) &&
+               whole / (stride * stride) > seconds)
             stride *= 2;
-        start(behind, stride);
-        behind.fill(behind.extent().height, cost_);
-        stride_ = stride;
-        front_ = 1 - front_;
+        draw(camera, extent, stride);
         return stride > 1;
     }
     if (stride_ <= 1)
@@ -167,6 +181,17 @@ bool Canvas::refine(const NoisePass& noise, const Camera& camera, Extent extent,
         front_ = 1 - front_;
     }
     return stride_ > 1;
+}
+
+void Canvas::draw(const Camera& camera, Extent extent, int stride) {
+    ValueGrid& behind = grids_[1 - front_];
+    camera_ = camera;
+    extent_ = extent;
+    start(behind, stride);
+    behind.fill(behind.extent().height, cost_);
+    stride_ = stride;
+    stale_ = false;
+    front_ = 1 - front_;
 }
 
 ValueSampler::ValueSampler(const vulkan::Device& device, NoisePass noise, const Spirv& spirv)

@@ -70,12 +70,14 @@ class Canvas {
     /// finely as the time allows. `noise` must have the same pipeline.
     bool refine(const NoisePass& noise, const Camera& camera, Extent extent, double seconds);
 
+    /// All of it at once, one value for `stride` x `stride` pixels.
+    void draw(const Camera& camera, Extent extent, int stride);
+
     const vulkan::Buffer& values() const { return grids_[front_].values(); }
     Extent grid() const { return grids_[front_].extent(); }
     int stride() const { return stride_; } ///< pixels per value
     bool fine() const { return stride_ == 1 && !stale_; }
-    double seconds_per_pixel() const { return cost_.per_value(); }
-    /// The values on the host, once `fine`: valid until the next work.
+    /// The values on the host: valid until the next work.
     std::span<const float> pixels() { return grids_[front_].read(); }
 
   private:

@@ -1,6 +1,7 @@
 #include "viewer/export.hpp"
 
 #include "render/parameters.hpp"
+#include "viewer/show.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,9 @@ Exporter::~Exporter() {
         thread_.join();
 }
 
-void Exporter::start(const render::Request& request, const std::filesystem::path& exr,
+void Exporter::start(const Document& document, Shaders shaders, const std::filesystem::path& exr,
                      const std::optional<std::filesystem::path>& png) {
+    const render::Request request = exported(document);
     render::check(request);
     if (thread_.joinable())
         thread_.join();
@@ -31,11 +33,17 @@ void Exporter::start(const render::Request& request, const std::filesystem::path
     failed_ = false;
     total_ = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     running_ = true;
-    thread_ = std::thread([this, request, exr, png] {
+    thread_ = std::thread([this, document, request, shaders = std::move(shaders), exr, png] {
         const auto start = std::chrono::steady_clock::now();
         try {
             const vulkan::Device device(selector_);
-            render::render_file(device, request, {0, 0, request.width, request.height}, {exr, png, "none"},
+            render::Files files{.exr = exr, .png = png, .code = shaders.pass};
+            std::optional<FileColours> colours;
+            if (png && !shows_plainly(document)) {
+                colours.emplace(device, shaders.colours, document, render::channels(request));
+                files.colours = [&](std::span<const float> values) { return colours->of(values); };
+            }
+            render::render_file(device, request, {0, 0, request.width, request.height}, files,
                                 [this](std::uint64_t pixels) {
                                     if (cancelled_)
                                         throw Cancelled();

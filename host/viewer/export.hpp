@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/file.hpp"
+#include "viewer/document.hpp"
 #include "viewer/file_stamp.hpp"
 
 #include <atomic>
@@ -17,8 +18,15 @@ class Exporter {
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
     ~Exporter();
 
-    /// Throws RequestError where the request or a path will not do. Not while `running`.
-    void start(const render::Request& request, const std::filesystem::path& exr,
+    /// SPIR-V to draw with.
+    struct Shaders {
+        std::vector<std::uint32_t> pass;    ///< of render::pass_of; empty for what was built in
+        std::vector<std::uint32_t> colours; ///< of viewer/show.comp
+    };
+
+    /// The picture of a document: the channels that its output is made of, and in the PNG what it shows of
+    /// them. Throws RequestError where the request or a path will not do. Not while `running`.
+    void start(const Document& document, Shaders shaders, const std::filesystem::path& exr,
                const std::optional<std::filesystem::path>& png);
     void cancel() { cancelled_ = true; }
 

@@ -197,6 +197,8 @@ void dialog_window(Session& session) {
     const float buttons = 8 * em;
     ImGui::SetNextItemWidth(-buttons * 2 - 2 * ImGui::GetStyle().ItemSpacing.x);
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered) // for the next name, where this is a folder's
+        ImGui::SetKeyboardFocusHere(-1);
     ImGui::SameLine();
     const bool taken = ImGui::Button(dialog.action.c_str(), {buttons, 0});
     ImGui::SameLine();

@@ -9,11 +9,12 @@ namespace gabor::viewer {
 
 namespace {
 
-std::vector<float> first_channel(std::span<const float> values, int channels) {
+std::vector<float> first_channel(std::span<const float> values, int channels, int coverage = -1) {
     std::vector<float> result;
     result.reserve(values.size() / static_cast<std::size_t>(channels));
     for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(channels))
-        result.push_back(values[i]);
+        if (coverage < 0 || values[i + static_cast<std::size_t>(coverage)] > 0)
+            result.push_back(values[i]);
     return result;
 }
 
@@ -88,8 +89,9 @@ void MeasuringThread::post(Task task) {
     wake_.notify_one();
 }
 
-void MeasuringThread::add_samples(std::size_t side, std::span<const float> values, int channels) {
-    post({side, 0, first_channel(values, channels), {}, 1});
+void MeasuringThread::add_samples(std::size_t side, std::span<const float> values, int channels,
+                                  int coverage) {
+    post({side, 0, first_channel(values, channels, coverage), {}, 1});
 }
 
 void MeasuringThread::add_picture(std::size_t side, std::span<const float> values, int channels,

@@ -43,7 +43,8 @@ class MeasuringThread {
 
     /// Forgets what is known of a side, and what of it is still in the queue.
     void reset(std::size_t side);
-    void add_samples(std::size_t side, std::span<const float> values, int channels);
+    /// `coverage`: the channel that tells with 0 which values are none; -1 where all are.
+    void add_samples(std::size_t side, std::span<const float> values, int channels, int coverage);
     /// The pixels of a flat picture. `scale`: pixels per kernel radius.
     void add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent,
                      double scale);

@@ -101,12 +101,19 @@ void measurements_panel(Session& session) {
             ImGui::PopStyleColor();
         }
     }
-    row("frame", "A whole frame of this size in full resolution, on the device", panes,
-        [](const PaneReport& pane) { return fmt::format("{:.1f} ms", pane.milliseconds); });
-    row("per pixel", "Time on the device", panes,
-        [](const PaneReport& pane) { return fmt::format("{:.1f} ns", pane.nanoseconds); });
-    row("impulses", "Impulses visited for each pixel", panes,
-        [](const PaneReport& pane) { return fmt::format("{:.0f}", pane.visited); });
+    const auto timed = [](double time, const char* unit) {
+        return std::isnan(time) ? std::string("-") : fmt::format("{:.1f} {}", time, unit);
+    };
+    std::string meaning = "Pasted into a shader, on the device's own clock, as gabor bench times it:";
+    for (const PaneReport& pane : panes)
+        meaning += fmt::format("\n{}", pane.function.empty() ? "- (it times no such noise)" : pane.function);
+    meaning += "\ntimes the number of waves. Not while an export runs.";
+    row("per pixel", meaning.c_str(), panes,
+        [&](const PaneReport& pane) { return timed(pane.nanoseconds, "ns"); });
+    row("frame", "That for a frame of this size", panes,
+        [&](const PaneReport& pane) { return timed(pane.milliseconds, "ms"); });
+    row("visits", "Impulses, or nodes of the lattice, that each pixel visits, of all lobes", panes,
+        [](const PaneReport& pane) { return pane.visits; });
     const auto known = [](const PaneReport& pane) { return pane.measured.moments.count() > 0; };
     row("mean", "Of the samples; 0 is exact", panes, [&](const PaneReport& pane) {
         return known(pane) ? fmt::format("{:+.4f}", pane.measured.moments.mean()) : "-";

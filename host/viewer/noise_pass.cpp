@@ -13,27 +13,64 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::size_t along_surface = 3; ///< of the constants of passes/solid.comp
-constexpr std::size_t perspective = 12;  ///< of those of viewer/ingredients.comp
+constexpr std::size_t perspective = 12; ///< of those of viewer/ingredients.comp
+constexpr double least_baked_cell = 8;  ///< pixels: blocks are of one cell
+
+// Nodes of the lattice in space that a pixel visits: 27 for each of the directions that make up a noise, as
+// gabor_lattice_3d.glsl has them.
+double visited_in_space(const render::Request& request) {
+    const auto* body = std::get_if<render::Body>(&request.view);
+    const bool on_surface = body && !body->solid;
+    double directions = 0;
+    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed)) {
+        const double frequency = wave.frequency * wave.radius;
+        directions += !wave.isotropic ? 1
+                      : on_surface    ? std::ceil(2 + 4.5 * std::min(frequency, 32.0))
+                                      : std::ceil(8 + 8 * std::min(frequency * frequency, 64.0));
+    }
+    return 27 * directions;
+}
+
+double wave_count(const render::Request& request) {
+    const std::vector<noise::Wave> waves = render::in_space(request)
+                                               ? noise::waves_in_space(request.lobes, request.seed)
+                                               : noise::waves(request.lobes, request.seed);
+    return static_cast<double>(waves.size());
+}
 
 NoisePass of_drop_in(const render::Request& request) {
     NoisePass pass;
     pass.request = request;
     pass.channels = render::channels(request);
+    pass.waves = wave_count(request);
     if (render::in_space(request)) {
         pass.shader = "passes/solid.comp";
         pass.constants = render::solid_constants(request);
         pass.name = "in space";
-        pass.visited = 27; // nodes of the lattice in space
+        pass.visited = visited_in_space(request);
     } else {
-        const noise::Recipe& recipe = request.recipe;
-        pass.shader =
-            recipe.is_lattice() ? fmt::format("passes/pixels.comp@{}", recipe.taps) : "passes/pixels.comp";
+        pass.shader = render::recipe_pass("pixels", request.recipe);
         pass.constants = render::pixels_constants(request);
-        pass.name = noise::spelled_out(recipe);
-        pass.visited = noise::visited_impulses(recipe) *
-                       static_cast<double>(noise::waves(request.lobes, request.seed).size());
+        pass.name = noise::spelled_out(request.recipe);
+        pass.visited = noise::visited_impulses(request.recipe) * pass.waves;
     }
+    return pass;
+}
+
+// The same block by block, where that can be done and is faster. One block serves all scales: each other
+// would be a pipeline of its own.
+NoisePass baked(NoisePass pass, double zoom, bool cpu) {
+    const render::Request& request = pass.request;
+    const double cell = request.scale * zoom / double{request.recipe.radius}; // pixels
+    if (render::in_space(request) || request.colour || !render::Bake::can_fill(request) ||
+        cell < least_baked_cell)
+        return pass;
+    const render::Block block = !cpu                          ? render::gpu_block(request.recipe)
+                                : request.recipe.is_lattice() ? render::Block{12, 32}
+                                                              : render::cpu_block;
+    pass.block = {block.columns, block.rows};
+    pass.shader = render::recipe_pass("bake", request.recipe);
+    pass.constants = render::bake_constants(request, block.columns);
     return pass;
 }
 
@@ -41,9 +78,7 @@ NoisePass of_material(const render::Request& request) {
     NoisePass pass;
     pass.request = request;
     pass.channels = render::channels(request);
-    std::string function = request.material;
-    std::ranges::replace(function, '-', '_');
-    pass.shader = "passes/material.comp@" + function;
+    pass.shader = render::pass_of(request);
     pass.constants = render::material_constants(request);
     pass.name = request.material;
     return pass;
@@ -54,6 +89,7 @@ NoisePass of_ingredients(const render::Request& request, const study::Ingredient
     pass.shader = "viewer/ingredients.comp";
     pass.request = request;
     pass.ingredients = ingredients;
+    pass.waves = wave_count(request);
     pass.channels = {"Y"};
     pass.constants = study::constants(ingredients);
     pass.constants.resize(perspective, 0);
@@ -62,7 +98,7 @@ NoisePass of_ingredients(const render::Request& request, const study::Ingredient
                 : ingredients == study::recommended ? "the paper's advice"
                                                     : study::key(ingredients);
     const double across = ingredients.points == study::Points::jittered_hex ? 4 : 3;
-    pass.visited = across * across * ingredients.impulses;
+    pass.visited = across * across * ingredients.impulses * pass.waves;
     return pass;
 }
 
@@ -73,32 +109,29 @@ struct Cells {
 };
 
 Cells cells_of(const NoisePass& noise) {
-    if (noise.ingredients)
-        return {{1}, {1}};
     const render::Request& request = noise.request;
     Cells cells;
     for (const double radius : render::pixels_tables(request)) {
-        cells.x.push_back(render::axis_along(request, request.width, radius).radius / radius);
-        cells.y.push_back(render::axis_along(request, request.height, radius).radius / radius);
+        const auto along = [&](int side) {
+            return (noise.ingredients ? 1 : render::axis_along(request, side, radius).radius) / radius;
+        };
+        cells.x.push_back(along(request.width));
+        cells.y.push_back(along(request.height));
     }
     return cells;
 }
 
-passes::IngredientsPush ingredients_push(const NoisePass& noise, const passes::PixelsPush& pixels,
-                                         passes::vec2 camera, std::uint32_t seed) {
-    const noise::Lobe& lobe = noise.request.lobes.front();
-    const study::Wave wave{lobe.frequency, lobe.angle()};
-    return {.wave = {static_cast<float>(lobe.frequency * std::cos(lobe.angle())),
-                     static_cast<float>(lobe.frequency * std::sin(lobe.angle()))},
-            .camera = camera,
-            .amplitude = static_cast<float>(1 / std::sqrt(study::variance(*noise.ingredients, wave))),
-            .pixel = pixels.pixel,
-            .focal_length = pixels.focal_length,
-            .seed = seed,
-            .width = 0,
-            .height = 0,
-            .first_row = 0,
-            .before = 0};
+// The waves of a plane.
+std::vector<passes::PixelsWave> waves_of(const NoisePass& noise, const render::Paint& paint) {
+    std::vector<passes::PixelsWave> waves =
+        render::pixels_waves(noise.request, noise.ingredients ? render::Paint() : paint);
+    if (!noise.ingredients)
+        return waves;
+    for (passes::PixelsWave& wave : waves) {
+        const study::Wave of{double{wave.frequency}, double{wave.orientation}};
+        wave.amplitude /= static_cast<float>(std::sqrt(study::variance(*noise.ingredients, of)));
+    }
+    return waves;
 }
 
 // A slice of noise in space that begins where the camera is, to a whole value.
@@ -154,23 +187,20 @@ std::vector<passes::Line> axis_points(const Coordinate& coordinate, double by,
     return points;
 }
 
-// The noises that the push constants speak of.
-template <typename Push, typename Wave>
-void put(GridInput& input, Push push, std::vector<Wave> waves) {
-    push.waves = static_cast<int>(waves.size());
-    input.push = push;
-    input.waves = std::move(waves);
-}
-
 } // namespace
 
-passes::Line axis_point(const Coordinate& coordinate, double by, double radius) {
+std::pair<std::int32_t, double> axis_place(const Coordinate& coordinate, double by, double radius) {
     const long double far = static_cast<long double>(coordinate.whole) * radius;
     const long double base = std::floor(far);
     const double cells = static_cast<double>(far - base) + (coordinate.part + by) * radius;
     const double whole = std::floor(cells);
     const auto cell = static_cast<std::int64_t>(base) + static_cast<std::int64_t>(whole);
-    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), static_cast<float>(cells - whole)};
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), cells - whole};
+}
+
+passes::Line axis_point(const Coordinate& coordinate, double by, double radius) {
+    const auto [cell, place] = axis_place(coordinate, by, radius);
+    return {cell, static_cast<float>(place)};
 }
 
 void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
@@ -181,19 +211,25 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
                           std::back_inserter(points));
 }
 
+std::string NoisePass::visits() const {
+    const bool nodes = !ingredients && render::drawing_recipe(request).is_lattice();
+    return visited > 0 ? fmt::format("{:.0f} {}", visited, nodes ? "nodes" : "impulses") : "";
+}
+
 void NoisePass::add_normal() {
     constants.push_back(1);
     channels.insert(channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
 }
 
-std::vector<NoisePass> noise_passes(const Document& document) {
+std::vector<NoisePass> noise_passes(const Document& document, bool cpu) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
     if (render::has_material(request))
         return {of_material(request)};
     request = with_output(request, document.output);
-    std::vector<NoisePass> passes{of_drop_in(request)};
+    const double zoom = document.camera.zoom;
+    std::vector<NoisePass> passes{baked(of_drop_in(request), zoom, cpu)};
     if (document.output == Output::lit && std::holds_alternative<render::Body>(request.view))
         passes.front().add_normal();
     if (!document.comparison || render::in_space(request)) // where there is one recipe alone
@@ -203,7 +239,7 @@ std::vector<NoisePass> noise_passes(const Document& document) {
     } else {
         request.recipe = std::get<noise::Recipe>(*document.comparison);
         render::give_way(request, "recipe");
-        passes.push_back(of_drop_in(request));
+        passes.push_back(baked(of_drop_in(request), zoom, cpu));
     }
     return passes;
 }
@@ -214,15 +250,9 @@ NoisePass value_pass(const NoisePass& noise) {
     request.seed = 0;
     request.time = 0;
     request.scale = 32;
-    request.filter = request.quadrature = request.gradient = false;
+    request.filter = request.quadrature = request.gradient = request.phasor = false;
     request.paint.clear();
     request.colour.reset();
-    if (render::in_space(request)) {
-        request.view = render::Slice();
-        NoisePass pass = of_drop_in(request);
-        pass.constants[along_surface] = noise.constants[along_surface];
-        return pass;
-    }
     if (render::in_perspective(request))
         request.view = render::Plane();
     return noise.ingredients ? of_ingredients(request, *noise.ingredients) : of_drop_in(request);
@@ -231,25 +261,35 @@ NoisePass value_pass(const NoisePass& noise) {
 GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent, int stride,
                     const render::Paint& paint) {
     const render::Request& request = noise.request;
-    GridInput input;
-    input.grid = {(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
-    if (render::has_material(request)) {
-        input.push = material_push(noise, camera, extent, stride);
-        return input;
-    }
+    const Extent grid{(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
+    if (render::has_material(request))
+        return {grid, MaterialInput{material_push(noise, camera, extent, stride)}};
     if (render::in_space(request)) {
-        put(input, solid_push(noise, camera, extent, stride), render::solid_waves(request));
-        return input;
+        SolidInput input{solid_push(noise, camera, extent, stride), render::solid_waves(request)};
+        input.push.waves = static_cast<int>(input.waves.size());
+        return {grid, std::move(input)};
     }
-    std::vector<passes::PixelsWave> waves = render::pixels_waves(request, paint);
-    passes::PixelsPush push = render::pixels_push(request, extent.width, extent.height);
-    push.pixel /= static_cast<float>(camera.zoom);
     const double scale = request.scale * camera.zoom;
+    if (noise.block) {
+        const auto axis = [&](const Coordinate& middle, int pixels, int values) {
+            return render::BakeAxis{0, values, scale / stride, [=](double cells) {
+                                        return axis_place(middle, -pixels / 2.0 / scale, cells);
+                                    }};
+        };
+        return {grid, render::make_bake_tables(request, axis(camera.x, extent.width, grid.width),
+                                               axis(camera.y, extent.height, grid.height),
+                                               {noise.block->width, noise.block->height})};
+    }
+    PixelsInput input{
+        render::pixels_push(request, extent.width, extent.height), {}, {}, waves_of(noise, paint)};
+    passes::PixelsPush& push = input.push;
+    push.waves = static_cast<int>(input.waves.size());
+    push.pixel /= static_cast<float>(camera.zoom);
     const Cells cells = cells_of(noise);
-    const std::vector<passes::Line> x = axis_points(camera.x, 0, cells.x);
-    const std::vector<passes::Line> y = axis_points(camera.y, 0, cells.y);
     if (render::in_perspective(request)) {
-        for (passes::PixelsWave& wave : waves) {
+        const std::vector<passes::Line> x = axis_points(camera.x, 0, cells.x);
+        const std::vector<passes::Line> y = axis_points(camera.y, 0, cells.y);
+        for (passes::PixelsWave& wave : input.waves) {
             const auto table = static_cast<std::size_t>(wave.table);
             wave.camera = {x.at(table).local, y.at(table).local};
         }
@@ -271,29 +311,31 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     push.paint_scale = {paint_scale(paint.width, request.width), paint_scale(paint.height, request.height)};
     push.paint_corner = {paint_corner(camera.x, request.width, extent.width, paint.width),
                          paint_corner(camera.y, request.height, extent.height, paint.height)};
-    if (noise.ingredients)
-        input.push = ingredients_push(noise, push, {x.front().local, y.front().local}, request.seed);
-    else
-        put(input, push, std::move(waves));
     input.colour = render::pixels_colour(request);
-    return input;
+    return {grid, std::move(input)};
 }
 
 GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
     render::Request request = noise.request;
     request.seed = draw * 0x9e3779b1u;
-    GridInput input;
-    input.grid = grid;
     const double widest = std::ranges::max(request.lobes, {}, &noise::Lobe::radius).radius;
     if (render::in_space(request)) {
-        // Points further apart than two impulses of one kernel can be, at all places of a cell.
+        // Points further apart than two impulses of one kernel can be, at all places of a cell; on bodies at
+        // all normals.
+        request.width = grid.width;
+        request.height = grid.height;
         request.scale = 1 / ((4 + std::numbers::phi) * widest);
-        passes::SolidPush push = render::solid_push(request, grid.width, grid.height);
-        push.depth = static_cast<float>(std::fmod(draw * std::numbers::phi, 1.0));
-        put(input, push, render::solid_waves(request));
-        return input;
+        const double share = std::fmod(draw * std::numbers::phi, 1.0);
+        if (auto* body = std::get_if<render::Body>(&request.view)) {
+            body->yaw = 360 * std::fmod(draw * std::numbers::sqrt2, 1.0);
+            body->pitch = noise::degrees(std::asin(2 * share - 1));
+        } else {
+            request.view = render::Slice{share};
+        }
+        SolidInput input{render::solid_push(request, grid.width, grid.height), render::solid_waves(request)};
+        input.push.waves = static_cast<int>(input.waves.size());
+        return {grid, std::move(input)};
     }
-    const passes::PixelsPush push = render::pixels_push(request, grid.width, grid.height);
     // Further apart than two impulses of one kernel can be: a diameter and a cell.
     const Cells cells = cells_of(noise);
     std::mt19937 generator(draw);
@@ -309,13 +351,14 @@ GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
             }
         }
     };
+    NoisePass drawn = noise;
+    drawn.request = request;
+    PixelsInput input{
+        render::pixels_push(request, grid.width, grid.height), {}, {}, waves_of(drawn, render::Paint())};
+    input.push.waves = static_cast<int>(input.waves.size());
     fill(input.columns, grid.width, cells.x);
     fill(input.rows, grid.height, cells.y);
-    if (noise.ingredients)
-        input.push = ingredients_push(noise, push, {0, 0}, request.seed);
-    else
-        put(input, push, render::pixels_waves(request, render::Paint()));
-    return input;
+    return {grid, std::move(input)};
 }
 
 } // namespace gabor::viewer

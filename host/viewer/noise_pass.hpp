@@ -1,21 +1,22 @@
 #pragma once
 
+#include "render/bake.hpp"
 #include "render/material.hpp"
 #include "render/pixels.hpp"
 #include "render/solid.hpp"
 #include "viewer/document.hpp"
 #include "viewer/extent.hpp"
 
-#include "viewer/ingredients_interface.h"
-
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace gabor::viewer {
 
-/// The point `by` kernel radii from a coordinate. `radius`: cells per kernel radius. Cells wrap around at
-/// 2^31, as the drop-in's do.
+/// The point `by` kernel radii from a coordinate: its cell and the place in it. `radius`: cells per kernel
+/// radius. Cells wrap around at 2^31, as the drop-in's do.
+std::pair<std::int32_t, double> axis_place(const Coordinate& coordinate, double by, double radius);
 passes::Line axis_point(const Coordinate& coordinate, double by, double radius);
 
 /// The points along an axis of a view of `pixels` pixels, `scale` pixels per kernel radius, `stride` pixels
@@ -27,12 +28,16 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
 struct NoisePass {
     std::string shader; ///< as ShaderCompiler::compile takes it
     std::vector<std::uint32_t> constants;
+    std::optional<Extent> block;                   ///< of passes/bake.comp, where it is that
     render::Request request;                       ///< with the channels that the output needs
     std::optional<study::Ingredients> ingredients; ///< where it is no noise of the drop-in
     std::string name;
-    double visited = 0; ///< impulses or nodes for each pixel; the mean where their number is random
+    double waves = 1;   ///< noises that add up
+    double visited = 0; ///< impulses or nodes of all of them for each pixel; the mean where that is random
     std::vector<std::string> channels;
 
+    /// "9 nodes": what it visits.
+    std::string visits() const;
     int channel_count() const { return static_cast<int>(channels.size()); }
     /// Whether both are evaluated by the same pipeline.
     bool same_pipeline(const NoisePass& other) const {
@@ -44,20 +49,35 @@ struct NoisePass {
     void add_normal();
 };
 
-/// The passes of a document: the picture's, and in the split view that of the compared noise.
-std::vector<NoisePass> noise_passes(const Document& document);
+/// The passes of a document: the picture's, and in the split view that of the compared noise. `cpu`: whether
+/// the device is one.
+std::vector<NoisePass> noise_passes(const Document& document, bool cpu = true);
 
-/// The same noise on a plane, its value alone: for the statistics of its values.
+/// The same noise, its value alone, sharp, and on a plane from above: for the statistics of its values.
 NoisePass value_pass(const NoisePass& noise);
+
+/// What passes/pixels.comp and viewer/ingredients.comp read.
+struct PixelsInput {
+    passes::PixelsPush push;
+    std::vector<passes::Line> columns;
+    std::vector<passes::Line> rows;
+    std::vector<passes::PixelsWave> waves;
+    passes::PixelsColour colour = {};
+};
+
+struct SolidInput {
+    passes::SolidPush push;
+    std::vector<passes::SolidWave> waves;
+};
+
+struct MaterialInput {
+    passes::MaterialPush push;
+};
 
 /// What a pass is given to fill a grid of values.
 struct GridInput {
-    std::variant<passes::PixelsPush, passes::IngredientsPush, passes::SolidPush, passes::MaterialPush> push;
     Extent grid;
-    std::vector<passes::Line> columns; ///< with the rows: where the values are, but for noise in space
-    std::vector<passes::Line> rows;
-    std::variant<std::vector<passes::PixelsWave>, std::vector<passes::SolidWave>> waves; ///< their sum
-    passes::PixelsColour colour = {};
+    std::variant<PixelsInput, SolidInput, MaterialInput, render::BakeTables> of;
 };
 
 /// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.
@@ -65,6 +85,7 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
                     const render::Paint& paint);
 
 /// Values of a `value_pass` at points that are independent of each other, of an instance that `draw` tells.
+/// Where a ray meets no body their channel `A` is 0.
 GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw);
 
 } // namespace gabor::viewer

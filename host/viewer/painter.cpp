@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace gabor::viewer {
@@ -13,19 +12,6 @@ constexpr std::uint32_t most_canvases = 2;
 constexpr std::size_t colours_set = most_canvases; ///< of the descriptor sets, after those of canvases
 constexpr std::size_t most_pipelines = 16;
 
-// Of `shown` in show.frag, beside outputs.
-constexpr std::int32_t coloured = 7;
-constexpr std::int32_t first_look = 8;
-
-std::int32_t shown(const NoisePass& noise, const Document& document) {
-    if (render::has_material(noise.request))
-        return first_look + static_cast<std::int32_t>(document.look);
-    if (noise.request.colour)
-        return coloured;
-    // The noises that the paper compares have their value alone.
-    return noise.ingredients ? 0 : static_cast<std::int32_t>(document.output);
-}
-
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
     const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
                                                  vk::ShaderStageFlagBits::eFragment);
@@ -33,7 +19,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
 }
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, vk::DescriptorSetLayout set) {
-    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(ShowPush));
+    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(passes::ShowPush));
     return {device, vk::PipelineLayoutCreateInfo({}, set, push)};
 }
 
@@ -49,7 +35,7 @@ vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::ve
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
                                  vk::RenderPass pass, vk::ShaderModule vertex, vk::ShaderModule fragment,
-                                 const Painter::Constants& constants) {
+                                 const ShowConstants& constants) {
     std::vector<vk::SpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < constants.size(); ++i)
         entries.emplace_back(i, i * 4, 4);
@@ -90,7 +76,7 @@ Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::v
         sets_.push_back(std::move(set));
 }
 
-vk::Pipeline Painter::pipeline(const Constants& constants) {
+vk::Pipeline Painter::pipeline(const ShowConstants& constants) {
     const auto found = pipelines_.find(constants);
     if (found != pipelines_.end())
         return *found->second;
@@ -110,22 +96,12 @@ void Painter::prepare(vk::CommandBuffer commands) {
 
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
                     const Document& document, std::size_t index) {
-    const NoisePass& noise = canvas.noise();
-    const int last = noise.channels.back() == "removed" ? 1 : noise.channels.back() == "A" ? 2 : 0;
-    ShowPush push{};
-    push.origin[0] = static_cast<float>(area.x);
-    push.origin[1] = static_cast<float>(area.y);
-    push.grid[0] = canvas.grid().width;
-    push.grid[1] = canvas.grid().height;
+    passes::ShowPush push = show_push(document, canvas.stride() / document.camera.zoom);
+    push.origin = {static_cast<float>(area.x), static_cast<float>(area.y)};
+    push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
-    push.contrast = document.contrast;
-    push.step = static_cast<float>(canvas.stride() / (noise.request.scale * document.camera.zoom));
-    push.green = document.directx_normals ? -1.0f : 1.0f;
-    push.slope = static_cast<float>(2 * std::numbers::pi * noise.request.lobes.front().frequency /
-                                    std::numbers::sqrt2);
-    draw(commands, canvas.values(),
-         {shown(noise, document), document.colours, noise.channel_count(), canvas.stride() > 1, last}, push,
-         area, index);
+    draw(commands, canvas.values(), show_constants(document, canvas.noise().channels, canvas.stride() > 1),
+         push, area, index);
 }
 
 void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
@@ -142,24 +118,22 @@ void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& co
     const auto [y, height] = visible(origin[1], grid.height, within.y, within.height);
     if (width <= 0 || height <= 0)
         return;
-    ShowPush push{};
-    push.origin[0] = origin[0];
-    push.origin[1] = origin[1];
-    push.grid[0] = grid.width;
-    push.grid[1] = grid.height;
+    passes::ShowPush push{};
+    push.origin = {origin[0], origin[1]};
+    push.grid = {grid.width, grid.height};
     push.stride = stride;
-    draw(commands, colours, {coloured, 0, 3, 1, 0}, push, {x, y, width, height}, colours_set);
+    draw(commands, colours, colours_constants(), push, {x, y, width, height}, colours_set);
 }
 
-void Painter::draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const Constants& constants,
-                   const ShowPush& push, const Area& area, std::size_t index) {
+void Painter::draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+                   const passes::ShowPush& push, const Area& area, std::size_t index) {
     const vk::raii::DescriptorSet& set = sets_.at(index);
     const vk::DescriptorBufferInfo buffer(*values.state().buffer, 0, VK_WHOLE_SIZE);
     device_.state().device.updateDescriptorSets(
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, buffer), {});
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(constants));
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
-    commands.pushConstants<ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
+    commands.pushConstants<passes::ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
     commands.setViewport(0,
                          vk::Viewport(static_cast<float>(area.x), static_cast<float>(area.y),
                                       static_cast<float>(area.width), static_cast<float>(area.height), 0, 1));

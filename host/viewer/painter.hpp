@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/canvas.hpp"
+#include "viewer/show.hpp"
 #include "vulkan/state.hpp"
 
 #include <array>
@@ -14,17 +15,6 @@ struct Area {
     int y = 0;
     int width = 0;
     int height = 0;
-};
-
-/// As in shaders/viewer/show.frag.
-struct ShowPush {
-    float origin[2];
-    std::int32_t grid[2];
-    float stride;
-    float contrast;
-    float slope;
-    float step;
-    float green;
 };
 
 /// Shows canvases through a colour map: shaders/viewer/show.vert and show.frag.
@@ -45,13 +35,10 @@ class Painter {
     void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
                        std::array<float, 2> origin, float stride, const Area& within);
 
-    /// The specialization constants of shaders/viewer/show.frag.
-    using Constants = std::array<std::int32_t, 5>;
-
   private:
-    vk::Pipeline pipeline(const Constants& constants);
-    void draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const Constants& constants,
-              const ShowPush& push, const Area& area, std::size_t index);
+    vk::Pipeline pipeline(const ShowConstants& constants);
+    void draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+              const passes::ShowPush& push, const Area& area, std::size_t index);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;
@@ -61,7 +48,7 @@ class Painter {
     vk::RenderPass pass_;
     vk::raii::ShaderModule vertex_;
     vk::raii::ShaderModule fragment_;
-    std::map<Constants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
+    std::map<ShowConstants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
 };
 
 } // namespace gabor::viewer

@@ -3,6 +3,7 @@
 #include "render/load.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/effect.hpp"
+#include "viewer/slider.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -105,17 +106,16 @@ void control(Session& session, std::string_view name) {
 
 void recipe_ingredients(render::Request& request) {
     noise::Recipe recipe = request.recipe;
-    bool changed = ImGui::SliderInt("impulses N", &recipe.impulses, 1, noise::most_impulses);
+    bool changed = slider("impulses N", recipe.impulses, 1, noise::most_impulses, "%d");
     tooltip("Impulses per cell");
-    changed |= ImGui::SliderFloat("radius R", &recipe.radius, 1, noise::largest_radius, "%.2f cells");
+    changed |= slider("radius R", recipe.radius, 1.0f, noise::largest_radius, "%.2f cells");
     tooltip("Cells per kernel radius: (ceil(2 R) + 1)^2 N impulses are visited for each pixel");
-    changed |= ImGui::SliderFloat("floor A", &recipe.weight_floor, 0, 1, "%.3f");
+    changed |= slider("floor A", recipe.weight_floor, 0.0f, 1.0f, "%.3f");
     tooltip("A weight's magnitude is A or 1, equally likely");
     int power = static_cast<int>(std::lround(std::log2(recipe.phases)));
     constexpr std::array names{"2, a sine", "4", "8", "16", "32", "64", "128", "256"};
-    if (ImGui::SliderInt("phases", &power, 1, 8,
-                         names.at(static_cast<std::size_t>(std::clamp(power, 1, 8) - 1)),
-                         ImGuiSliderFlags_NoInput)) {
+    if (slider("phases", power, 1, 8, names.at(static_cast<std::size_t>(std::clamp(power, 1, 8) - 1)),
+               ImGuiSliderFlags_NoInput)) {
         recipe.phases = 1 << std::clamp(power, 1, 8);
         changed = true;
     }
@@ -221,8 +221,8 @@ void comparison_choice(Comparison& comparison) {
         choice("weights", ingredients->weights, study::all_weights);
         choice("kernel", ingredients->kernel, study::all_kernels);
         choice("envelope", ingredients->envelope, study::all_envelopes);
-        ImGui::SliderInt("N", &ingredients->impulses, 1, most_impulses, "%d",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        slider("N", ingredients->impulses, 1, most_impulses, "%d",
+               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         tooltip("Impulses per cell; the mean for Poisson points");
         ImGui::TreePop();
     }
@@ -266,8 +266,8 @@ void noise_panel(Session& session) {
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() +
                             ImGui::GetStyle().WindowPadding.x);
     control(session, "time");
-    ImGui::SliderFloat("period", &session.period, 1, 60, "%.1f s",
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    slider("period", session.period, 1.0f, 60.0f, "%.1f s",
+           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (reset_asked("period"))
         session.period = Session::default_period;
     tooltip("Seconds for time to go from 0 to 1");
@@ -304,8 +304,8 @@ void output_panel(Session& session) {
         "contrast",
         "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render",
         [&] {
-            ImGui::SliderFloat("contrast", &document.contrast, least_contrast, most_contrast, "%.2f sd",
-                               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+            slider("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
+                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
             if (reset_asked("contrast"))
                 document.contrast = Document().contrast;
         });
@@ -394,16 +394,18 @@ void overlay(const Session& session, float width, float height) {
         const PaneReport& pane = session.panes[i];
         const float left = i == 0 ? 0 : width * session.divider;
         label(draw, {left + margin, margin},
-              fmt::format("{}   {:.1f} ns per pixel   {:.0f} impulses", pane.name, pane.nanoseconds,
-                          pane.visited),
+              std::isnan(pane.nanoseconds)
+                  ? fmt::format("{}   {}", pane.name, pane.visits)
+                  : fmt::format("{}   {:.1f} ns per pixel   {}", pane.name, pane.nanoseconds, pane.visits),
               text);
         if (i == 1) {
             draw.AddLine({left, 0}, {left, height}, IM_COL32(12, 13, 15, 255), 3);
             const double times = pane.nanoseconds / session.panes[0].nanoseconds;
-            label(draw, {left + margin, margin + line},
-                  times >= 1 ? fmt::format("takes {:.1f} times as long", times)
-                             : fmt::format("takes {:.2f} of the time", times),
-                  ImGui::GetColorU32(ImGuiCol_CheckMark));
+            if (!std::isnan(times))
+                label(draw, {left + margin, margin + line},
+                      times >= 1 ? fmt::format("takes {:.1f} times as long", times)
+                                 : fmt::format("takes {:.2f} of the time", times),
+                      ImGui::GetColorU32(ImGuiCol_CheckMark));
         }
     }
     const ImU32 red = IM_COL32(255, 120, 100, 255);
@@ -460,13 +462,12 @@ bool reset_asked(const char* label) {
     return asked;
 }
 
-bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& slider,
+bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default) {
     auto shown = static_cast<float>(value);
-    const ImGuiSliderFlags logarithmic = slider.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
-    const bool moved =
-        ImGui::SliderFloat(label, &shown, static_cast<float>(slider.low), static_cast<float>(slider.high),
-                           "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    const ImGuiSliderFlags logarithmic = usual.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
+    const bool moved = slider(label, shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
+                              "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     if (reset_asked(label)) {
         const bool changed = value != by_default;
         value = by_default;

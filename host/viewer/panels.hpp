@@ -21,9 +21,9 @@ void overlay(const Session& session, float width, float height);
 /// Keys, and the mouse over a picture of this size, where no panel takes them.
 void handle_input(Session& session, float width, float height);
 
-/// A slider over part of a range, all of which can be typed; a double click sets it back. Returns whether the
-/// value was changed.
-bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& slider,
+/// A slider over the usual part of a range, all of which can be typed; a double click sets it back. Returns
+/// whether the value was changed.
+bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default);
 /// Whether the slider of that label, drawn just now, is to go back: from a double click until the button is
 /// released.

@@ -210,7 +210,7 @@ void start_export(Session& session) {
         session.written[path] = stamp;
     overwrite(session, paths, [&session, paths] {
         const Document& document = session.document();
-        session.exporter.start(with_output(document.request, document.output), paths[0],
+        session.exporter.start(document, session.export_shaders(exported(document)), paths[0],
                                paths.size() > 1 ? std::optional(paths[1]) : std::nullopt);
     });
 }

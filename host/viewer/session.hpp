@@ -16,9 +16,10 @@ namespace gabor::viewer {
 /// What panels tell of one pane of the view: the picture's, or in the split view the compared noise's.
 struct PaneReport {
     std::string name;
-    double visited = 0;      ///< impulses for each pixel
-    double milliseconds = 0; ///< of a frame of the pane's size in full resolution
-    double nanoseconds = 0;  ///< per pixel
+    std::string visits;      ///< "27 nodes" for each pixel
+    std::string function;    ///< that was timed; empty for none
+    double nanoseconds = 0;  ///< that it takes per pixel, NaN as long as that is unknown
+    double milliseconds = 0; ///< and for a frame of the pane's size
     Measurements measured;
 };
 
@@ -59,6 +60,8 @@ struct Session {
     std::vector<PaneReport> panes; ///< one, or two in the split view
     Extent view;                   ///< of the first pane, in pixels
     Exporter exporter;
+    /// The shaders on the screen, for an export of a request. Throws where one of them does not compile.
+    std::function<Exporter::Shaders(const render::Request&)> export_shaders;
     ExportTarget export_target;
     std::string preset_path = "noise.json"; ///< what is opened and saved
     Document kept;                          ///< as it was opened, saved or begun with

@@ -45,10 +45,10 @@ class Includer : public glslang::TShader::Includer {
 
 namespace {
 
-EShLanguage language(ShaderStage stage) {
-    return stage == ShaderStage::vertex     ? EShLangVertex
-           : stage == ShaderStage::fragment ? EShLangFragment
-                                            : EShLangCompute;
+EShLanguage language_of(std::string_view path) {
+    return path.ends_with(".vert")   ? EShLangVertex
+           : path.ends_with(".frag") ? EShLangFragment
+                                     : EShLangCompute;
 }
 
 // glslang says "ERROR: file:line: 'token' : message"; the first such line is the cause of the rest.
@@ -84,18 +84,18 @@ ShaderCompiler::~ShaderCompiler() {
 }
 
 bool ShaderCompiler::read(const std::string& path, std::string& text) {
+    const auto built_in = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
+    const bool known = built_in != embedded_shaders().end();
     if (folder_.empty()) {
-        const auto found = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
-        if (found == embedded_shaders().end())
-            return false;
-        text = found->text;
-        return true;
+        if (known)
+            text = built_in->text;
+        return known;
     }
     std::ifstream file(folder_ / path, std::ios::binary);
     if (!file)
         return false;
-    read_[path] = file_stamp(folder_ / path);
     text.assign(std::istreambuf_iterator<char>(file), {});
+    read_[path] = {file_stamp(folder_ / path), known && built_in->text == text};
     return true;
 }
 
@@ -103,26 +103,31 @@ bool ShaderCompiler::changed() {
     bool any = false;
     for (auto& [path, known] : read_) {
         const FileStamp now = file_stamp(folder_ / path);
-        any |= now != known;
-        known = now;
+        any |= now != known.stamp;
+        known.stamp = now;
     }
     return any;
 }
 
-Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
+bool ShaderCompiler::as_built() const {
+    return std::ranges::all_of(read_, [](const auto& file) { return file.second.as_built; });
+}
+
+Compiled ShaderCompiler::compile(std::string_view path) {
     const std::size_t at = path.find('@');
     const std::string name(path.substr(0, at));
     const std::string preamble = at == path.npos ? "" : macros_of(path.substr(at + 1));
+    const EShLanguage language = language_of(name);
     std::string text;
     if (!read(name, text))
         return {{}, fmt::format("{}: there is no such shader", name)};
     const char* source = text.c_str();
     const int length = static_cast<int>(text.size());
     const char* label = name.c_str();
-    glslang::TShader shader(language(stage));
+    glslang::TShader shader(language);
     shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
     shader.setPreamble(preamble.c_str());
-    shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 110);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
     Includer includer(*this);
@@ -134,7 +139,7 @@ Compiled ShaderCompiler::compile(std::string_view path, ShaderStage stage) {
     if (!program.link(messages))
         return {{}, fmt::format("{}: {}", name, first_error(program.getInfoLog()))};
     Compiled result;
-    glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv);
+    glslang::GlslangToSpv(*program.getIntermediate(language), result.spirv);
     return result;
 }
 

@@ -10,8 +10,6 @@
 
 namespace gabor::viewer {
 
-enum class ShaderStage { vertex, fragment, compute };
-
 /// What became of a shader: its SPIR-V, or the compiler's first complaint as "file:line: message".
 struct Compiled {
     std::vector<std::uint32_t> spirv;
@@ -36,21 +34,26 @@ class ShaderCompiler {
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
     /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it; PATH@N
-    /// is PATH with GABOR_TAPS N, and PATH@NAME with GABOR_MATERIAL gabor_NAME and its filtered form.
-    Compiled compile(std::string_view path, ShaderStage stage);
+    /// is PATH with GABOR_TAPS N, and PATH@NAME with GABOR_MATERIAL gabor_NAME and its filtered form. The
+    /// stage is told by PATH's extension.
+    Compiled compile(std::string_view path);
 
     /// Whether any file that was read has another time or size than it had then. Asking takes note: the next
     /// answer is about changes from here on.
     bool changed();
-
-    const std::filesystem::path& folder() const { return folder_; }
+    /// Whether all that was read is as it was when the program was built.
+    bool as_built() const;
 
   private:
     friend class Includer;
     bool read(const std::string& path, std::string& text);
 
     std::filesystem::path folder_;
-    std::map<std::string, FileStamp> read_;
+    struct File {
+        FileStamp stamp;
+        bool as_built;
+    };
+    std::map<std::string, File> read_;
 };
 
 } // namespace gabor::viewer

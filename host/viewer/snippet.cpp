@@ -2,55 +2,111 @@
 
 #include "viewer/glsl_literal.hpp"
 #include "viewer/noise_pass.hpp"
+#include "viewer/shader_compiler.hpp"
+#include "viewer/show.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gabor::viewer {
 
 namespace {
 
-// A function for one noise of the sum, in kernel radii of its own.
-std::string of_wave(const render::Request& request) {
-    return fmt::format(R"(
-float noise_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
+// What an output is made of, summed over the waves, and how colours come of it.
+struct Quantity {
+    std::string_view is;
+    std::string_view type;
+    std::string_view name;  // of the function that has it, before _of_view or _of_body
+    std::string_view plane; // of a GaborField `field`, and `removed` where it is filtered
+    std::string_view space; // of a GaborField3d `field`
+    std::string_view sky;   // above a horizon
+};
+
+constexpr Quantity value{
+    "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.value.y", "0.0"};
+constexpr Quantity gradient{"The gradient, per kernel radius.",
+                            "vec2",
+                            "gradient",
+                            "vec2(field.slope_x.y, field.slope_y.y)",
+                            "vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y)",
+                            "vec2(0.0)"};
+constexpr Quantity complex_value{"The noise as a complex number: its quadrature, and the noise itself.",
+                                 "vec2",
+                                 "complex",
+                                 "field.value",
+                                 "field.value",
+                                 "vec2(0.0)"};
+constexpr Quantity removed{
+    "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};
+
+const Quantity& quantity(Output output) {
+    switch (output) {
+    case Output::gradient:
+    case Output::lit:
+        return gradient;
+    case Output::phase:
+    case Output::intensity:
+    case Output::phasor:
+        return complex_value;
+    case Output::variance:
+        return removed;
+    default:
+        return value;
+    }
+}
+
+// What a wave of so much amplitude adds.
+std::string weighted(const Quantity& of, double amplitude, double radius) {
+    const double weight = &of == &gradient  ? amplitude / radius
+                          : &of == &removed ? amplitude * amplitude
+                                            : amplitude;
+    return weight == 1 ? "" : literal(weight) + " * ";
+}
+
+// A function for one wave of the sum, in kernel radii of its own.
+std::string of_wave(const render::Request& request, const Quantity& of) {
+    const std::string_view sharp = "    GaborField field = gabor_field(place, kernel, seed);\n";
+    const std::string_view filtered =
+        "    float removed; // share of the variance\n"
+        "    GaborField field = gabor_field_filtered(place, kernel, footprint, seed, removed);\n";
+    return fmt::format(
+        R"(
+{} {}_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
 {{
     GaborKernel kernel = gabor_kernel(frequency, orientation);
 {}    return {};
 }}
 )",
-                       request.filter ? " GaborFootprint footprint," : "",
-                       request.filter ? "    float removed; // share of the variance\n" : "",
-                       request.filter
-                           ? "gabor_field_filtered(place, kernel, footprint, seed, removed).value.y"
-                           : "gabor_field(place, kernel, seed).value.y");
+        of.type, of.name, request.filter ? " GaborFootprint footprint," : "",
+        request.filter ? filtered : sharp, &of == &removed && !request.filter ? "0.0" : of.plane);
 }
 
-std::string of_plane(const Document& document, Extent extent) {
+std::string of_plane(const Document& document, const Quantity& of, Extent extent) {
     render::Request request = document.request;
     request.paint.clear();
     request.colour.reset();
     const double scale = request.scale * document.camera.zoom;
     const bool horizon = std::holds_alternative<render::Horizon>(request.view);
-    std::string text = of_wave(request);
+    std::string text = of_wave(request, of);
     text += fmt::format(R"(
+// {}
 // pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
-// Mean 0, variance 1; gabor_unorm(noise_of_view(pixel)) is what to show.
-float noise_of_view(vec2 pixel)
+{} {}_of_view(vec2 pixel)
 {{
 )",
-                        extent.width, extent.height);
+                        of.is, extent.width, extent.height, of.type, of.name);
     if (horizon) {
         const double sky = render::sky_rows(extent.height);
         text += fmt::format(R"(    vec2 at = pixel - {};
     if (at.y <= 0.0)
-        return 0.0;
+        return {};
     float near = {} / at.y; // kernel radii per pixel
     vec2 p = near * vec2(at.x, {}); // from the camera, in kernel radii
 )",
-                            vec2(extent.width / 2.0, sky), literal((extent.height - 0.5 - sky) / scale),
-                            literal(-extent.width));
+                            vec2(extent.width / 2.0, sky), of.sky,
+                            literal((extent.height - 0.5 - sky) / scale), literal(-extent.width));
         if (request.filter)
             text +=
                 fmt::format("    vec2 dx = vec2(near, 0.0);\n    vec2 dy = near / at.y * vec2(-at.x, {});\n",
@@ -72,7 +128,7 @@ float noise_of_view(vec2 pixel)
                                 : time != 0                  ? "true, "
                                                              : "false, ") +
                                literal(time);
-    text += "    float noise = 0.0;\n    GaborPlace place;\n";
+    text += fmt::format("    {0} sum = {0}(0.0);\n    GaborPlace place;\n", of.type);
     if (request.filter)
         text += "    GaborFootprint footprint;\n";
     int table = -1;
@@ -93,16 +149,16 @@ float noise_of_view(vec2 pixel)
                 text += fmt::format("    footprint = gabor_footprint(dx * {0}, dy * {0});\n", unit);
             }
         }
-        text += fmt::format("    noise += {}noise_of_wave(place,{} {}, {}, {}u);\n",
-                            wave.amplitude == 1 ? "" : literal(wave.amplitude) + " * ",
+        text += fmt::format("    sum += {}{}_of_wave(place,{} {}, {}, {}u);\n",
+                            weighted(of, wave.amplitude, wave.radius), of.name,
                             request.filter ? " footprint," : "", literal(wave.frequency),
                             literal(wave.orientation), wave.seed);
     }
-    return text + "    return noise;\n}\n";
+    return text + "    return sum;\n}\n";
 }
 
 // In space there are several kinds of noise.
-std::string noise_in_space(const render::Request& request, const passes::SolidWave& wave) {
+std::string field_in_space(const render::Request& request, const passes::SolidWave& wave) {
     const render::Body* body = std::get_if<render::Body>(&request.view);
     const bool on_surface = body && !body->solid;
     const std::string frequency = literal(wave.frequency);
@@ -117,19 +173,21 @@ std::string noise_in_space(const render::Request& request, const passes::SolidWa
     return fmt::format("gabor_field_3d(place, gabor_wave_3d({}, {})", frequency, direction);
 }
 
-std::string of_space(const render::Request& request) {
+std::string of_space(const render::Request& request, const Quantity& of) {
+    const std::string_view type = &of == &gradient ? "vec3" : of.type;
     std::string settings;
     if (const double time = render::wrapped_time(request); time != 0)
         settings += fmt::format("    place.animated = true;\n    place.time = {};\n", literal(time));
-    std::string text = R"(#include "gabor_lattice_3d.glsl" // and this one
-
+    std::string text = fmt::format(R"(
+// {}
 // p: a point on or in the body, in kernel radii. normal: of the surface there, of length 1.
-// Mean 0, variance 1; gabor_unorm(noise_of_body(p, normal)) is what to show.
-float noise_of_body(vec3 p, vec3 normal)
-{
-    float noise = 0.0;
+{} {}_of_body(vec3 p, vec3 normal)
+{{
+    {} sum = {}(0.0);
     GaborPlace3d place;
-)";
+    GaborField3d field;
+)",
+                                   of.is, type, of.name, type, type);
     float radius = 0;
     for (const passes::SolidWave& wave : render::solid_waves(request)) {
         if (wave.radius != radius) {
@@ -143,11 +201,66 @@ float noise_of_body(vec3 p, vec3 normal)
                                     "    place.dy = dFdy(p){0};\n",
                                     unit);
         }
-        text += fmt::format("    noise += {}{}, {}u).value.y;\n",
-                            wave.amplitude == 1 ? "" : literal(wave.amplitude) + " * ",
-                            noise_in_space(request, wave), wave.seed);
+        text += fmt::format("    field = {}, {}u);\n    sum += {}{};\n", field_in_space(request, wave),
+                            wave.seed, weighted(of, wave.amplitude, wave.radius), of.space);
     }
-    return text + "    return noise;\n}\n";
+    return text + "    return sum;\n}\n";
+}
+
+// The gradient along the picture's right and down.
+std::string gradient_in_picture(const render::Request& request) {
+    const auto vec3 = [](float x, float y, float z) {
+        return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
+    };
+    std::string right = vec3(1, 0, 0);
+    std::string down = vec3(0, 1, 0);
+    if (std::holds_alternative<render::Body>(request.view)) { // the camera's axes of passes/solid.comp
+        const auto push = render::solid_push(request, request.width, request.height);
+        right = vec3(push.yaw.x, push.yaw.y, 0);
+        down = vec3(push.yaw.y * push.pitch.y, -push.yaw.x * push.pitch.y, -push.pitch.x);
+    }
+    return fmt::format("    vec3 g = gradient_of_body(p, normal);\n"
+                       "    vec2 seen = vec2(dot(g, {}), dot(g, {}));\n",
+                       right, down);
+}
+
+// As the window shows it.
+std::string of_colours(const Document& document, const Quantity& of) {
+    const bool space = render::in_space(document.request);
+    const auto map = document.colours;
+    const std::string contrast = literal(document.contrast);
+    const auto colours = std::ranges::find(embedded_shaders(), "viewer/colours.glsl", &EmbeddedShader::path);
+    std::string text = fmt::format("\n{}\n// What the viewer showed there.\n", colours->text);
+    text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
+    if (space && &of == &gradient)
+        text += gradient_in_picture(document.request);
+    else
+        text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
+                            space ? "body(p, normal)" : "view(pixel)");
+    switch (document.output) {
+    case Output::lit: // the light is the window's own: this is the normal map that it falls on
+    case Output::gradient:
+        text += fmt::format("    return viewer_gradient(seen, {}, {}, {});\n",
+                            literal(slope_deviation(document.request)), contrast,
+                            literal(document.directx_normals ? -1 : 1));
+        break;
+    case Output::phasor:
+        text += fmt::format("    return viewer_phasor(seen, {});\n", map);
+        break;
+    case Output::phase:
+        text += fmt::format("    return viewer_phase(seen, {});\n", map);
+        break;
+    case Output::intensity:
+        text += fmt::format("    return viewer_intensity(seen, {}, {});\n", contrast, map);
+        break;
+    case Output::variance:
+        text += fmt::format("    return viewer_variance(seen, {});\n", map);
+        break;
+    case Output::value:
+        text += fmt::format("    return viewer_value(seen, {}, {});\n", contrast, map);
+        break;
+    }
+    return text + "}\n";
 }
 
 } // namespace
@@ -156,15 +269,18 @@ std::string snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
     const bool space = render::in_space(request);
     const noise::Recipe recipe = render::drawing_recipe(request);
+    const Quantity& of = quantity(document.output);
     std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
     for (const noise::Macro& macro : noise::macros(recipe))
         text += fmt::format("#define {} {}\n", macro.name, macro.value);
     if (!request.paint.empty())
         text += "// Frequency and orientation were painted; here they are those beside the paint.\n";
     text += fmt::format("#include \"{}\" // or paste it here\n", noise::drop_in(recipe));
-    if (request.filter && !space)
+    if (space)
+        text += "#include \"gabor_lattice_3d.glsl\" // and this one\n";
+    else if (request.filter)
         text += "#include \"gabor_spectrum.glsl\" // and this one\n";
-    return text + (space ? of_space(request) : of_plane(document, extent));
+    return text + (space ? of_space(request, of) : of_plane(document, of, extent)) + of_colours(document, of);
 }
 
 } // namespace gabor::viewer

@@ -172,6 +172,7 @@ bool work_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& 
     const ImGuiID grab_x = ImGui::GetID("grab x");
     const ImGuiID grab_y = ImGui::GetID("grab y");
     const ImGuiID grab_sign = ImGui::GetID("grab sign");
+    const ImGuiID grabbed = ImGui::GetID("grabbed");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !handle_at(plane, lobes, mouse)) {
         noise::Lobe lobe;
         move_lobe(plane, lobe, 1, mouse);
@@ -179,18 +180,21 @@ bool work_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& 
         storage.SetFloat(grab_x, 0);
         storage.SetFloat(grab_y, 0);
         storage.SetFloat(grab_sign, 1);
+        storage.SetBool(grabbed, true);
         return true;
     }
     if (ImGui::IsItemActivated()) {
         const std::optional<Handle> handle = handle_at(plane, lobes, mouse);
         session.selected_lobe = handle ? handle->lobe : no_lobe;
+        storage.SetBool(grabbed, handle.has_value());
         if (handle) {
             storage.SetFloat(grab_x, handle->at.x - mouse.x);
             storage.SetFloat(grab_y, handle->at.y - mouse.y);
             storage.SetFloat(grab_sign, static_cast<float>(handle->sign));
         }
     }
-    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0) || session.selected_lobe >= lobes.size())
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0) || !storage.GetBool(grabbed) ||
+        session.selected_lobe >= lobes.size())
         return false;
     move_lobe(plane, lobes[session.selected_lobe], double{storage.GetFloat(grab_sign, 1)},
               {mouse.x + storage.GetFloat(grab_x), mouse.y + storage.GetFloat(grab_y)});

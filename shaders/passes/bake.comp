@@ -223,7 +223,7 @@ void fill(Run across, Run down, uint index)
             }
         }
         if (row >= 0 && row < height) {
-            int start = row * width + across.first;
+            int start = before + row * width + across.first;
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 if (k >= across.count || across.first + k < 0 || across.first + k >= width)
                     continue;

@@ -25,7 +25,7 @@ struct BakeWave {
     float amplitude;  // what it is multiplied with; for the sparse noise, what normalizes it too
     uint seed;
     float depth_wave; // of a slice of space: the third of `wave`
-    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+    vec2 weights[3];  // in the components of colours, of (quadrature, noise)
 };
 
 // The noises of one kernel radius: their pixels fall into the same runs.
@@ -40,6 +40,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     int width;
     int height;
     int first_row; // of the band, in the units of Run.first
+    int before;    // pixels in the buffer before those of the band
     uint first_column_run;
     uint column_runs;
     uint first_row_run;

@@ -15,9 +15,10 @@ GABOR_PUSH_CONSTANTS(MaterialPush) {
     vec2 corner; // where p is in the picture's corner, or under the camera
     vec2 yaw;    // of a body: cosine and sine of the eye's angle around the axis z
     vec2 pitch;  // and of its height above the plane z = 0
-    float pixel; // units of p per pixel; in perspective the camera's height in them; of a body as in SolidPush
-    float unit;  // of a body: the unit in which the sphere has radius 1, in those of p
-    float sky;   // rows above the horizon, 0 but in perspective
+    float
+        pixel;  // units of p per pixel; in perspective the camera's height in them; of a body as in SolidPush
+    float unit; // of a body: the unit in which the sphere has radius 1, in those of p
+    float sky;  // rows above the horizon, 0 but in perspective
     uint seed;
     int first_column; // of these pixels in the picture
     int first_row;

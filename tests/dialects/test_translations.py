@@ -32,7 +32,7 @@ CALLS = [
     "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)",
     "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
     "4.0 * gabor_zebra(p, 7u).colour.y",
-    "60.0 * gabor_sand(p, 7u).height",  # filtered, it meets lavapipe's trouble with loops that lanes leave at different times
+    "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0",
 ]
 

@@ -125,10 +125,11 @@ TEST_CASE("atoms are what windows expect of a wave") {
 }
 
 TEST_CASE("a grey texture's lobes are found from its spectrum") {
-    const std::vector<Wave> waves{{{0.11, 0.07}, 12, weights({0.8})},
-                                  {{-0.21, 0.173}, 6, weights({0.5})},
-                                  {{0.025, -0.0433}, 7.2, weights({0.6})}, // not apart from its mirror image
-                                  {{0.0, 0.0}, 25, weights({0.33})}};
+    const std::vector<Wave> waves{
+        {{0.11, 0.07}, 12, weights({0.7})},
+        {{-0.21, 0.173}, 6, weights({0.45})},
+        {{0.025, -0.0433}, 7.2, weights({0.45})}, // not apart from its mirror image
+        {{0.0, 0.0}, 25, weights({0.324})}};      // the powers add up to 1, as those that are found
     const Texture texture = fit(exemplar_of(waves, 1 << 14), 16, [](double) {});
     for (const Wave& known : waves) {
         const Wave& found = nearest(texture.waves, known);

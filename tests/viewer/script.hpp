@@ -19,8 +19,9 @@ namespace gabor::viewer {
 ///     resize WIDTH HEIGHT | minimize | restore | hide | show
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
-///     wait FRAMES | settle | sleep SECONDS           settle: until nothing is left to refine or to measure
-///     expect error TEXT | expect no error | expect message TEXT  waits for it, for half a minute at most
+///     exported                                       waits until the last export has ended
+///     wait FRAMES | fine | settle | sleep SECONDS    fine: until the picture is; settle: and measured too
+///     expect error TEXT | expect no error | expect message TEXT  waits for it, for two minutes at most
 ///     random SEED SECONDS                 anything at all
 ///     quit
 ///

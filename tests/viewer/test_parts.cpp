@@ -143,13 +143,13 @@ TEST_CASE("a shader's error names the file and the line") {
           "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
           "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
     ShaderCompiler shaders(folder);
-    const Compiled broken = shaders.compile("pass.comp", ShaderStage::compute);
+    const Compiled broken = shaders.compile("pass.comp");
     CHECK(broken.spirv.empty());
     CHECK_THAT(broken.error, Catch::StartsWith("gabor_noise.glsl:3:") && Catch::Contains("nothing"));
     CHECK_FALSE(shaders.changed());
     write("gabor_noise.glsl", "float one() { return 1.0; }\n");
     CHECK(shaders.changed());
-    const Compiled mended = shaders.compile("pass.comp", ShaderStage::compute);
+    const Compiled mended = shaders.compile("pass.comp");
     CHECK(mended.error.empty());
     CHECK_FALSE(mended.spirv.empty());
     std::filesystem::remove_all(folder);
@@ -157,10 +157,13 @@ TEST_CASE("a shader's error names the file and the line") {
 
 TEST_CASE("every shader that is built in compiles") {
     ShaderCompiler shaders{{}};
-    for (const char* path : {"passes/pixels.comp", "passes/pixels.comp@3", "passes/solid.comp",
-                             "passes/material.comp@brushed_metal", "viewer/ingredients.comp"}) {
-        const Compiled compiled = shaders.compile(path, ShaderStage::compute);
+    for (const char* path :
+         {"passes/bake.comp", "passes/bake.comp@4", "passes/pixels.comp", "passes/pixels.comp@3",
+          "passes/solid.comp", "passes/material.comp@brushed_metal", "viewer/ingredients.comp",
+          "viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
+        const Compiled compiled = shaders.compile(path);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());
     }
+    CHECK(shaders.as_built());
 }

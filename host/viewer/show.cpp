@@ -1,0 +1,123 @@
+#include "viewer/show.hpp"
+
+#include "error.hpp"
+#include "noise/spectrum.hpp"
+#include "render/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gabor::viewer {
+
+namespace {
+
+// Of output_shown in shaders/viewer/show.glsl, after the outputs.
+constexpr std::int32_t coloured = 7;
+constexpr std::int32_t first_look = 8;
+
+// The first channel that the output needs beside the noise.
+std::string_view companion(Output output) {
+    switch (output) {
+    case Output::gradient:
+    case Output::lit:
+        return "gradient.x";
+    case Output::phase:
+    case Output::intensity:
+    case Output::phasor:
+        return "quadrature";
+    case Output::variance:
+        return "removed";
+    case Output::value:
+        break;
+    }
+    return "Y";
+}
+
+} // namespace
+
+ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse) {
+    const auto find = [&](std::string_view name) {
+        const auto found = std::ranges::find(channels, name);
+        return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
+    };
+    const std::int32_t beside = find(companion(document.output));
+    // All of the variance is there where no filter removed any.
+    const bool there = beside >= 0 || document.output == Output::variance;
+    const bool colour = channels.front() == "R";
+    const auto shown = render::has_material(document.request)
+                           ? first_look + static_cast<std::int32_t>(document.look)
+                       : colour ? coloured
+                                : static_cast<std::int32_t>(there ? document.output : Output::value);
+    return {shown,
+            document.colours,
+            static_cast<std::int32_t>(channels.size()),
+            std::max(beside, 0),
+            find("normal.x"),
+            find("A"),
+            coarse};
+}
+
+ShowConstants colours_constants() {
+    return {coloured, 0, 3, 0, -1, -1, 1};
+}
+
+passes::ShowPush show_push(const Document& document, double stride) {
+    passes::ShowPush push{};
+    push.stride = 1;
+    push.contrast = document.contrast;
+    push.deviation = static_cast<float>(slope_deviation(document.request));
+    push.spacing = static_cast<float>(stride / document.request.scale);
+    push.green = document.directx_normals ? -1.0f : 1.0f;
+    return push;
+}
+
+double slope_deviation(const render::Request& request) {
+    double variance = 0;
+    for (const noise::Wave& wave : noise::waves(request.lobes, request.seed))
+        variance += wave.share * std::pow(2 * std::numbers::pi * wave.frequency, 2) / 2;
+    return std::sqrt(variance);
+}
+
+bool shows_plainly(const Document& document) {
+    if (render::has_material(document.request))
+        return document.look == Look::lit;
+    if (document.request.colour)
+        return true;
+    return document.output == Output::value && document.colours == 0 &&
+           document.contrast == Document().contrast && !render::in_space(document.request);
+}
+
+FileColours::FileColours(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
+                         const Document& document, std::span<const std::string> channels)
+    : device_(device), pass_(device, spirv, {2, sizeof(passes::ShowPush)},
+                             std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<ShowConstants>>>(
+                                 show_constants(document, channels, false))),
+      push_(show_push(document, 1)), channels_(channels.size()), values_(device, 4, vulkan::Memory::upload),
+      colours_(device, 4, vulkan::Memory::readback) {
+    if (render::has_material(document.request) && document.look == Look::normal)
+        throw RequestError(
+            "normals take neighbours, which the window has and a PNG has not: export the height");
+    if (!render::has_material(document.request) && document.output == Output::lit &&
+        std::holds_alternative<render::Body>(document.request.view))
+        throw RequestError(
+            "noise lit on a body is shown by the window alone: export another output, or no PNG");
+    push_.grid = {document.request.width, document.request.height};
+}
+
+std::span<const float> FileColours::of(std::span<const float> values) {
+    const std::size_t pixels = values.size() / channels_;
+    if (values_.size() < values.size_bytes()) {
+        values_ = vulkan::Buffer(device_, values.size_bytes(), vulkan::Memory::upload);
+        colours_ = vulkan::Buffer(device_, pixels * 3 * sizeof(float), vulkan::Memory::readback);
+    }
+    std::ranges::copy(values, values_.as<float>().begin());
+    push_.count = static_cast<int>(pixels);
+    vulkan::Job job(device_, pass_, {values_, colours_});
+    job.submit(push_, {render::groups(push_.count, passes::show_group)});
+    job.wait();
+    push_.first_row += push_.count / push_.grid.x;
+    return colours_.as<float>().first(3 * pixels);
+}
+
+} // namespace gabor::viewer

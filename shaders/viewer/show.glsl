@@ -1,0 +1,91 @@
+// Channels of a picture as colours: what the window and files share.
+
+#include "viewer/show_interface.h"
+#include "viewer/colours.glsl"
+#include "passes/light.glsl"
+
+// Constants, because a CPU would go through every branch.
+// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 phasor, 6 a lit height, 7 colours; of a material: 8 lit,
+// 9 colour, 10 height, 11 normal, 12 roughness, 13 metalness
+layout(constant_id = 0) const int output_shown = 0;
+layout(constant_id = 1) const int colours = 0;      // the colour map
+layout(constant_id = 2) const int channels = 1;
+layout(constant_id = 3) const int companion = 0;    // the first channel that the output needs beside the noise
+layout(constant_id = 4) const int normal_at = -1;   // of a body: its normal and gradient.z, -1 for none
+layout(constant_id = 5) const int coverage_at = -1; // the channel of the coverage, -1 for none
+layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
+
+// A channel at a pixel.
+float value_at(vec2 pixel, int channel);
+
+vec3 three_at(vec2 pixel, int first)
+{
+    return vec3(value_at(pixel, first), value_at(pixel, first + 1), value_at(pixel, first + 2));
+}
+
+vec3 srgb(vec3 light)
+{
+    light = clamp(light, 0.0, 1.0);
+    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
+}
+
+// The noise as a height: a body has its own normal, after the gradient along the picture.
+vec3 lit_noise(vec2 pixel, vec3 colour)
+{
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+    vec3 bump = vec3(value_at(pixel, companion), value_at(pixel, companion + 1), 0.0);
+    if (normal_at >= 0) {
+        normal = normalize(three_at(pixel, normal_at));
+        bump.z = value_at(pixel, normal_at + 3);
+        bump -= dot(bump, normal) * normal;
+    }
+    normal = normalize(normal - bump * (0.5 * contrast / deviation));
+    vec2 size = vec2(grid) * stride;
+    vec2 place = (pixel - 0.5 * size) / max(size.x, size.y);
+    vec3 linear = pow(colour, vec3(2.2));
+    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)));
+}
+
+vec3 material(vec2 pixel)
+{
+    const int height = 3;
+    if (output_shown == 8)
+        return srgb(three_at(pixel, 6));
+    if (output_shown == 9)
+        return srgb(three_at(pixel, 0));
+    if (output_shown == 10)
+        return vec3(0.5 + value_at(pixel, height) / (0.1 * contrast));
+    if (output_shown == 11) {
+        float across = value_at(pixel + vec2(stride, 0.0), height) - value_at(pixel - vec2(stride, 0.0), height);
+        float down = value_at(pixel + vec2(0.0, stride), height) - value_at(pixel - vec2(0.0, stride), height);
+        return viewer_normal(normalize(vec3(-across, -down, 2.0 * spacing)), green);
+    }
+    return vec3(value_at(pixel, output_shown == 12 ? 4 : 5));
+}
+
+vec3 shown(vec2 pixel)
+{
+    float noise = value_at(pixel, 0);
+    vec3 seen;
+    if (output_shown >= 8)
+        seen = material(pixel);
+    else if (output_shown == 7)
+        seen = three_at(pixel, 0);
+    else if (output_shown == 1)
+        seen = viewer_gradient(vec2(value_at(pixel, companion), value_at(pixel, companion + 1)), deviation, contrast, green);
+    else if (output_shown == 2)
+        seen = viewer_phase(vec2(value_at(pixel, companion), noise), colours);
+    else if (output_shown == 3)
+        seen = viewer_intensity(vec2(value_at(pixel, companion), noise), contrast, colours);
+    else if (output_shown == 4)
+        seen = viewer_variance(companion > 0 ? value_at(pixel, companion) : 0.0, colours);
+    else if (output_shown == 5)
+        seen = viewer_phasor(vec2(value_at(pixel, companion), noise), colours);
+    else if (output_shown == 6)
+        seen = lit_noise(pixel, viewer_value(noise, contrast, colours));
+    else
+        seen = viewer_value(noise, contrast, colours);
+    // Light falls past a body too.
+    float coverage = coverage_at >= 0 && output_shown != 8 ? value_at(pixel, coverage_at) : 1.0;
+    return mix(vec3(0.05, 0.05, 0.055), clamp(seen, 0.0, 1.0), coverage);
+}

@@ -1,0 +1,250 @@
+// What panes show, on the device: by the shaders that are built in, as values.
+
+#include "viewer/canvas.hpp"
+#include "viewer/shader_compiler.hpp"
+#include "viewer/timing.hpp"
+
+#include "statistics/gaussianity.hpp"
+#include "statistics/moments.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace gabor;
+using namespace gabor::viewer;
+
+namespace {
+
+const vulkan::Device& device() {
+    static const vulkan::Device device;
+    return device;
+}
+
+Canvas canvas_of(const NoisePass& noise) {
+    ShaderCompiler shaders{{}};
+    const Compiled compiled = shaders.compile(noise.shader);
+    REQUIRE(compiled.error.empty());
+    return {device(), noise, compiled.spirv};
+}
+
+// All values of a pane, in full resolution or coarser.
+std::vector<float> values_of(Canvas& canvas, const Camera& camera, Extent extent, int stride = 1) {
+    canvas.draw(camera, extent, stride);
+    const std::span<const float> values = canvas.pixels();
+    return {values.begin(), values.end()};
+}
+
+std::vector<float> values_of(const NoisePass& noise, const Camera& camera, Extent extent) {
+    Canvas canvas = canvas_of(noise);
+    return values_of(canvas, camera, extent);
+}
+
+NoisePass pass_of(const Document& document) {
+    return noise_passes(document).front();
+}
+
+NoisePass compared(Document document, const Comparison& with) {
+    document.comparison = with;
+    return noise_passes(document).back();
+}
+
+// The same pixel by pixel.
+NoisePass unbaked(NoisePass noise) {
+    noise.block.reset();
+    noise.shader = render::recipe_pass("pixels", noise.request.recipe);
+    noise.constants = render::pixels_constants(noise.request);
+    return noise;
+}
+
+void compare(const std::string& what, const std::vector<float>& found, const std::vector<float>& expected,
+             double tolerance) {
+    REQUIRE(found.size() == expected.size());
+    REQUIRE(!found.empty());
+    double largest = 0;
+    double power = 0;
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        power += double{expected[i]} * double{expected[i]} / static_cast<double>(found.size());
+        const double off = std::abs(double{found[i]} - double{expected[i]});
+        if (!(off <= largest)) {
+            largest = off;
+            place = i;
+        }
+    }
+    fmt::print("{}: off by {:.2g} at {}\n", what, largest, place);
+    CHECK(power > 0.3);
+    CHECK(largest <= tolerance);
+}
+
+} // namespace
+
+TEST_CASE("the window's blocks have the values of single pixels, wherever the camera is") {
+    const Extent extent{150, 90};
+    const auto check = [&](const std::string& name, const render::Request& request, Output output) {
+        Document document = document_of(request);
+        document.output = output;
+        const NoisePass noise = pass_of(document);
+        REQUIRE(noise.block);
+        Canvas blocks = canvas_of(noise);
+        Canvas pixels = canvas_of(unbaked(noise));
+        for (const Coordinate& corner :
+             {Coordinate{0, 0}, Coordinate{-2, 0.37}, Coordinate{1'000'000'000, 0.9}})
+            for (const auto& [zoom, stride] : {std::pair{1.0, 1}, std::pair{2.3, 1}, std::pair{1.0, 4}}) {
+                const Camera camera{corner, corner.moved(0.61), zoom};
+                compare(fmt::format("{}, from {} on, zoom {}, stride {}", name, corner.whole, zoom, stride),
+                        values_of(blocks, camera, extent, stride), values_of(pixels, camera, extent, stride),
+                        output == Output::gradient ? 2e-3 : 1e-4);
+            }
+    };
+    render::Request request{.scale = 32, .seed = 3};
+    check("lattice", request, Output::value);
+    check("gradient", request, Output::gradient);
+    request.recipe = noise::find_recipe("one");
+    check("one", request, Output::phase);
+    request.recipe = noise::find_recipe("lattice");
+    request.view = render::Plane{true};
+    request.time = 0.3;
+    request.lobes = {{.frequency = 3, .radius = 1.7}, {.frequency = 5, .orientation = 70, .power = 0.3}};
+    check("lobes, tileable", request, Output::value);
+}
+
+TEST_CASE("the noises that are compared have no seams at the axes") {
+    Document document = document_of({.scale = 64, .lobes = {{.frequency = 1}}});
+    document.camera = {};
+    const Extent extent{160, 120};
+    for (const study::Ingredients& ingredients : {study::Ingredients{}, study::recommended}) {
+        const std::vector<float> values = values_of(compared(document, ingredients), document.camera, extent);
+        const auto at = [&](int x, int y) {
+            return double{values[static_cast<std::size_t>(y * extent.width + x)]};
+        };
+        // The mean square of a step, across each line between two columns or rows.
+        const auto check = [&](int lines, int along, auto step) {
+            std::vector<double> squares;
+            for (int line = 0; line + 1 < lines; ++line) {
+                double sum = 0;
+                for (int i = 0; i < along; ++i)
+                    sum += std::pow(step(line, i), 2);
+                squares.push_back(sum / along);
+            }
+            const auto largest = std::ranges::max_element(squares) - squares.begin();
+            std::vector<double> sorted = squares;
+            std::ranges::sort(sorted);
+            INFO("step " << largest);
+            CHECK(sorted.back() < 9 * sorted[sorted.size() / 2]);
+            CHECK(sorted.back() > 0);
+        };
+        check(extent.width, extent.height, [&](int x, int y) { return at(x + 1, y) - at(x, y); });
+        check(extent.height, extent.width, [&](int y, int x) { return at(x, y + 1) - at(x, y); });
+    }
+}
+
+TEST_CASE("a spectrum is compared with a seminal noise of the same spectrum") {
+    Document document = document_of({.scale = 32, .seed = 5});
+    document.request.lobes = {{.frequency = 3, .orientation = 20, .radius = 1.6},
+                              {.frequency = 5, .orientation = 100, .power = 0.5}};
+    const Extent extent{64, 48};
+    const Comparison seminal = study::Ingredients{};
+    const NoisePass both = compared(document, seminal);
+    CHECK(both.visited == 540);
+    std::vector<float> expected(64 * 48);
+    for (const noise::Wave& wave : noise::waves(document.request.lobes, document.request.seed)) {
+        Document alone = document;
+        alone.request.seed = wave.seed;
+        alone.request.lobes = {
+            {.frequency = wave.frequency, .orientation = noise::degrees(wave.angle), .radius = wave.radius}};
+        const std::vector<float> values = values_of(compared(alone, seminal), document.camera, extent);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            expected[i] += static_cast<float>(std::sqrt(wave.share)) * values[i];
+    }
+    compare("seminal, two lobes", values_of(both, document.camera, extent), expected, 1e-4);
+}
+
+TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
+    const auto body = [](const render::View& view, double spread) {
+        Document document = document_of({.lobes = {{.frequency = 3, .orientation = 30}}, .seed = 2});
+        document.request.lobes[0].orientation_spread = spread;
+        document.request.view = view;
+        return document;
+    };
+    using render::Shape;
+    for (const auto& [name, document] :
+         {std::pair{"sphere", body(render::Body{Shape::sphere}, 0)},
+          std::pair{"sphere, isotropic", body(render::Body{Shape::sphere}, 90)},
+          std::pair{"torus", body(render::Body{Shape::torus}, 0)},
+          std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
+          std::pair{"slice", body(render::Slice{}, 0)}}) {
+        const NoisePass noise = value_pass(pass_of(document));
+        ShaderCompiler shaders{{}};
+        ValueSampler sampler(device(), noise, shaders.compile(noise.shader).spirv);
+        statistics::Moments moments;
+        statistics::Gaussianity gaussianity;
+        const std::uint64_t wanted = std::uint64_t{1} << 18;
+        for (std::uint32_t draw = 0; moments.count() < wanted; ++draw) {
+            REQUIRE(draw < 200);
+            const std::span<const float> values = sampler.sample(draw, 1);
+            for (std::size_t i = 0; i < values.size(); i += 2)
+                if (values[i + 1] > 0) { // covered
+                    moments.add(values[i]);
+                    gaussianity.add(values[i]);
+                }
+        }
+        const statistics::Estimate cvm = gaussianity.index();
+        fmt::print("{}: variance {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}] of {} values\n", name,
+                   moments.variance(), cvm.value, cvm.low, cvm.high, moments.count());
+        CHECK(moments.mean() == Approx(0).margin(4.5 / std::sqrt(wanted)));
+        CHECK(moments.variance() == Approx(1).margin(4.5 * std::sqrt(2.0 / wanted)));
+        // The law's own is below 0.05; the rest is chance.
+        CHECK(cvm.value < 0.05 + 0.6 * statistics::cvm_scale / static_cast<double>(moments.count()));
+    }
+}
+
+TEST_CASE("what is timed is what gabor bench times, once for each wave") {
+    const auto name = [](const NoisePass& noise) {
+        const std::optional<bench::Subject> subject = subject_of(noise);
+        return subject ? subject->name : "";
+    };
+    std::vector<std::string> known;
+    for (const bench::Subject& subject : bench::subjects())
+        known.push_back(subject.name);
+    Document document = document_of({});
+    const auto check = [&](const NoisePass& noise, const std::string& expected) {
+        CHECK(name(noise) == expected);
+        CHECK(std::ranges::find(known, expected) != known.end());
+    };
+    check(pass_of(document), "gabor_noise, lattice");
+    check(compared(document, study::Ingredients{}), "seminal, N = 30, hoisted");
+    check(compared(document, study::recommended), "the paper's advice, N = 2, hoisted");
+    study::Ingredients other;
+    other.points = study::Points::sobol;
+    CHECK(name(compared(document, other)).empty());
+    document.output = Output::gradient;
+    check(pass_of(document), "gabor_noise_gradient, lattice");
+    document.output = Output::value;
+    document.request.lobes.push_back({.frequency = 7});
+    document.request.recipe = noise::find_recipe("one");
+    check(pass_of(document), "gabor_noise, one");
+    document.request.view = render::Body{};
+    check(pass_of(document), "gabor_noise_surface");
+
+    document.request.view = render::Plane();
+    document.comparison = study::Ingredients{};
+    Timing timing(device());
+    timing.set(noise_passes(document));
+    CHECK(std::isnan(timing.nanoseconds(0)));
+    while (!timing.done())
+        timing.run();
+    const double two = timing.nanoseconds(0);
+    CHECK(two > 0);
+    CHECK(timing.nanoseconds(1) > 0);
+    document.request.lobes.resize(1);
+    timing.set(noise_passes(document));
+    CHECK(timing.done()); // the same code
+    CHECK(timing.nanoseconds(0) == Approx(two / 2));
+    document.request.recipe = noise::find_recipe("lattice");
+    timing.set(noise_passes(document));
+    CHECK_FALSE(timing.done());
+    CHECK(std::isnan(timing.nanoseconds(1)));
+}
