@@ -48,8 +48,8 @@ struct GaborAxes3d {
 fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes3d {
     var n: GaborAxes3d;
     var salt_4: u32;
-    var local_13: f32;
-    var local_14: f32;
+    var local_11: f32;
+    var local_12: f32;
 
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -63,17 +63,17 @@ fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e39 ^ 668265263u), wave.z, place.radius.z);
     n.z = _e45;
     if false {
-        local_13 = 1f;
+        local_11 = 1f;
     } else {
-        local_13 = 1.125f;
+        local_11 = 1.125f;
     }
-    let _e56 = local_13;
+    let _e56 = local_11;
     if false {
-        local_14 = 1f;
+        local_12 = 1f;
     } else {
-        local_14 = 1.125f;
+        local_12 = 1.125f;
     }
-    let _e68 = local_14;
+    let _e68 = local_12;
     let _e71 = n;
     let _e74 = n;
     let _e78 = n;
@@ -94,13 +94,13 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
 // Slice by slice, each a sum as in the plane.
 fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
     var n_1: GaborAxes3d;
-    var sum_3: vec4<f32> = vec4(0f);
+    var sum_4: vec4<f32> = vec4(0f);
     var slopes: vec4<f32> = vec4(0f);
     var k: i32 = 0i;
     var rows: GaborAxis;
     var j_1: i32;
     var slice_1: vec4<f32>;
-    var slope_5: vec4<f32>;
+    var slope_6: vec4<f32>;
     var value_4: vec2<f32>;
     var turned_1: vec2<f32>;
     var stretch_1: vec3<f32>;
@@ -135,13 +135,13 @@ fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
             }
             let _e48 = n_1;
             let _e50 = rows;
-            gabor_impl_sum(_e48.x, _e50, place.animated, place.time, (&slice_1), (&slope_5));
+            gabor_impl_sum(_e48.x, _e50, place.animated, place.time, (&slice_1), (&slope_6));
             let _e58 = slice_1;
             let _e59 = k;
             let _e63 = n_1.z.node[_e59];
-            gabor_impl_add((&sum_3), _e58, _e63.xy);
+            gabor_impl_add((&sum_4), _e58, _e63.xy);
             let _e66 = slopes;
-            let _e67 = slope_5;
+            let _e67 = slope_6;
             let _e69 = k;
             let _e73 = n_1.z.node[_e69];
             let _e75 = gabor_impl_product(_e67.xy, _e73.xy);
@@ -156,7 +156,7 @@ fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
             k = (_e17 + 1i);
         }
     }
-    let _e91 = sum_3;
+    let _e91 = sum_4;
     let _e93 = n_1;
     let _e95 = gabor_impl_product(_e91.xy, _e93.base);
     value_4 = _e95;
@@ -166,7 +166,7 @@ fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     stretch_1 = (place.radius / vec3(1.5f));
     let _e114 = value_4;
     let _e115 = stretch_1;
-    let _e117 = sum_3;
+    let _e117 = sum_4;
     let _e119 = n_1;
     let _e121 = gabor_impl_product(_e117.zw, _e119.base);
     let _e124 = turned_1;
@@ -198,7 +198,7 @@ fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMat
     var m_1: GaborMatrix;
     var j_2: i32 = 0i;
     var row_2: u32;
-    var i_2: i32;
+    var i: i32;
     var amplitude_1: vec2<f32>;
 
     loop {
@@ -210,29 +210,29 @@ fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMat
             let _e15 = j_2;
             let _e19 = gabor_impl_slice_word(n.y.word[_e15], slice);
             row_2 = _e19;
-            i_2 = 0i;
+            i = 0i;
             loop {
-                let _e23 = i_2;
+                let _e23 = i;
                 if !((_e23 < 3i)) {
                     break;
                 }
                 {
-                    let _e30 = i_2;
+                    let _e30 = i;
                     let _e34 = row_2;
                     let _e38 = gabor_impl_amplitude_at((n.x.word[_e30] * _e34), place.animated, place.time);
                     amplitude_1 = _e38;
-                    let _e40 = i_2;
+                    let _e40 = i;
                     let _e41 = j_2;
                     let _e45 = amplitude_1;
                     m_1.real[_e41][_e40] = _e45.x;
-                    let _e47 = i_2;
+                    let _e47 = i;
                     let _e48 = j_2;
                     let _e52 = amplitude_1;
                     m_1.imaginary[_e48][_e47] = _e52.y;
                 }
                 continuing {
-                    let _e27 = i_2;
-                    i_2 = (_e27 + 1i);
+                    let _e27 = i;
+                    i = (_e27 + 1i);
                 }
             }
         }
@@ -320,13 +320,13 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var stretch_2: vec3<f32>;
     var deviation_1: vec3<f32>;
     var n_4: GaborAxes3d;
-    var x_5: GaborMatrix;
-    var y_5: GaborMatrix;
+    var x_6: GaborMatrix;
+    var y_6: GaborMatrix;
     var z_1: GaborMatrix;
-    var first: GaborMatrix;
+    var first_1: GaborMatrix;
     var second_1: GaborMatrix;
     var third_1: GaborMatrix;
-    var sum_4: vec2<f32> = vec2(0f);
+    var sum_5: vec2<f32> = vec2(0f);
     var slope_x: vec2<f32> = vec2(0f);
     var slope_y: vec2<f32> = vec2(0f);
     var slope_z: vec2<f32> = vec2(0f);
@@ -358,34 +358,34 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e42 = n_4;
     let _e44 = deviation_1;
     let _e46 = gabor_impl_waves(_e42.x, _e44.x);
-    x_5 = _e46;
+    x_6 = _e46;
     let _e48 = n_4;
     let _e50 = deviation_1;
     let _e52 = gabor_impl_waves(_e48.y, _e50.y);
-    y_5 = _e52;
+    y_6 = _e52;
     let _e54 = n_4;
     let _e56 = deviation_1;
     let _e58 = gabor_impl_waves(_e54.z, _e56.z);
     z_1 = _e58;
-    let _e60 = x_5;
-    let _e63 = x_5;
-    x_5 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
+    let _e60 = x_6;
+    let _e63 = x_6;
+    x_6 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
     let _e67 = n_4;
     let _e72 = n_4.z.word[0];
-    let _e73 = x_5;
-    let _e74 = y_5;
+    let _e73 = x_6;
+    let _e74 = y_6;
     let _e75 = gabor_impl_slice(_e67, _e72, place, _e73, _e74);
-    first = _e75;
+    first_1 = _e75;
     let _e77 = n_4;
     let _e82 = n_4.z.word[1];
-    let _e83 = x_5;
-    let _e84 = y_5;
+    let _e83 = x_6;
+    let _e84 = y_6;
     let _e85 = gabor_impl_slice(_e77, _e82, place, _e83, _e84);
     second_1 = _e85;
     let _e87 = n_4;
     let _e92 = n_4.z.word[2];
-    let _e93 = x_5;
-    let _e94 = y_5;
+    let _e93 = x_6;
+    let _e94 = y_6;
     let _e95 = gabor_impl_slice(_e87, _e92, place, _e93, _e94);
     third_1 = _e95;
     loop {
@@ -395,13 +395,13 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
         }
         {
             let _e120 = b_2;
-            let _e123 = first.real[_e120];
+            let _e123 = first_1.real[_e120];
             let _e124 = b_2;
             let _e127 = second_1.real[_e124];
             let _e128 = b_2;
             let _e131 = third_1.real[_e128];
             let _e145 = b_2;
-            let _e148 = first.imaginary[_e145];
+            let _e148 = first_1.imaginary[_e145];
             let _e149 = b_2;
             let _e152 = second_1.imaginary[_e149];
             let _e153 = b_2;
@@ -449,9 +449,9 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                             let _e242 = c_3;
                             let _e246 = m_2.imaginary[_e242][_e241];
                             value_5 = (_e234 * vec2<f32>(_e240, _e246));
-                            let _e250 = sum_4;
+                            let _e250 = sum_5;
                             let _e251 = value_5;
-                            sum_4 = (_e250 + _e251);
+                            sum_5 = (_e250 + _e251);
                             let _e253 = slope_x;
                             let _e254 = k_1;
                             let _e256 = value_5;
@@ -510,7 +510,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e336 = n_4;
     base = (_e335 * _e336.base);
     let _e340 = base;
-    let _e341 = sum_4;
+    let _e341 = sum_5;
     let _e342 = gabor_impl_product(_e340, _e341);
     let _e343 = base;
     let _e345 = slope_x;
@@ -588,47 +588,47 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wa
 // power, so that all is continuous in frequency.
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_6: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
-    var i_3: i32 = 0i;
+    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var i_1: i32 = 0i;
     var share: f32;
     var z_2: f32;
     var direction_1: vec3<f32>;
 
     count = (8f + (8f * min((frequency * frequency), 64f)));
     loop {
-        let _e24 = i_3;
+        let _e24 = i_1;
         let _e25 = count;
         if !((_e24 < i32(ceil(_e25)))) {
             break;
         }
         {
             let _e33 = count;
-            let _e34 = i_3;
+            let _e34 = i_1;
             let _e39 = count;
             share = (min((_e33 - f32(_e34)), 1f) / _e39);
-            let _e42 = i_3;
+            let _e42 = i_1;
             let _e44 = count;
             let _e47 = share;
             z_2 = ((f32(_e42) / _e44) + (0.5f * _e47));
             let _e52 = z_2;
             let _e53 = z_2;
-            let _e58 = i_3;
+            let _e58 = i_1;
             let _e61 = gabor_impl_wave((0.618034f * f32(_e58)));
             let _e62 = (sqrt((1f - (_e52 * _e53))) * _e61);
             let _e63 = z_2;
             direction_1 = vec3<f32>(_e62.x, _e62.y, _e63);
             let _e69 = direction_1;
             let _e70 = gabor_wave_3d(frequency, _e69);
-            let _e71 = i_3;
+            let _e71 = i_1;
             let _e72 = share;
-            gabor_impl_add_term((&sum_6), place, _e70, seed, _e71, _e72);
+            gabor_impl_add_term((&sum_7), place, _e70, seed, _e71, _e72);
         }
         continuing {
-            let _e30 = i_3;
-            i_3 = (_e30 + 1i);
+            let _e30 = i_1;
+            i_1 = (_e30 + 1i);
         }
     }
-    let _e74 = sum_6;
+    let _e74 = sum_7;
     return _e74;
 }
 
@@ -650,10 +650,10 @@ fn gabor_impl_takeover(low: f32, high: f32, x: f32) -> f32 {
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_16: vec3<f32>;
+    var local_14: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_8: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
 
     normal_1 = normal;
     direction_3 = direction;
@@ -666,11 +666,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_16 = vec3<f32>(0f, 0f, 1f);
+        local_14 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_16 = vec3<f32>(1f, 0f, 0f);
+        local_14 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_16;
+    let _e26 = local_14;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -691,16 +691,16 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
         let _e65 = direction_3;
         let _e66 = gabor_wave_3d(frequency, _e65);
         let _e68 = power_1;
-        gabor_impl_add_term((&sum_7), place, _e66, seed, 0i, _e68);
+        gabor_impl_add_term((&sum_8), place, _e66, seed, 0i, _e68);
     }
     let _e70 = power_1;
     if (_e70 < 1f) {
         let _e74 = other;
         let _e75 = gabor_wave_3d(frequency, _e74);
         let _e78 = power_1;
-        gabor_impl_add_term((&sum_7), place, _e75, seed, 1i, (1f - _e78));
+        gabor_impl_add_term((&sum_8), place, _e75, seed, 1i, (1f - _e78));
     }
-    let _e81 = sum_7;
+    let _e81 = sum_8;
     return _e81;
 }
 
@@ -709,11 +709,11 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_8: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_9: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var axis_2: i32 = 0i;
-    var local_17: vec3<f32>;
+    var local_15: vec3<f32>;
     var along: vec3<f32>;
-    var i_4: i32;
+    var i_2: i32;
     var share_2: f32;
     var turn_6: vec2<f32>;
     var direction_4: vec3<f32>;
@@ -735,17 +735,17 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
         {
             let _e44 = axis_2;
             if (_e44 == 0i) {
-                local_17 = vec3<f32>(0f, 0f, 1f);
+                local_15 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_17 = vec3<f32>(1f, 0f, 0f);
+                local_15 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e56 = local_17;
+            let _e56 = local_15;
             let _e57 = normal_3;
             let _e59 = gabor_impl_unit(cross(_e56, _e57));
             along = _e59;
-            i_4 = 0i;
+            i_2 = 0i;
             loop {
-                let _e63 = i_4;
+                let _e63 = i_2;
                 let _e64 = count_1;
                 let _e68 = power_2;
                 if !(((_e63 < i32(ceil(_e64))) && (_e68 > 0f))) {
@@ -753,10 +753,10 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                 }
                 {
                     let _e76 = count_1;
-                    let _e77 = i_4;
+                    let _e77 = i_2;
                     let _e82 = count_1;
                     share_2 = (min((_e76 - f32(_e77)), 1f) / _e82);
-                    let _e86 = i_4;
+                    let _e86 = i_2;
                     let _e88 = count_1;
                     let _e91 = share_2;
                     let _e95 = gabor_impl_wave((0.5f * ((f32(_e86) / _e88) + (0.5f * _e91))));
@@ -770,14 +770,14 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     let _e110 = direction_4;
                     let _e111 = gabor_wave_3d(frequency, _e110);
                     let _e113 = axis_2;
-                    let _e115 = i_4;
+                    let _e115 = i_2;
                     let _e117 = power_2;
                     let _e118 = share_2;
-                    gabor_impl_add_term((&sum_8), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
+                    gabor_impl_add_term((&sum_9), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
                 }
                 continuing {
-                    let _e73 = i_4;
-                    i_4 = (_e73 + 1i);
+                    let _e73 = i_2;
+                    i_2 = (_e73 + 1i);
                 }
             }
             let _e122 = power_2;
@@ -788,7 +788,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             axis_2 = (_e41 + 1i);
         }
     }
-    let _e124 = sum_8;
+    let _e124 = sum_9;
     return _e124;
 }
 

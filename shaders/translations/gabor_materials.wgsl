@@ -81,28 +81,28 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_10: vec3<f32> = vec3(0f);
+    var sum_11: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
     var amplitude_5: f32 = 1f;
-    var i_9: i32 = 0i;
+    var i_7: i32 = 0i;
 
     density_3 = density;
     loop {
-        let _e15 = i_9;
+        let _e15 = i_7;
         if !((_e15 < count)) {
             break;
         }
         {
-            let _e21 = sum_10;
+            let _e21 = sum_11;
             let _e22 = amplitude_5;
             let _e23 = amplitude_5;
             let _e24 = amplitude_5;
             let _e25 = amplitude_5;
             let _e28 = density_3;
-            let _e29 = i_9;
+            let _e29 = i_7;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_10 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_11 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
             let _e35 = amplitude_5;
             let _e36 = amplitude_5;
@@ -113,11 +113,11 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             density_3 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_9;
-            i_9 = (_e18 + 1i);
+            let _e18 = i_7;
+            i_7 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_10;
+    let _e44 = sum_11;
     let _e45 = power_3;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_3;
@@ -167,12 +167,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_5: f32;
+    var x_6: f32;
 
-    x_5 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_5;
-    let _e20 = x_5;
-    let _e22 = x_5;
+    x_6 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_6;
+    let _e20 = x_6;
+    let _e22 = x_6;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -205,12 +205,12 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_11: f32 = 0.33333334f;
+    var sum_12: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
     var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
     var m_2: i32 = 1i;
-    var x_6: f32;
+    var x_7: f32;
     var r_1: f32;
 
     damping = dot(phase, phase);
@@ -228,24 +228,24 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             let _e25 = damping;
             power_4 = (_e24 * _e25);
             let _e28 = m_2;
-            x_6 = (0.44879895f * f32(_e28));
+            x_7 = (0.44879895f * f32(_e28));
             let _e33 = m_2;
             r_1 = (0.3183099f / f32(_e33));
-            let _e37 = sum_11;
-            let _e38 = x_6;
-            let _e40 = x_6;
+            let _e37 = sum_12;
+            let _e38 = x_7;
+            let _e40 = x_7;
             let _e42 = r_1;
             let _e44 = r_1;
             let _e45 = wave_9;
             let _e48 = wave_9;
-            sum_11 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
+            sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
             let _e17 = m_2;
             m_2 = (_e17 + 1i);
         }
     }
-    let _e53 = sum_11;
+    let _e53 = sum_12;
     return _e53;
 }
 
@@ -332,21 +332,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_21: f32;
+    var local_19: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_2: bool;
+    var first_3: bool;
     var top: f32;
-    var local_22: vec3<f32>;
+    var local_20: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_23: vec3<f32>;
+    var local_21: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_24: f32;
+    var local_22: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -386,11 +386,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_21 = -1f;
+        local_19 = -1f;
     } else {
-        local_21 = 1f;
+        local_19 = 1f;
     }
-    let _e89 = local_21;
+    let _e89 = local_19;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -408,29 +408,29 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_2 = (_e151.x > _e153.y);
+    first_3 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_2;
+    let _e166 = first_3;
     if _e166 {
         let _e167 = upright;
-        local_22 = _e167;
+        local_20 = _e167;
     } else {
         let _e168 = level;
-        local_22 = _e168;
+        local_20 = _e168;
     }
-    let _e170 = local_22;
+    let _e170 = local_20;
     tone_1 = _e170;
-    let _e172 = first_2;
+    let _e172 = first_3;
     if _e172 {
         let _e173 = upright_fibre;
-        local_23 = _e173;
+        local_21 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_23 = _e174;
+        local_21 = _e174;
     }
-    let _e176 = local_23;
+    let _e176 = local_21;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -445,13 +445,13 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e210 = top;
     let _e212 = kept;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_2;
+    let _e216 = first_3;
     if _e216 {
-        local_24 = 1f;
+        local_22 = 1f;
     } else {
-        local_24 = 0f;
+        local_22 = 0f;
     }
-    let _e220 = local_24;
+    let _e220 = local_22;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -730,7 +730,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var crest_1: f32 = 0f;
     var removed_7: f32 = 0f;
     var power_5: f32 = 0f;
-    var i_10: i32 = 0i;
+    var i_8: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
     var wave_10: vec3<f32>;
@@ -738,18 +738,18 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var light_1: f32;
 
     loop {
-        let _e12 = i_10;
+        let _e12 = i_8;
         if !((_e12 < 14i)) {
             break;
         }
         {
-            let _e21 = i_10;
+            let _e21 = i_8;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e29 = i_10;
+            let _e29 = i_8;
             angle_1 = (2.3f * fract(((0.618034f * f32(_e29)) + 0.1f)));
             let _e37 = waves;
             let _e42 = angle_1;
-            let _e43 = i_10;
+            let _e43 = i_8;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
             wave_10 = _e45;
@@ -778,8 +778,8 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             power_5 = (_e87 + (_e88 * _e89));
         }
         continuing {
-            let _e16 = i_10;
-            i_10 = (_e16 + 1i);
+            let _e16 = i_8;
+            i_8 = (_e16 + 1i);
         }
     }
     let _e92 = crest_1;
@@ -797,21 +797,21 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_4: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_11: i32 = 0i;
+    var i_9: i32 = 0i;
     var fine_1: f32;
     var streak: vec3<f32>;
 
     loop {
-        let _e9 = i_11;
+        let _e9 = i_9;
         if !((_e9 < 5i)) {
             break;
         }
         {
-            let _e16 = i_11;
+            let _e16 = i_9;
             fine_1 = exp2(f32(_e16));
             let _e22 = fine_1;
             let _e26 = fine_1;
-            let _e29 = i_11;
+            let _e29 = i_9;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
             streak = _e31;
@@ -824,8 +824,8 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
         }
         continuing {
-            let _e13 = i_11;
-            i_11 = (_e13 + 1i);
+            let _e13 = i_9;
+            i_9 = (_e13 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -840,7 +840,7 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
-    var i_12: i32 = 0i;
+    var i_10: i32 = 0i;
     var size: f32;
     var turned_1: GaborPixel;
     var noise_6: vec3<f32>;
@@ -848,24 +848,24 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var colour_6: vec3<f32>;
 
     loop {
-        let _e8 = i_12;
+        let _e8 = i_10;
         if !((_e8 < 14i)) {
             break;
         }
         {
-            let _e17 = i_12;
+            let _e17 = i_10;
             size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_12;
+            let _e24 = i_10;
             let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
             turned_1 = _e28;
             let _e30 = turned_1;
-            let _e38 = i_12;
+            let _e38 = i_10;
             let _e40 = gabor_lobe_seed(seed, (2i * _e38));
             let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
             turned_1 = _e41;
             let _e42 = turned_1;
             let _e46 = size;
-            let _e50 = i_12;
+            let _e50 = i_10;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
             noise_6 = _e55;
@@ -886,8 +886,8 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             height_5 = (_e84 - ((0.0025f * _e86) * _e88));
         }
         continuing {
-            let _e12 = i_12;
-            i_12 = (_e12 + 1i);
+            let _e12 = i_10;
+            i_10 = (_e12 + 1i);
         }
     }
     let _e99 = whole;
@@ -1038,12 +1038,12 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
     var turn_8: f32;
-    var first_3: bool;
-    var local_25: vec3<f32>;
+    var first_4: bool;
+    var local_23: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_26: vec2<f32>;
+    var local_24: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_27: f32;
+    var local_25: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1075,35 +1075,35 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e49 = tow;
     turn_8 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
     let _e60 = turn_8;
-    first_3 = (_e60 < 1.5f);
-    let _e64 = first_3;
+    first_4 = (_e60 < 1.5f);
+    let _e64 = first_4;
     if _e64 {
         let _e65 = upright_1;
-        local_25 = _e65;
+        local_23 = _e65;
     } else {
         let _e66 = level_1;
-        local_25 = _e66;
+        local_23 = _e66;
     }
-    let _e68 = local_25;
+    let _e68 = local_23;
     fibre_2 = _e68;
-    let _e70 = first_3;
+    let _e70 = first_4;
     if _e70 {
         let _e71 = within_2;
-        local_26 = _e71.yx;
+        local_24 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_26 = _e73;
+        local_24 = _e73;
     }
-    let _e75 = local_26;
+    let _e75 = local_24;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_8;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_27 = 0f;
+        local_25 = 0f;
     } else {
-        local_27 = 1f;
+        local_25 = 1f;
     }
-    let _e91 = local_27;
+    let _e91 = local_25;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -64,25 +64,25 @@ fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
 fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
-        var i_2: i32 = 0i;
+        var i: i32 = 0i;
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_13: f32;
+        var local_11: f32;
         var scale_1: f32;
 
         lobes_1 = lobes;
         loop {
-            let _e16 = i_2;
+            let _e16 = i;
             let _e17 = lobes_1;
             if !((_e16 < _e17.count)) {
                 break;
             }
             {
-                let _e24 = i_2;
+                let _e24 = i;
                 let _e27 = lobes_1.lobe[_e24];
                 lobe = _e27;
                 let _e29 = lobe;
@@ -95,7 +95,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 kernel_4 = _e40;
                 let _e42 = scaled_1;
                 let _e43 = kernel_4;
-                let _e44 = i_2;
+                let _e44 = i;
                 let _e45 = gabor_lobe_seed(seed, _e44);
                 let _e46 = gabor_field(_e42, _e43, _e45);
                 field_2 = _e46;
@@ -103,53 +103,53 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e50 = lobe;
                 let _e53 = lobe;
                 let _e56 = lobe;
-                gabor_impl_accumulate((&sum_4), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
+                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
                 let _e60 = power;
                 let _e61 = lobe;
                 power = (_e60 + _e61.power);
             }
             continuing {
-                let _e21 = i_2;
-                i_2 = (_e21 + 1i);
+                let _e21 = i;
+                i = (_e21 + 1i);
             }
         }
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_13 = inverseSqrt(_e67);
+            local_11 = inverseSqrt(_e67);
         } else {
-            local_13 = 0f;
+            local_11 = 0f;
         }
-        let _e71 = local_13;
+        let _e71 = local_11;
         scale_1 = _e71;
         let _e73 = scale_1;
-        let _e74 = sum_4;
+        let _e74 = sum_5;
         let _e77 = scale_1;
-        let _e78 = sum_4;
+        let _e78 = sum_5;
         let _e81 = scale_1;
-        let _e82 = sum_4;
+        let _e82 = sum_5;
         return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
-        var i_2: i32 = 0i;
+        var i: i32 = 0i;
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_13: f32;
+        var local_11: f32;
         var scale: f32;
 
         lobes_1 = lobes;
         loop {
-            let _e16 = i_2;
+            let _e16 = i;
             let _e17 = lobes_1;
             if !((_e16 < _e17.count)) {
                 break;
             }
             {
-                let _e24 = i_2;
+                let _e24 = i;
                 let _e27 = lobes_1.lobe[_e24];
                 lobe = _e27;
                 let _e29 = lobe;
@@ -162,7 +162,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 kernel_4 = _e40;
                 let _e42 = scaled_1;
                 let _e43 = kernel_4;
-                let _e44 = i_2;
+                let _e44 = i;
                 let _e45 = gabor_lobe_seed(seed, _e44);
                 let _e46 = gabor_field(_e42, _e43, _e45);
                 field_2 = _e46;
@@ -170,53 +170,53 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e50 = lobe;
                 let _e53 = lobe;
                 let _e56 = lobe;
-                gabor_impl_accumulate((&sum_4), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
+                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
                 let _e60 = power;
                 let _e61 = lobe;
                 power = (_e60 + _e61.power);
             }
             continuing {
-                let _e21 = i_2;
-                i_2 = (_e21 + 1i);
+                let _e21 = i;
+                i = (_e21 + 1i);
             }
         }
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_13 = inverseSqrt(_e67);
+            local_11 = inverseSqrt(_e67);
         } else {
-            local_13 = 0f;
+            local_11 = 0f;
         }
-        let _e71 = local_13;
+        let _e71 = local_11;
         scale = _e71;
         let _e73 = scale;
-        let _e74 = sum_4;
+        let _e74 = sum_5;
         let _e77 = scale;
-        let _e78 = sum_4;
+        let _e78 = sum_5;
         let _e81 = scale;
-        let _e82 = sum_4;
+        let _e82 = sum_5;
         return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
     } else {
         var lobes_1: GaborLobes;
-        var sum_4: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
-        var i_2: i32 = 0i;
+        var i: i32 = 0i;
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_13: f32;
+        var local_11: f32;
         var scale: f32;
 
         lobes_1 = lobes;
         loop {
-            let _e16 = i_2;
+            let _e16 = i;
             let _e17 = lobes_1;
             if !((_e16 < _e17.count)) {
                 break;
             }
             {
-                let _e24 = i_2;
+                let _e24 = i;
                 let _e27 = lobes_1.lobe[_e24];
                 lobe = _e27;
                 let _e29 = lobe;
@@ -229,7 +229,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 kernel_4 = _e40;
                 let _e42 = scaled_1;
                 let _e43 = kernel_4;
-                let _e44 = i_2;
+                let _e44 = i;
                 let _e45 = gabor_lobe_seed(seed, _e44);
                 let _e46 = gabor_field(_e42, _e43, _e45);
                 field_2 = _e46;
@@ -237,65 +237,65 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e50 = lobe;
                 let _e53 = lobe;
                 let _e56 = lobe;
-                gabor_impl_accumulate((&sum_4), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
+                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
                 let _e60 = power;
                 let _e61 = lobe;
                 power = (_e60 + _e61.power);
             }
             continuing {
-                let _e21 = i_2;
-                i_2 = (_e21 + 1i);
+                let _e21 = i;
+                i = (_e21 + 1i);
             }
         }
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_13 = inverseSqrt(_e67);
+            local_11 = inverseSqrt(_e67);
         } else {
-            local_13 = 0f;
+            local_11 = 0f;
         }
-        let _e71 = local_13;
+        let _e71 = local_11;
         scale = _e71;
         let _e73 = scale;
-        let _e74 = sum_4;
+        let _e74 = sum_5;
         let _e77 = scale;
-        let _e78 = sum_4;
+        let _e78 = sum_5;
         let _e81 = scale;
-        let _e82 = sum_4;
+        let _e82 = sum_5;
         return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
     }
 }
 
 // Of `c`: how many lobes there are, of both numbers where one fades.
 fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_14: i32;
+    var local_12: i32;
 
     if (fract(c) > 0.8f) {
-        local_14 = ((2i * i32(c)) + 1i);
+        local_12 = ((2i * i32(c)) + 1i);
     } else {
-        local_14 = i32(c);
+        local_12 = i32(c);
     }
-    let _e11 = local_14;
+    let _e11 = local_12;
     return _e11;
 }
 
 // Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
 fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
-    var i_4: i32;
+    var i_2: i32;
     var n: i32;
     var share: f32;
     var width: f32;
 
-    i_4 = i;
+    i_2 = i;
     n = i32(c);
     share = min((5f - (5f * fract(c))), 1f);
-    let _e13 = i_4;
+    let _e13 = i_2;
     let _e14 = n;
     if (_e13 >= _e14) {
         {
-            let _e16 = i_4;
+            let _e16 = i_2;
             let _e17 = n;
-            i_4 = (_e16 - _e17);
+            i_2 = (_e16 - _e17);
             let _e19 = n;
             n = (_e19 + 1i);
             let _e23 = share;
@@ -304,11 +304,11 @@ fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     }
     let _e26 = n;
     width = (1f / f32(_e26));
-    let _e31 = i_4;
+    let _e31 = i_2;
     let _e36 = width;
     let _e40 = share;
     let _e41 = width;
-    let _e43 = i_4;
+    let _e43 = i_2;
     let _e44 = n;
     return vec3<f32>(((((2f * f32(_e31)) + 1f) * _e36) - 1f), (_e40 * _e41), f32((_e43 + ((_e44 & 1i) * 64i))));
 }
@@ -318,7 +318,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     var frequency_8: f32;
     var frequency_spread_1: f32;
     var orientation_spread_1: f32;
-    var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum_6: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var shells: f32;
     var shell_count: i32;
     var j_1: i32 = 0i;
@@ -326,7 +326,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     var magnitude: f32;
     var directions: f32;
     var direction_count: i32;
-    var i_5: i32;
+    var i_3: i32;
     var direction: vec3<f32>;
     var kernel_5: GaborKernel;
     var field_3: GaborField;
@@ -368,15 +368,15 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
             let _e80 = directions;
             let _e81 = gabor_impl_pieces(_e80);
             direction_count = _e81;
-            i_5 = 0i;
+            i_3 = 0i;
             loop {
-                let _e85 = i_5;
+                let _e85 = i_3;
                 let _e86 = direction_count;
                 if !((_e85 < _e86)) {
                     break;
                 }
                 {
-                    let _e92 = i_5;
+                    let _e92 = i_3;
                     let _e93 = directions;
                     let _e94 = gabor_impl_piece(_e92, _e93);
                     direction = _e94;
@@ -397,11 +397,11 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     let _e124 = field_3;
                     let _e125 = amplitude_2;
                     let _e126 = amplitude_2;
-                    gabor_impl_accumulate((&sum_5), _e124, _e125, _e126);
+                    gabor_impl_accumulate((&sum_6), _e124, _e125, _e126);
                 }
                 continuing {
-                    let _e89 = i_5;
-                    i_5 = (_e89 + 1i);
+                    let _e89 = i_3;
+                    i_3 = (_e89 + 1i);
                 }
             }
         }
@@ -410,7 +410,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
             j_1 = (_e49 + 1i);
         }
     }
-    let _e128 = sum_5;
+    let _e128 = sum_6;
     return _e128;
 }
 
@@ -463,7 +463,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var rise: f32;
     var part: vec2<f32>;
     var turn_5: vec2<f32>;
-    var i_6: i32 = 0i;
+    var i_4: i32 = 0i;
     var inside: f32;
     var fade: f32;
     var mean: vec4<f32>;
@@ -480,25 +480,25 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e28 = gabor_impl_wave(_e26.turns);
     turn_5 = _e28;
     loop {
-        let _e32 = i_6;
+        let _e32 = i_4;
         if !((_e32 < 3i)) {
             break;
         }
         {
             let _e40 = (*axis);
-            let _e44 = i_6;
+            let _e44 = i_4;
             inside = (1f - (abs(((_e40.offset + 1f) - f32(_e44))) / 1.5f));
             let _e55 = inside;
             fade = clamp((_e55 / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
             mean = vec4<f32>(0.5f, 0f, 0f, 0f);
-            let _e73 = i_6;
+            let _e73 = i_4;
             if (_e73 != 1i) {
                 let _e77 = turn_5;
-                let _e82 = i_6;
+                let _e82 = i_4;
                 let _e86 = turn_5;
                 mean = vec4<f32>((0.5f * _e77.x), ((0.5f - (0.5f * f32(_e82))) * _e86.y), 0f, 0f);
             }
-            let _e92 = i_6;
+            let _e92 = i_4;
             let _e95 = (*axis).node[_e92];
             let _e96 = mean;
             wave_4 = (_e95 - _e96);
@@ -510,7 +510,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
             let _e115 = other;
             let _e117 = part;
             gabor_impl_add((&mean), _e115, vec2<f32>(0f, _e117.y));
-            let _e121 = i_6;
+            let _e121 = i_4;
             let _e124 = fade;
             let _e125 = fade;
             let _e129 = fade;
@@ -520,8 +520,8 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
             (*axis).node[_e121] = (((_e124 * _e125) * (3f - (2f * _e129))) * (_e133 + (_e134.x * _e136)));
         }
         continuing {
-            let _e36 = i_6;
-            i_6 = (_e36 + 1i);
+            let _e36 = i_4;
+            i_4 = (_e36 + 1i);
         }
     }
     return;
@@ -534,8 +534,8 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var columns: GaborAxis;
     var rows: GaborAxis;
     var turn_6: vec2<f32>;
-    var sum_6: vec4<f32>;
-    var slope_6: vec4<f32>;
+    var sum_7: vec4<f32>;
+    var slope_7: vec4<f32>;
 
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -559,15 +559,15 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows), s.y, _e58.y);
     let _e63 = columns;
     let _e64 = rows;
-    gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_6), (&slope_6));
-    let _e71 = sum_6;
-    let _e73 = sum_6;
-    let _e76 = slope_6;
+    gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_7), (&slope_7));
+    let _e71 = sum_7;
+    let _e73 = sum_7;
+    let _e76 = slope_7;
     let _e79 = (_e73.xy + (s.z * _e76.zw));
-    sum_6.x = _e79.x;
-    sum_6.y = _e79.y;
-    let _e84 = sum_6;
-    let _e85 = slope_6;
+    sum_7.x = _e79.x;
+    sum_7.y = _e79.y;
+    let _e84 = sum_7;
+    let _e85 = slope_7;
     let _e88 = blurred_1;
     let _e92 = turn_6;
     let _e96 = gabor_impl_field(_e84, _e85, (exp((-19.739208f * dot(wave, _e88))) * _e92), wave, vec2(1f));
@@ -815,7 +815,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var r: f32;
     var lambda: f32;
     var weights_1: vec3<f32>;
-    var first_1: vec2<f32>;
+    var first_2: vec2<f32>;
     var offset_1: vec2<f32>;
     var node: vec2<i32>;
     var salt_6: u32;
@@ -829,13 +829,13 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var c2_: GaborLine;
     var c3_: GaborLine;
     var c4_: GaborLine;
-    var sum_7: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var j_2: i32 = 0i;
     var row_2: GaborFactors;
     var amplitude_3: f32;
-    var x_4: vec2<f32>;
-    var y_4: vec2<f32>;
-    var local_15: f32;
+    var x_5: vec2<f32>;
+    var y_5: vec2<f32>;
+    var local_13: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
@@ -861,10 +861,10 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     let _e61 = lambda;
     let _e63 = lambda;
     weights_1 = vec3<f32>(1f, (-2f * _e58), ((2f * _e61) * _e63));
-    first_1 = (floor((place.local + vec2(0.5f))) - vec2(2f));
-    let _e77 = first_1;
+    first_2 = (floor((place.local + vec2(0.5f))) - vec2(2f));
+    let _e77 = first_2;
     offset_1 = (place.local - _e77);
-    let _e81 = first_1;
+    let _e81 = first_2;
     node = (place.cell + vec2<i32>(_e81));
     let _e85 = gabor_impl_salt(seed);
     salt_6 = _e85;
@@ -950,28 +950,28 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
             let _e248 = c4_;
             let _e249 = line_2;
             gabor_impl_add_filtered((&row_2), _e248, _e249.word, place.animated, place.time);
-            let _e255 = sum_7;
+            let _e255 = sum_8;
             let _e257 = row_2;
             let _e258 = line_2;
             let _e260 = weights_1;
             let _e261 = gabor_impl_contracted(_e257, _e258.window, _e260);
-            sum_7.value = (_e255.value + _e261);
-            let _e264 = sum_7;
+            sum_8.value = (_e255.value + _e261);
+            let _e264 = sum_8;
             let _e266 = row_2;
             let _e267 = across;
             let _e268 = gabor_impl_times_q(_e266, _e267);
             let _e269 = line_2;
             let _e271 = weights_1;
             let _e272 = gabor_impl_contracted(_e268, _e269.window, _e271);
-            sum_7.slope_x = (_e264.slope_x + _e272);
-            let _e275 = sum_7;
+            sum_8.slope_x = (_e264.slope_x + _e272);
+            let _e275 = sum_8;
             let _e277 = row_2;
             let _e278 = line_2;
             let _e280 = along;
             let _e281 = gabor_impl_times_q(_e278.window, _e280);
             let _e282 = weights_1;
             let _e283 = gabor_impl_contracted(_e277, _e281, _e282);
-            sum_7.slope_y = (_e275.slope_y + _e283);
+            sum_8.slope_y = (_e275.slope_y + _e283);
         }
         continuing {
             let _e206 = j_2;
@@ -983,28 +983,28 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     let _e293 = c_5;
     let _e295 = blurred_2;
     amplitude_3 = (sqrt((1f - (_e286 * _e287))) * exp((-19.739208f * dot((wave + _e293), _e295))));
-    let _e302 = sum_7;
-    let _e305 = sum_7;
-    x_4 = (6.2831855f * (_e302.slope_x + (wave.x * _e305.value)));
-    let _e312 = sum_7;
-    let _e315 = sum_7;
-    y_4 = (6.2831855f * (_e312.slope_y + (wave.y * _e315.value)));
+    let _e302 = sum_8;
+    let _e305 = sum_8;
+    x_5 = (6.2831855f * (_e302.slope_x + (wave.x * _e305.value)));
+    let _e312 = sum_8;
+    let _e315 = sum_8;
+    y_5 = (6.2831855f * (_e312.slope_y + (wave.y * _e315.value)));
     let _e321 = amplitude_3;
     if false {
-        local_15 = 1f;
+        local_13 = 1f;
     } else {
-        local_15 = 1.125f;
+        local_13 = 1.125f;
     }
-    let _e332 = local_15;
+    let _e332 = local_13;
     scale_1 = (_e321 / (1459955300000000000000000000f * _e332));
     let _e336 = scale_1;
-    let _e337 = sum_7;
+    let _e337 = sum_8;
     let _e340 = scale_1;
-    let _e341 = x_4;
-    let _e344 = x_4;
+    let _e341 = x_5;
+    let _e344 = x_5;
     let _e348 = scale_1;
-    let _e349 = y_4;
-    let _e352 = y_4;
+    let _e349 = y_5;
+    let _e352 = y_5;
     return GaborField((_e336 * _e337.value), (_e340 * vec2<f32>(-(_e341.y), _e344.x)), (_e348 * vec2<f32>(-(_e349.y), _e352.x)));
 }
 
@@ -1016,13 +1016,13 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var stretch_1: vec2<f32>;
     var wave_8: vec2<f32>;
     var transmitted: f32;
-    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var s_4: vec3<f32>;
     var amplitude_4: f32 = 1f;
     var wide: f32;
     var share_1: f32;
     var share_2: f32;
-    var local_16: i32;
+    var local_14: i32;
     var rows_2: i32;
 
     kernel_7 = kernel;
@@ -1037,7 +1037,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     (*removed) = (1f - _e24);
     let _e34 = transmitted;
     if (_e34 < 0.0000000001f) {
-        let _e37 = sum_8;
+        let _e37 = sum_9;
         return _e37;
     }
     s_4 = footprint.resolved;
@@ -1063,7 +1063,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e80 = gabor_impl_filtered_narrow(place, _e78, _e79, seed);
             let _e81 = share_1;
             let _e82 = share_1;
-            gabor_impl_accumulate((&sum_8), _e80, _e81, _e82);
+            gabor_impl_accumulate((&sum_9), _e80, _e81, _e82);
         }
     }
     let _e84 = wide;
@@ -1074,11 +1074,11 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             share_2 = (_e87 * _e88);
             let _e91 = wide;
             if (_e91 > 0f) {
-                local_16 = 5i;
+                local_14 = 5i;
             } else {
-                local_16 = 0i;
+                local_14 = 0i;
             }
-            let _e97 = local_16;
+            let _e97 = local_14;
             rows_2 = _e97;
             let _e100 = wave_8;
             let _e101 = s_4;
@@ -1086,16 +1086,16 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e103 = gabor_impl_filtered_wide(place, _e100, _e101, _e102, seed);
             let _e104 = share_2;
             let _e105 = share_2;
-            gabor_impl_accumulate((&sum_8), _e103, _e104, _e105);
+            gabor_impl_accumulate((&sum_9), _e103, _e104, _e105);
         }
     }
-    let _e108 = sum_8;
+    let _e108 = sum_9;
     let _e110 = stretch_1;
-    sum_8.slope_x = (_e108.slope_x * _e110.x);
-    let _e114 = sum_8;
+    sum_9.slope_x = (_e108.slope_x * _e110.x);
+    let _e114 = sum_9;
     let _e116 = stretch_1;
-    sum_8.slope_y = (_e114.slope_y * _e116.y);
-    let _e119 = sum_8;
+    sum_9.slope_y = (_e114.slope_y * _e116.y);
+    let _e119 = sum_9;
     return _e119;
 }
 
@@ -1336,9 +1336,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var apart: f32;
     var larger: f32;
     var side: f32;
-    var local_17: f32;
+    var local_15: f32;
     var smaller: f32;
-    var local_18: f32;
+    var local_16: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1385,11 +1385,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
         let _e94 = larger;
         let _e96 = side;
         let _e98 = mean_1;
-        local_17 = min(((_e93 / _e94) * _e96), _e98);
+        local_15 = min(((_e93 / _e94) * _e96), _e98);
     } else {
-        local_17 = 0f;
+        local_15 = 0f;
     }
-    let _e102 = local_17;
+    let _e102 = local_15;
     smaller = _e102;
     let _e105 = footprint_1;
     footprint_1.resolved = _e105.covariance;
@@ -1403,11 +1403,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e114 > 0f) {
                 let _e119 = smaller;
                 let _e122 = apart;
-                local_18 = ((0.5f * (0.25f - _e119)) / _e122);
+                local_16 = ((0.5f * (0.25f - _e119)) / _e122);
             } else {
-                local_18 = 0f;
+                local_16 = 0f;
             }
-            let _e126 = local_18;
+            let _e126 = local_16;
             axis_2 = (_e113 * _e126);
             let _e131 = smaller;
             let _e134 = axis_2;
@@ -1454,36 +1454,36 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // each.
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four_1: vec4<f32>;
-    var i_7: i32 = 0i;
-    var local_19: u32;
+    var i_5: i32 = 0i;
+    var local_17: u32;
     var noise_1: vec4<f32>;
 
     loop {
-        let _e10 = i_7;
+        let _e10 = i_5;
         if !((_e10 < 4i)) {
             break;
         }
         {
-            let _e17 = i_7;
+            let _e17 = i_5;
             if (_e17 == 0i) {
-                local_19 = seed;
+                local_17 = seed;
             } else {
-                let _e20 = i_7;
+                let _e20 = i_5;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_19 = _e22;
+                local_17 = _e22;
             }
-            let _e24 = local_19;
+            let _e24 = local_17;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
-            let _e27 = i_7;
+            let _e27 = i_5;
             let _e29 = noise_1;
             four_1[_e27] = _e29.x;
             let _e31 = noise_1;
             (*removed) = _e31.w;
         }
         continuing {
-            let _e14 = i_7;
-            i_7 = (_e14 + 1i);
+            let _e14 = i_5;
+            i_5 = (_e14 + 1i);
         }
     }
     let _e33 = four_1;
@@ -1493,23 +1493,23 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
-    var sum_9: vec4<f32> = vec4(0f);
+    var sum_10: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
-    var i_8: i32 = 0i;
+    var i_6: i32 = 0i;
     var lobe_1: GaborLobe;
     var unit_1: f32;
     var noise_2: vec4<f32>;
-    var local_20: vec4<f32>;
+    var local_18: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
-        let _e13 = i_8;
+        let _e13 = i_6;
         let _e14 = lobes_9;
         if !((_e13 < _e14.count)) {
             break;
         }
         {
-            let _e21 = i_8;
+            let _e21 = i_6;
             let _e24 = lobes_9.lobe[_e21];
             lobe_1 = _e24;
             let _e27 = lobe_1;
@@ -1520,38 +1520,38 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e37 = lobe_1;
             let _e39 = lobe_1;
             let _e42 = lobe_1;
-            let _e44 = i_8;
+            let _e44 = i_6;
             let _e45 = gabor_lobe_seed(seed, _e44);
             let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
             noise_2 = _e46;
-            let _e48 = sum_9;
+            let _e48 = sum_10;
             let _e49 = lobe_1;
             let _e53 = unit_1;
             let _e54 = unit_1;
             let _e56 = (sqrt(_e49.power) * vec3<f32>(1f, _e53, _e54));
             let _e57 = lobe_1;
             let _e63 = noise_2;
-            sum_9 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
+            sum_10 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
             let _e66 = power_2;
             let _e67 = lobe_1;
             power_2 = (_e66 + _e67.power);
         }
         continuing {
-            let _e18 = i_8;
-            i_8 = (_e18 + 1i);
+            let _e18 = i_6;
+            i_6 = (_e18 + 1i);
         }
     }
     let _e70 = power_2;
     if (_e70 > 0f) {
-        let _e73 = sum_9;
+        let _e73 = sum_10;
         let _e74 = power_2;
         let _e76 = vec3(inverseSqrt(_e74));
         let _e78 = power_2;
-        local_20 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
+        local_18 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
     } else {
-        local_20 = vec4(0f);
+        local_18 = vec4(0f);
     }
-    let _e88 = local_20;
+    let _e88 = local_18;
     return _e88;
 }
 

@@ -188,8 +188,8 @@ int gabor_impl_wrap(int index, int period)
 struct GaborAxis {
     float offset; // of the point from node 0, in node spacings
     float turns;  // of the wave from a node to the next
-    uint word[GABOR_TAPS];
-    vec4 node[GABOR_TAPS]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
+    uint word[4];
+    vec4 node[4]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
 };
 
 // With `wave` cycles and `radius` nodes per kernel radius.
@@ -203,12 +203,17 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     vec4 slope;
     gabor_impl_windows(axis.offset, value, slope);
     vec2 turn = gabor_impl_wave(axis.turns);
-    vec2 to_zero = turn;
-    for (int i = 0; i < GABOR_TAPS; ++i) {
-        axis.word[i] = gabor_impl_line_word(gabor_impl_wrap(cell + int(zero) + i - 1, period), salt);
-        axis.node[i] = vec4(value[i] * to_zero, slope[i] * to_zero);
-        to_zero = i == 0 ? vec2(1.0, 0.0) : i == 1 ? vec2(turn.x, -turn.y) : gabor_impl_product(to_zero, to_zero);
-    }
+    vec2 back = vec2(turn.x, -turn.y);
+    vec2 twice = gabor_impl_product(back, back);
+    axis.node[0] = vec4(value.x * turn, slope.x * turn);
+    axis.node[1] = vec4(value.y, 0.0, slope.y, 0.0);
+    axis.node[2] = vec4(value.z * back, slope.z * back);
+    axis.node[3] = vec4(value.w * twice, slope.w * twice);
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
     return axis;
 }
 
@@ -226,19 +231,32 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time)
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
 
-// Sums over all nodes: with windows along y, and with their derivatives; in zw with the derivatives of those along x.
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time)
+{
+    vec4 row = vec4(0.0);
+    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2)
+        gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3)
+        gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
+        gabor_impl_add(sum, row, y.node[j].xy);
+        gabor_impl_add(slope, row, y.node[j].zw);
+    }
+}
+
 void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec4 sum, out vec4 slope)
 {
     sum = slope = vec4(0.0);
-    for (int j = 0; j < GABOR_TAPS; ++j) {
-        vec4 row = vec4(0.0);
-        for (int i = 0; i < GABOR_TAPS; ++i)
-            gabor_impl_add(row, x.node[i], gabor_impl_amplitude_at(x.word[i] * y.word[j], animated, time));
-        if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
-            gabor_impl_add(sum, row, y.node[j].xy);
-            gabor_impl_add(slope, row, y.node[j].zw);
-        }
-    }
+    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
 // The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
