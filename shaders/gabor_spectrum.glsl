@@ -217,7 +217,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
     vec4 sum;
     vec4 slope;
     gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
-    sum.xy += s.z * slope.zw;
+    sum += vec4(s.z * slope.zw, 0.0, 0.0);
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, vec2(1.0));
 }
 
@@ -521,7 +521,8 @@ vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, fl
 // The same without the gradient: (noise, removed).
 vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 {
-    return gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed).xw;
+    vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
+    return vec2(field.x, field.w);
 }
 
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
@@ -558,7 +559,8 @@ vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lo
 // The same without the gradient: (noise, removed).
 vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
+    vec4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return vec2(field.x, field.w);
 }
 
 #endif // GABOR_TAPS == 3

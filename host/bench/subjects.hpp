@@ -57,6 +57,7 @@ enum class SpaceFunction : std::uint32_t {
     filtered
 };
 
+/// A function of gabor_lattice_3d.glsl.
 Subject in_space(SpaceFunction function);
 
 /// The seminal noise, or the paper's advice, with so many impulses per cell, hoisted.

@@ -208,7 +208,7 @@ vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
     vec3 removed = vec3(0.0);
     vec2 n;
     float share;
-{filtered}    vec3 kept = 1.0 - min(removed, 1.0);
+{filtered}    vec3 kept = 1.0 - min(removed, vec3(1.0));
     vec3 left = kept * ({s1} + kept * ({s2} + kept * ({s3}
               + kept * ({s4} + kept * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));

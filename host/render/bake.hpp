@@ -86,6 +86,7 @@ struct BakeTables {
                 const std::optional<vulkan::Job::Copy>& copy) const;
 };
 
+/// What a bake of `request` reads, for pixels along these axes, cut into blocks.
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
                             const Block& block);
 

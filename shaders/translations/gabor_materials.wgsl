@@ -127,7 +127,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var place_14: GaborPlace;
-    var field_7: GaborField;
+    var field_9: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
@@ -136,12 +136,12 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     let _e15 = place_14;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_7 = _e19;
-    let _e23 = field_7;
+    field_9 = _e19;
+    let _e23 = field_9;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_7;
+    let _e29 = field_9;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_7;
+    let _e34 = field_9;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;

@@ -216,7 +216,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     gabor_vec4 sum;
     gabor_vec4 slope;
     gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
-    sum.xy() += s.z * slope.zw();
+    sum += gabor_vec4(s.z * slope.zw(), 0.0f, 0.0f);
     return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
 }
 
@@ -520,7 +520,8 @@ GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 d
 // The same without the gradient: (noise, removed).
 GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
 {
-    return gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed).xw();
+    gabor_vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
+    return gabor_vec2(field.x, field.w);
 }
 
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
@@ -557,7 +558,8 @@ GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_
 // The same without the gradient: (noise, removed).
 GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw();
+    gabor_vec4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return gabor_vec2(field.x, field.w);
 }
 
 #endif // GABOR_TAPS == 3

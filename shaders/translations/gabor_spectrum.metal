@@ -220,7 +220,7 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     float4 sum;
     float4 slope;
     gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
-    sum.xy += s.z * slope.zw;
+    sum += float4(s.z * slope.zw, 0.0, 0.0);
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, float2(1.0));
 }
 
@@ -524,7 +524,8 @@ inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, floa
 // The same without the gradient: (noise, removed).
 inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 {
-    return gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed).xw;
+    float4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
+    return float2(field.x, field.w);
 }
 
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
@@ -561,7 +562,8 @@ inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy
 // The same without the gradient: (noise, removed).
 inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
 {
-    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
+    float4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
+    return float2(field.x, field.w);
 }
 
 #endif // GABOR_TAPS == 3

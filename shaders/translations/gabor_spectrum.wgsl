@@ -561,17 +561,15 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     let _e64 = rows;
     gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_7), (&slope_7));
     let _e71 = sum_7;
-    let _e73 = sum_7;
-    let _e76 = slope_7;
-    let _e79 = (_e73.xy + (s.z * _e76.zw));
-    sum_7.x = _e79.x;
-    sum_7.y = _e79.y;
-    let _e84 = sum_7;
-    let _e85 = slope_7;
-    let _e88 = blurred_1;
-    let _e92 = turn_6;
-    let _e96 = gabor_impl_field(_e84, _e85, (exp((-19.739208f * dot(wave, _e88))) * _e92), wave, vec2(1f));
-    return _e96;
+    let _e73 = slope_7;
+    let _e75 = (s.z * _e73.zw);
+    sum_7 = (_e71 + vec4<f32>(_e75.x, _e75.y, 0f, 0f));
+    let _e82 = sum_7;
+    let _e83 = slope_7;
+    let _e86 = blurred_1;
+    let _e90 = turn_6;
+    let _e94 = gabor_impl_field(_e82, _e83, (exp((-19.739208f * dot(wave, _e86))) * _e90), wave, vec2(1f));
+    return _e94;
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -1446,8 +1444,13 @@ fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fre
 
 // The same without the gradient: (noise, removed).
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    var field_7: vec4<f32>;
+
     let _e6 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
-    return _e6.xw;
+    field_7 = _e6;
+    let _e8 = field_7;
+    let _e10 = field_7;
+    return vec2<f32>(_e8.x, _e10.w);
 }
 
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
@@ -1558,9 +1561,13 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
 // The same without the gradient: (noise, removed).
 fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     var lobes_11: GaborLobes;
+    var field_8: vec4<f32>;
 
     lobes_11 = lobes;
     let _e6 = lobes_11;
     let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
-    return _e7.xw;
+    field_8 = _e7;
+    let _e9 = field_8;
+    let _e11 = field_8;
+    return vec2<f32>(_e9.x, _e11.w);
 }

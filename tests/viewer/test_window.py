@@ -151,8 +151,6 @@ class Window(ViewerTest):
             screenshot normals.png
             set colours 3
             screenshot coloured.png
-            key f
-            expect message not filtered
             save after.json
             quit""", "--window", "900x600")
         files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
