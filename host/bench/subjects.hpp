@@ -57,6 +57,7 @@ enum class SpaceFunction : std::uint32_t {
     filtered
 };
 
+/// The drop-in in space.
 Subject in_space(SpaceFunction function);
 
 /// The seminal noise, or the paper's advice, with so many impulses per cell, hoisted.

@@ -86,6 +86,7 @@ struct BakeTables {
                 const std::optional<vulkan::Job::Copy>& copy) const;
 };
 
+/// The tables of the pixels along both axes, which have the same scale.
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
                             const Block& block);
 

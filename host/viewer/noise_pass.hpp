@@ -65,11 +65,13 @@ struct PixelsInput {
     passes::PixelsColour colour = {};
 };
 
+/// What passes/solid.comp reads.
 struct SolidInput {
     passes::SolidPush push;
     std::vector<passes::SolidWave> waves;
 };
 
+/// What passes/material.comp reads.
 struct MaterialInput {
     passes::MaterialPush push;
 };
