@@ -34,7 +34,6 @@ struct GaborPlace3d {
     bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
     vec3 dx;
     vec3 dy;
-    int channel; // 0, or 1 to 3 for another noise of the same seed, independent of it
 };
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
@@ -49,131 +48,93 @@ struct GaborField3d {
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
+// Along each axis.
+struct GaborAxes3d {
+    GaborAxis x;
+    GaborAxis y;
+    GaborAxis z;
+    vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+};
+
+GaborAxes3d gabor_impl_axes(GaborPlace3d place, vec3 wave, uint seed)
+{
+    GaborAxes3d n;
+    uint salt = gabor_impl_salt(seed);
+    n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    n.y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y, place.radius.y);
+    n.z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z, place.radius.z);
+    n.base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+           * gabor_impl_wave(n.x.turns * n.x.offset + n.y.turns * n.y.offset + n.z.turns * n.z.offset);
+    return n;
+}
+
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+uint gabor_impl_slice_word(uint row, uint slice)
+{
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// Slice by slice, each a sum as in the plane.
+GaborField3d gabor_impl_windowed(GaborPlace3d place, vec3 wave, uint seed)
+{
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    vec4 sum = vec4(0.0);    // and in zw with the derivatives of windows along x
+    vec4 slopes = vec4(0.0); // with those along y; in zw along z
+    for (int k = 0; k < 3; ++k) {
+        GaborAxis rows = n.y;
+        for (int j = 0; j < 3; ++j)
+            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
+        vec4 slice;
+        vec4 slope;
+        gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
+        gabor_impl_add(sum, slice, n.z.node[k].xy);
+        slopes += vec4(gabor_impl_product(slope.xy, n.z.node[k].xy), gabor_impl_product(slice.xy, n.z.node[k].zw));
+    }
+    vec2 value = gabor_impl_product(sum.xy, n.base);
+    vec2 turned = 6.2831853 * vec2(-value.y, value.x);
+    vec3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d(value, stretch.x * gabor_impl_product(sum.zw, n.base) + wave.x * turned,
+                        stretch.y * gabor_impl_product(slopes.xy, n.base) + wave.y * turned,
+                        stretch.z * gabor_impl_product(slopes.zw, n.base) + wave.z * turned, 0.0);
+}
+
+// ---- Filtering -----------------------------------------------------------------------------------------------------
+
 // Three times three complex numbers.
 struct GaborMatrix {
     mat3 real;
     mat3 imaginary;
 };
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-
 GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
     return GaborMatrix(m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real);
 }
 
-vec2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
-{
-    for (int i = 0; i < place.channel; ++i)
-        word = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
-}
-
-// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
-uint gabor_impl_slice_word(uint row, uint slice)
-{
-    return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// The amplitudes of a slice, a column for each row.
-GaborMatrix gabor_impl_slice(uvec4 columns, uvec4 rows, uint slice, GaborPlace3d place)
+// The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
+GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y)
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        uint row = gabor_impl_slice_word(rows[j], slice);
-        vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
-        vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
-        vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
-        m.real[j] = vec3(a.x, b.x, c.x);
-        m.imaginary[j] = vec3(a.y, b.y, c.y);
+        uint row = gabor_impl_slice_word(n.y.word[j], slice);
+        for (int i = 0; i < 3; ++i) {
+            vec2 amplitude = gabor_impl_amplitude_at(n.x.word[i] * row, place.animated, place.time);
+            m.real[j][i] = amplitude.x;
+            m.imaginary[j][i] = amplitude.y;
+        }
     }
-    return m;
+    return gabor_impl_matrix_product(gabor_impl_matrix_product(x, m), y);
 }
-
-// The nodes that reach a place: by axis, and their amplitudes by slice.
-struct GaborNodes3d {
-    GaborAxis x;
-    GaborAxis y;
-    GaborAxis z;
-    GaborMatrix a;
-    GaborMatrix b;
-    GaborMatrix c;
-    vec3 offset; // from the middle node, in node spacings
-    vec3 turns;  // of the wave from a node to the next
-    vec2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
-};
-
-GaborNodes3d gabor_impl_nodes(GaborPlace3d place, vec3 wave, uint seed)
-{
-    GaborNodes3d n;
-    vec3 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    ivec3 node = place.cell + ivec3(first);
-    uint salt = gabor_impl_salt(seed);
-    n.offset = place.local - first - 1.0;
-    n.turns = wave / place.radius;
-    GaborWindows none = GaborWindows(vec4(0.0), vec4(0.0));
-    n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
-    n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
-                          gabor_impl_windows(n.offset.y), none);
-    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(n.turns.z),
-                          gabor_impl_windows(n.offset.z), none);
-    n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
-    n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
-    n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);
-    n.base = inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-           * gabor_impl_wave(dot(n.turns, n.offset));
-    return n;
-}
-
-// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
-// slice; then along z for column `j` of those along y, with columns for z.
-void gabor_impl_along_xy(inout GaborNodes3d n, GaborMatrix x, GaborMatrix y)
-{
-    x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
-    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
-    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
-    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
-}
-
-GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
-{
-    return gabor_impl_matrix_product(
-        GaborMatrix(mat3(n.a.real[j], n.b.real[j], n.c.real[j]),
-                    mat3(n.a.imaginary[j], n.b.imaginary[j], n.c.imaginary[j])), z);
-}
-
-// An axis' factors and their derivatives.
-GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
-{
-    return GaborMatrix(mat3(axis.real.xyz, axis.slope_real.xyz, vec3(0.0)),
-                       mat3(axis.imaginary.xyz, axis.slope_imaginary.xyz, vec3(0.0)));
-}
-
-GaborField3d gabor_impl_windowed(GaborPlace3d place, vec3 wave, uint seed)
-{
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
-    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors_3d(n.z));
-    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors_3d(n.z));
-    vec2 value = gabor_impl_product(n.base, vec2(values.real[0].x, values.imaginary[0].x));
-    vec2 slope_x = gabor_impl_product(n.base, vec2(values.real[0].y, values.imaginary[0].y));
-    vec2 slope_y = gabor_impl_product(n.base, vec2(slopes.real[0].x, slopes.imaginary[0].x));
-    vec2 slope_z = gabor_impl_product(n.base, vec2(values.real[1].x, values.imaginary[1].x));
-    vec2 turned = 6.2831853 * vec2(-value.y, value.x);
-    vec3 stretch = place.radius / GABOR_RADIUS;
-    return GaborField3d(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
-                        stretch.z * slope_z + wave.z * turned, 0.0);
-}
-
-// ---- Filtering -----------------------------------------------------------------------------------------------------
 
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
+GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
 {
-    vec3 d = (offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
-    vec2 step = gabor_impl_wave(turns);
+    vec3 d = (axis.offset + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    vec2 step = gabor_impl_wave(axis.turns);
     vec3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
     reach *= 0.5 * reach * (3.0 - 2.0 * reach);
     vec3 real = reach * vec3(step.x, 1.0, step.x);
@@ -194,17 +155,23 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, vec3 wave, uint seed)
     vec3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_waves(n.offset.x, n.turns.x, deviation.x),
-                        gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
-    GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    GaborMatrix x = gabor_impl_waves(n.x, deviation.x);
+    GaborMatrix y = gabor_impl_waves(n.y, deviation.y);
+    GaborMatrix z = gabor_impl_waves(n.z, deviation.z);
+    x = GaborMatrix(transpose(x.real), transpose(x.imaginary));
+    GaborMatrix first = gabor_impl_slice(n, n.z.word[0], place, x, y);
+    GaborMatrix second = gabor_impl_slice(n, n.z.word[1], place, x, y);
+    GaborMatrix third = gabor_impl_slice(n, n.z.word[2], place, x, y);
     vec2 sum = vec2(0.0);
     vec2 slope_x = vec2(0.0);
     vec2 slope_y = vec2(0.0);
     vec2 slope_z = vec2(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
-        GaborMatrix m = gabor_impl_along_z(n, b, z);
+        GaborMatrix m = GaborMatrix(mat3(first.real[b], second.real[b], third.real[b]),
+                                    mat3(first.imaginary[b], second.imaginary[b], third.imaginary[b]));
+        m = gabor_impl_matrix_product(m, z);
         for (int c = 0; c < 3; ++c) {
             for (int a = 0; a < 3; ++a) {
                 vec3 aside = vec3(float(a - 1), float(b - 1), float(c - 1));
@@ -233,7 +200,7 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, vec3 wave, uint seed)
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
 GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
 {
-    return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0), 0);
+    return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0));
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
@@ -253,12 +220,6 @@ GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed)
     if (place.filtered)
         return gabor_impl_filtered(place, wave, seed);
     return gabor_impl_windowed(place, wave, seed);
-}
-
-float gabor_impl_channel(GaborPlace3d place, vec3 wave, uint seed, int channel)
-{
-    place.channel = channel;
-    return gabor_field_3d(place, wave, seed).value.y;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -362,10 +323,10 @@ vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
 {
-    GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
-    vec3 wave = gabor_wave_3d(frequency, direction);
-    return vec4(gabor_impl_channel(place, wave, seed, 0), gabor_impl_channel(place, wave, seed, 1),
-                gabor_impl_channel(place, wave, seed, 2), gabor_impl_channel(place, wave, seed, 3));
+    return vec4(gabor_noise_3d(p, frequency, direction, seed),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -3)));
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.

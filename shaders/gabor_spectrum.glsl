@@ -47,7 +47,6 @@ void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitu
     sum.value += amplitude * field.value;
     sum.slope_x += slope * field.slope_x;
     sum.slope_y += slope * field.slope_y;
-    sum.four += amplitude * field.four;
 }
 
 // The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
@@ -65,19 +64,18 @@ GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
 GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 {
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
-        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation),
-                                                    scaled.radius);
+        GaborKernel kernel = gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation);
         GaborField field = gabor_field(scaled, kernel, gabor_lobe_seed(seed, i));
         gabor_impl_accumulate(sum, field, sqrt(lobe.power), sqrt(lobe.power) / lobe.radius);
         power += lobe.power;
     }
     float scale = power > 0.0 ? inversesqrt(power) : 0.0;
-    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y, scale * sum.four);
+    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -111,7 +109,7 @@ vec3 gabor_impl_piece(int i, float c)
 GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
                               float orientation_spread, uint seed)
 {
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
     orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
@@ -125,7 +123,6 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
         for (int i = 0; i < direction_count; ++i) {
             vec3 direction = gabor_impl_piece(i, directions);
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
-            kernel = gabor_kernel_stretched(kernel, place.radius);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
             gabor_impl_accumulate(sum, field, amplitude, amplitude);
@@ -183,51 +180,45 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance)
     return exp(-min(exponent, 80.0)) * inversesqrt(determinant);
 }
 
-// Of three waves: the windows of an axis' three nodes, in two parts, real and imaginary. A wave q of Hann's window has
-// the factor exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), q = -1/2, 0, 1/2. Half a deviation from its end a window begins to
-// fade.
-//   x         offset from the second node, in [-1/2, 1/2) node spacings
+// Of three waves: filters an axis. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with c and s for its even and odd part at q = 1/2 the window h becomes
+// 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
 //   variance  S along the axis
 //   blurred   S F
-void gabor_impl_filtered_windows(float x, float variance, float blurred, out GaborWindows real,
-                                 out GaborWindows imaginary)
+void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred)
 {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
-    GaborWindows hann = gabor_impl_windows(x);
-    vec3 inside = 1.0 - abs(x + vec3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
-    vec4 fade = vec4(clamp(inside / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0), 0.0);
-    fade *= fade * (3.0 - 2.0 * fade);
-    vec4 wave = fade * (hann.value - 0.5); // cos(pi d) / 2, and slope -pi/2 sin(pi d)
-    hann.slope *= fade;
-    real = GaborWindows(0.5 * fade + part.x * wave, part.x * hann.slope);
-    imaginary = GaborWindows(0.31830989 * part.y * hann.slope, -3.1415927 * part.y * wave);
+    vec2 turn = gabor_impl_wave(axis.turns);
+    for (int i = 0; i < 3; ++i) {
+        float inside = 1.0 - abs(axis.offset + 1.0 - float(i)) / GABOR_RADIUS;
+        float fade = clamp(inside / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0);
+        vec4 mean = vec4(0.5, 0.0, 0.0, 0.0);
+        if (i != 1)
+            mean = vec4(0.5 * turn.x, (0.5 - 0.5 * float(i)) * turn.y, 0.0, 0.0);
+        vec4 wave = axis.node[i] - mean;
+        vec4 other = vec4(0.31830989 * wave.zw, -3.1415927 * wave.xy);
+        gabor_impl_add(mean, other, vec2(0.0, part.y));
+        axis.node[i] = fade * fade * (3.0 - 2.0 * fade) * (mean + part.x * wave);
+    }
 }
 
 // The noise at a place, filtered by three waves along each axis.
-GaborField gabor_impl_filtered_narrow(GaborPlace place, GaborKernel kernel, vec2 wave, vec3 s, uint seed)
+GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint seed)
 {
-    vec2 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    vec2 offset = place.local - first - 1.0;
-    ivec2 node = place.cell + ivec2(first);
     uint salt = gabor_impl_salt(seed);
     vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborWindows real;
-    GaborWindows imaginary;
-    gabor_impl_filtered_windows(offset.x, s.x, blurred.x, real, imaginary);
-    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel.step_x, real, imaginary);
-    gabor_impl_filtered_windows(offset.y, s.y, blurred.y, real, imaginary);
-    GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel.step_y, real, imaginary);
-    GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
-    vec2 base = exp(-19.739209 * dot(wave, blurred)) * gabor_impl_wave(dot(wave, offset / GABOR_RADIUS));
-    sum.real += s.z * sum.mixed_real;
-    sum.imaginary += s.z * sum.mixed_imaginary;
-    vec2 value = gabor_impl_product(vec2(sum.real.x, sum.imaginary.x), base);
-    vec2 turned = 6.2831853 * vec2(-value.y, value.x);
-    vec2 slope_x = vec2(sum.slope_real.x, sum.slope_imaginary.x);
-    return GaborField(value, gabor_impl_product(slope_x, base) + wave.x * turned,
-                      gabor_impl_product(sum.slope_y, base) + wave.y * turned,
-                      base.x * sum.imaginary + base.y * sum.real);
+    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                     GABOR_RADIUS);
+    vec2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    gabor_impl_filter(columns, s.x, blurred.x);
+    gabor_impl_filter(rows, s.y, blurred.y);
+    vec4 sum;
+    vec4 slope;
+    gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
+    sum.xy += s.z * slope.zw;
+    return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, vec2(1.0));
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -308,31 +299,12 @@ GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index)
     return line;
 }
 
-// A row's sums of amplitudes times windows, of four noises.
-struct GaborRow {
-    GaborFactors first;
-    GaborFactors second;
-    GaborFactors third;
-    GaborFactors fourth;
-};
-
-void gabor_impl_add_amplitude(inout GaborFactors sum, GaborFactors window, vec2 a)
+// Adds a node to the sums of a row.
+void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_word, bool animated, float time)
 {
-    sum.real += a.x * window.real - a.y * window.imaginary;
-    sum.imaginary += a.x * window.imaginary + a.y * window.real;
-}
-
-// Adds a node.
-void gabor_impl_add_filtered(inout GaborRow row, GaborLine column, uint row_word, bool animated, vec2 time)
-{
-    uint word = gabor_impl_node_word(column.word, row_word);
-    gabor_impl_add_amplitude(row.first, column.window, gabor_impl_amplitude_at(word, animated, time));
-    word = gabor_impl_next_word(word);
-    gabor_impl_add_amplitude(row.second, column.window, gabor_impl_amplitude_at(word, animated, time));
-    word = gabor_impl_next_word(word);
-    gabor_impl_add_amplitude(row.third, column.window, gabor_impl_amplitude_at(word, animated, time));
-    word = gabor_impl_next_word(word);
-    gabor_impl_add_amplitude(row.fourth, column.window, gabor_impl_amplitude_at(word, animated, time));
+    vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
+    row.real += a.x * column.window.real - a.y * column.window.imaginary;
+    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
@@ -352,7 +324,7 @@ vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights)
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel, vec2 wave, vec3 s, int rows, uint seed)
+GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int rows, uint seed)
 {
     vec2 m = s.xy + 0.13069097; // v
     vec2 blurred = gabor_impl_symmetric(s, wave);
@@ -366,43 +338,38 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, GaborKernel kernel, vec2 w
     vec2 offset = place.local - first;
     ivec2 node = place.cell + ivec2(first);
     uint salt = gabor_impl_salt(seed);
-    vec2 time = gabor_impl_wave(place.time);
-    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, kernel.step_x);
-    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                      kernel.step_y);
+    vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
+    vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, step_x);
+    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     GaborLine line;
     line.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
-    line.phase = kernel.step_x;
+    line.phase = step_x;
     GaborLine c0 = gabor_impl_filtered_line(line, across, 0);
     GaborLine c1 = gabor_impl_filtered_line(c0, across, 1);
     GaborLine c2 = gabor_impl_filtered_line(c1, across, 2);
     GaborLine c3 = gabor_impl_filtered_line(c2, across, 3);
     GaborLine c4 = gabor_impl_filtered_line(c3, across, 4);
     line.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
-    line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), kernel.step_y);
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), step_y);
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     for (int j = 0; j < rows; ++j) {
         line = gabor_impl_filtered_line(line, along, j);
-        GaborFactors none = GaborFactors(vec3(0.0), vec3(0.0));
-        GaborRow row = GaborRow(none, none, none, none);
-        gabor_impl_add_filtered(row, c0, line.word, place.animated, time);
-        gabor_impl_add_filtered(row, c1, line.word, place.animated, time);
-        gabor_impl_add_filtered(row, c2, line.word, place.animated, time);
-        gabor_impl_add_filtered(row, c3, line.word, place.animated, time);
-        gabor_impl_add_filtered(row, c4, line.word, place.animated, time);
-        vec2 value = gabor_impl_contracted(row.first, line.window, weights);
-        sum.value += value;
-        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row.first, across), line.window, weights);
-        sum.slope_y += gabor_impl_contracted(row.first, gabor_impl_times_q(line.window, along), weights);
-        sum.four += vec4(value.y, gabor_impl_contracted(row.second, line.window, weights).y,
-                         gabor_impl_contracted(row.third, line.window, weights).y,
-                         gabor_impl_contracted(row.fourth, line.window, weights).y);
+        GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
+        gabor_impl_add_filtered(row, c0, line.word, place.animated, place.time);
+        gabor_impl_add_filtered(row, c1, line.word, place.animated, place.time);
+        gabor_impl_add_filtered(row, c2, line.word, place.animated, place.time);
+        gabor_impl_add_filtered(row, c3, line.word, place.animated, place.time);
+        gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
+        sum.value += gabor_impl_contracted(row, line.window, weights);
+        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
+        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
     }
     float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
     vec2 x = 6.2831853 * (sum.slope_x + wave.x * sum.value);
     vec2 y = 6.2831853 * (sum.slope_y + wave.y * sum.value);
-    return GaborField(amplitude * sum.value, amplitude * vec2(-x.y, x.x), amplitude * vec2(-y.y, y.x),
-                      amplitude * sum.four);
+    float scale = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * sum.value, scale * vec2(-x.y, x.x), scale * vec2(-y.y, y.x));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -415,22 +382,22 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootp
     vec2 wave = kernel.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
     removed = 1.0 - transmitted;
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0), vec4(0.0));
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     if (transmitted < 1.0e-10)
         return sum;
     vec3 s = footprint.resolved;
-    float amplitude = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    float amplitude = 1.0;
     if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     float wide = clamp(33.333333 * sqrt(max(s.x, s.y)) - 2.6666667, 0.0, 1.0);
     if (wide < 1.0) {
         float share = (1.0 - wide) * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, kernel, wave, s, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, seed), share, share);
     }
     if (wide > 0.0) {
         float share = wide * amplitude;
         int rows = wide > 0.0 ? 5 : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, kernel, wave, s, rows, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, seed), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -535,23 +502,13 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
     return footprint;
 }
 
-// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), and the
-// share of the variance that this removed: what a material lost in roughness, or a picture in contrast. Against the
-// noise filtered exactly, see gabor_footprint, the root mean square error is at most 1 % of the noise's deviation for
-// steps of up to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous
-// in the place and in both steps.
+// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), with its
+// gradient, and the share of the variance that this removed, what a material lost in roughness, or a picture in
+// contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
+// error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
+// one; what covers more fades as it should. Continuous in the place and in both steps.
 // Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
-vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-{
-    float removed;
-    GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS),
-                                            gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
-                                            removed);
-    return vec2(field.value.y, removed);
-}
-
-// The same with the filtered noise's gradient: (noise, d/dx, d/dy, removed variance).
 vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 {
     float removed;
@@ -561,13 +518,25 @@ vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, fl
     return vec4(field.value.y, field.slope_x.y, field.slope_y.y, removed);
 }
 
+// The same without the gradient: (noise, removed).
+vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
+{
+    return gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed).xw;
+}
+
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
 // each.
 vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,
                                out float removed)
 {
-    return gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation),
-                                gabor_footprint(dx, dy), seed, removed).four;
+    vec4 four;
+    for (int i = 0; i < 4; ++i) {
+        vec4 noise = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation,
+                                                   i == 0 ? seed : gabor_lobe_seed(seed, -i));
+        four[i] = noise.x;
+        removed = noise.w;
+    }
+    return four;
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
@@ -586,11 +555,10 @@ vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lo
     return power > 0.0 ? sum * vec4(vec3(inversesqrt(power)), 1.0 / power) : vec4(0.0);
 }
 
-// The noise alone, and the removed variance.
+// The same without the gradient: (noise, removed).
 vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 {
-    vec4 value = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
-    return vec2(value.x, value.w);
+    return gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed).xw;
 }
 
 #endif // GABOR_TAPS == 3

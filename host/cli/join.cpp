@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "error.hpp"
 #include "image/exr.hpp"
+#include "render/texture.hpp"
 
 #include <fmt/format.h>
 
@@ -14,22 +16,35 @@ namespace gabor::cli {
 namespace {
 
 struct JoinOptions {
-    std::vector<std::string> regions;
+    std::vector<std::filesystem::path> regions;
     std::string output;
+    bool texture = false;
+    bool half = false;
 };
 
 void join(const JoinOptions& options) {
-    const std::vector<std::filesystem::path> paths(options.regions.begin(), options.regions.end());
+    if (options.half && !options.texture)
+        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+    std::uint64_t pixels = 0;
+    for (const std::filesystem::path& region : options.regions) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(region, options.output, ignored))
+            throw RequestError(fmt::format(
+                "cannot join: -o '{}' is one of the regions: it takes another file", options.output));
+        const image::Window window = image::ExrReader(region).window();
+        pixels += static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height);
+    }
     note_interrupts();
-    const image::Window picture = image::ExrReader(paths.front()).picture();
-    Progress progress("joining",
-                      static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height));
-    image::join_exr(paths, options.output, [&](std::uint64_t pixels) {
+    Progress progress("joining", pixels);
+    const auto advance = [&](std::uint64_t done) {
         check_interrupt();
-        progress.advance(pixels);
-    });
+        progress.advance(done);
+    };
+    const image::Window picture =
+        options.texture ? render::join_texture(options.regions, options.output, options.half, advance)
+                        : image::join_exr(options.regions, options.output, advance);
     fmt::print("{}: {} x {} pixels, from {} regions\n", options.output, picture.width, picture.height,
-               paths.size());
+               options.regions.size());
 }
 
 } // namespace
@@ -44,6 +59,10 @@ void add_join_command(CLI::App& app) {
     command->add_option("-o,--output", options->output, "The EXR of the whole picture")
         ->type_name("FILE")
         ->required();
+    command->add_flag(
+        "--texture", options->texture,
+        "Of all levels that `gabor render --level` draws make the texture of `gabor render --texture`");
+    command->add_flag("--half", options->half, "A texture of 16-bit floats");
     command->callback([options] { join(*options); });
 }
 

@@ -46,6 +46,7 @@ struct RenderOptions {
     std::optional<std::string> frames;
     std::string compression =
         "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
+    std::optional<std::string> level;
     std::string device;
     bool texture = false;
     bool half = false;
@@ -124,6 +125,17 @@ render::Values given_values(const RenderOptions& options) {
     return values;
 }
 
+render::Request level_of(const render::Request& request, const std::string& text) {
+    const image::Window whole{0, 0, request.width, request.height};
+    render::check_texture(request, whole);
+    const int last = render::drawn_levels(whole) - 1;
+    const std::string accepted = fmt::format("a whole number from 0 to {} at this size", last);
+    const auto [level] = parse_integers<1>("--level", text, ' ', accepted);
+    if (level < 0 || level > last)
+        refuse("--level", text, accepted);
+    return render::texture_level(request, level);
+}
+
 Work make_work(const RenderOptions& options) {
     Work work;
     std::optional<image::Window> region;
@@ -138,8 +150,10 @@ Work make_work(const RenderOptions& options) {
             region = like.region;
     }
     render::set(work.request, given_values(options));
-    work.request.filter |= options.texture; // its levels are seen through it
+    work.request.filter |= options.texture || options.level; // levels are seen through it
     render::check(work.request);
+    if (options.level)
+        work.request = level_of(work.request, *options.level);
 
     if (options.region) {
         const auto [x, y, width, height] =
@@ -233,6 +247,8 @@ render::Files files_of(const RenderOptions& options) {
     }
     if (options.half && !options.texture)
         throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+    if (options.texture && options.level)
+        throw RequestError("--texture and --level exclude each other: a level is a picture");
     if (options.texture && files.png)
         throw RequestError("--texture and a PNG exclude each other: a texture is an EXR");
     return files;
@@ -402,6 +418,12 @@ void add_render_command(CLI::App& app) {
         "Write a texture for renderers: tiles, and every level of a mip map as --filter sees it; "
         "sides must be powers of two");
     command->add_flag("--half", options->half, "A texture of 16-bit floats");
+    command
+        ->add_option(
+            "--level", options->level,
+            "Only this level of what --texture draws, as a picture with its sides and its scale, for "
+            "`gabor join --texture`: 0 is the largest")
+        ->type_name("NUMBER");
     command->add_flag("--verbose", options->verbose, "Also print where time and memory went");
     command->callback([options, start] { render_pictures(*options, start); });
 }

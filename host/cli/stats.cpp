@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gabor::cli {
 
@@ -34,7 +35,7 @@ constexpr double visible_cvm = 0.5;
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
-    std::string file;
+    std::vector<std::filesystem::path> files;
     std::optional<std::string> channel;
     std::optional<std::string> json;
 };
@@ -71,7 +72,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
 
 // A channel of which nothing is known is first read for its own mean and variance.
 Measured measure(const StatsOptions& options) {
-    image::ExrReader reader(options.file, options.channel);
+    image::ExrReader reader(options.files, options.channel);
     Measured measured;
     measured.width = reader.window().width;
     measured.height = reader.window().height;
@@ -95,7 +96,7 @@ Measured measure(const StatsOptions& options) {
         measured.expected = {0, std::sqrt(*variance), false};
     } else {
         statistics::Moments moments;
-        image::ExrReader first_pass(options.file, options.channel);
+        image::ExrReader first_pass(options.files, options.channel);
         read_bands(first_pass, progress, [&](auto band) { statistics::add_finite(moments, band); });
         measured.expected = statistics::fitted_normal(moments);
     }
@@ -220,8 +221,10 @@ void print_report(const StatsOptions& options, const Measured& measured) {
         const Estimate& estimate = (*report.blocks).*member;
         return fmt::format("95 %: {:.6g} to {:.6g}", estimate.low, estimate.high);
     };
-    fmt::print("{}: channel {}, {} x {} pixels, {} not finite\n", options.file, measured.channel,
-               measured.width, measured.height, report.not_finite);
+    const std::string from = options.files.size() == 1 ? options.files.front().string()
+                                                       : fmt::format("{} regions", options.files.size());
+    fmt::print("{}: channel {}, {} x {} pixels, {} not finite\n", from, measured.channel, measured.width,
+               measured.height, report.not_finite);
     if (moments.count() == 0)
         return;
     print_line("mean", moments.mean(), between(&BlockEstimates::mean));
@@ -244,9 +247,10 @@ void report_statistics(const StatsOptions& options) {
     namespace fs = std::filesystem;
     std::optional<image::OutputFile> output;
     std::error_code ignored;
-    if (options.json && fs::equivalent(*options.json, options.file, ignored))
-        throw RequestError(
-            fmt::format("--json '{}' is the picture itself: it takes another file", *options.json));
+    for (const fs::path& file : options.files)
+        if (options.json && fs::equivalent(*options.json, file, ignored))
+            throw RequestError(
+                fmt::format("--json '{}' is the picture itself: it takes another file", *options.json));
     if (options.json && *options.json != "-")
         output.emplace(*options.json);
 
@@ -269,7 +273,13 @@ void add_stats_command(CLI::App& app) {
     auto options = std::make_shared<StatsOptions>();
     CLI::App* command =
         app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
-    command->add_option("FILE", options->file, "The EXR to measure")->type_name("")->required();
+    command
+        ->add_option(
+            "FILE", options->files,
+            "The EXR to measure, or all regions of one picture, in any order: the same numbers as of "
+            "the whole")
+        ->type_name("")
+        ->required();
     command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]")
         ->type_name("NAME");
     command

@@ -90,19 +90,25 @@ class ExrTextureWriter {
 /// Puts the regions that ExrWriter wrote of one picture together, into the file that it would have written of
 /// the whole at once. Regions as wide as the picture, whose compressed blocks are also those of the whole,
 /// are copied as they are; others are decoded, a few rows at a time. `advance` is called with the number of
-/// pixels that were written; what it throws ends everything, and leaves no file. Throws RequestError where a
-/// file is no such region, differs from the others in anything but its place, or where they overlap or leave
-/// a gap.
-void join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
-              const std::function<void(std::uint64_t)>& advance);
+/// pixels that were written; what it throws ends everything, and leaves no file. Returns the picture. Throws
+/// RequestError where a file is no such region, differs from the others in anything but its place, or where
+/// they overlap or leave a gap.
+Window join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
+                const std::function<void(std::uint64_t)>& advance);
 
-/// Reads one channel of a flat EXR, scanline or tiled, band by band, half or float, as float.
+/// Reads one channel or more of a flat EXR, scanline or tiled, band by band, half or float, as float; or of a
+/// picture that is in several files.
 class ExrReader {
   public:
     /// Without a channel name: `Y`, else `R`, else the first float or half channel.
     /// Throws RequestError when the file is missing, truncated, not an EXR, has no such channel, or is larger
     /// than 65536 x 65536 pixels.
-    explicit ExrReader(const std::filesystem::path& path, std::optional<std::string> channel = {});
+    explicit ExrReader(const std::filesystem::path& path, const std::optional<std::string>& channel = {});
+    /// A picture of regions as join_exr takes them, in any order, or a single file with all that it holds.
+    explicit ExrReader(std::span<const std::filesystem::path> paths,
+                       const std::optional<std::string>& channel = {});
+    /// Several channels, which `read_rows` interleaves, of regions that cover their picture.
+    ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels);
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
 
@@ -113,6 +119,10 @@ class ExrReader {
     bool has_channel(const std::string& name) const;
     /// The `gabor` attribute, empty where the file has none.
     const std::string& parameters() const;
+    /// The `software` attribute, likewise.
+    const std::string& software() const;
+    /// As ExrWriter's description has it; empty for one that it does not take.
+    std::string_view compression() const;
 
     /// The next rows, at most `rows` and `window().height` in all, top to bottom; empty after the last.
     /// The span stays valid until the next call. Throws RequestError when the data is damaged.

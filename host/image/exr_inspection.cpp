@@ -1,10 +1,10 @@
 #include "image/exr_inspection.hpp"
 
 #include "error.hpp"
+#include "image/exr_context.hpp"
 
 #include <ImfThreading.h>
 #include <fmt/format.h>
-#include <openexr.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -32,92 +32,83 @@ constexpr std::int64_t widest = 65536;
 constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
-/// OpenEXR's C library knows the file's size and holds every claim in it against that; the C++ classes, which
-/// decode in parallel, believe the file and allocate. So the first looks over what the second will read.
-class Inspection {
-  public:
-    explicit Inspection(const std::filesystem::path& path) : path_(path) {
-        exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-        settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-        // Strict, or it would skip what the C++ classes stumble over; and an unfinished file is not made up
-        // for.
-        settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-        require(exr_start_read(&context_, path.c_str(), &settings));
-    }
-    ~Inspection() { exr_finish(&context_); }
-    Inspection(const Inspection&) = delete;
-    Inspection& operator=(const Inspection&) = delete;
+// The C++ classes, which decode in parallel, believe a file and allocate. So the C library first looks over
+// what they will read.
 
-    /// Returns the bytes of the largest block that has to be decoded at once.
-    std::uint64_t run() const {
-        exr_storage_t storage;
-        require(exr_get_storage(context_, 0, &storage));
-        if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-            refuse_exr(path_, "it holds deep data; accepted are flat scanlines and tiles");
-        exr_attr_box2i_t window;
-        require(exr_get_data_window(context_, 0, &window));
-        const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-        const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-        if (width > widest || height > widest)
-            refuse_exr(path_, fmt::format("its data window has {} x {} pixels; accepted are at most {} x {}",
-                                          width, height, widest, widest));
+std::uint64_t row_of_tiles(const ExrContext& file, std::int64_t width) {
+    std::uint32_t across = 0;
+    std::uint32_t down = 0;
+    file.require(exr_get_tile_descriptor(file, 0, &across, &down, nullptr, nullptr));
+    return static_cast<std::uint64_t>(width) * down * sizeof(float);
+}
 
-        std::uint64_t block = 0;
-        require(exr_get_chunk_unpacked_size(context_, 0, &block));
-        if (storage == EXR_STORAGE_TILED)
-            block = std::max(block, row_of_tiles(width));
-        if (block > largest_block)
-            refuse_exr(path_,
-                       fmt::format("one block or row of tiles takes {} MiB; accepted are at most {} MiB",
-                                   block >> 20, largest_block >> 20));
+void check_scanlines(const ExrContext& file, std::int32_t first, std::int32_t last) {
+    std::int32_t step = 0;
+    file.require(exr_get_scanlines_per_chunk(file, 0, &step));
+    exr_chunk_info_t block;
+    for (std::int64_t y = first; y <= last; y += step)
+        file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &block));
+}
 
-        if (storage == EXR_STORAGE_TILED)
-            check_tiles(width, height);
-        else
-            check_scanlines(window.min.y, window.max.y);
-        return block;
-    }
+void check_tiles(const ExrContext& file, std::int64_t width, std::int64_t height) {
+    std::int32_t across = 0;
+    std::int32_t down = 0;
+    file.require(exr_get_tile_sizes(file, 0, 0, 0, &across, &down));
+    exr_chunk_info_t tile;
+    for (int y = 0; std::int64_t{y} * down < height; ++y)
+        for (int x = 0; std::int64_t{x} * across < width; ++x)
+            file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &tile));
+}
 
-  private:
-    std::uint64_t row_of_tiles(std::int64_t width) const {
-        std::uint32_t across = 0;
-        std::uint32_t down = 0;
-        require(exr_get_tile_descriptor(context_, 0, &across, &down, nullptr, nullptr));
-        return static_cast<std::uint64_t>(width) * down * sizeof(float);
-    }
+// Returns the bytes of the largest block that has to be decoded at once.
+std::uint64_t inspect(const ExrContext& file) {
+    exr_storage_t storage;
+    file.require(exr_get_storage(file, 0, &storage));
+    if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
+        refuse_exr(file.path(), "it holds deep data; accepted are flat scanlines and tiles");
+    exr_attr_box2i_t window;
+    file.require(exr_get_data_window(file, 0, &window));
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    if (width > widest || height > widest)
+        refuse_exr(file.path(),
+                   fmt::format("its data window has {} x {} pixels; accepted are at most {} x {}", width,
+                               height, widest, widest));
 
-    void check_scanlines(std::int32_t first, std::int32_t last) const {
-        std::int32_t step = 0;
-        require(exr_get_scanlines_per_chunk(context_, 0, &step));
-        exr_chunk_info_t block;
-        for (std::int64_t y = first; y <= last; y += step)
-            require(exr_read_scanline_chunk_info(context_, 0, static_cast<int>(y), &block));
-    }
+    std::uint64_t block = 0;
+    file.require(exr_get_chunk_unpacked_size(file, 0, &block));
+    if (storage == EXR_STORAGE_TILED)
+        block = std::max(block, row_of_tiles(file, width));
+    if (block > largest_block)
+        refuse_exr(file.path(),
+                   fmt::format("one block or row of tiles takes {} MiB; accepted are at most {} MiB",
+                               block >> 20, largest_block >> 20));
 
-    void check_tiles(std::int64_t width, std::int64_t height) const {
-        std::int32_t across = 0;
-        std::int32_t down = 0;
-        require(exr_get_tile_sizes(context_, 0, 0, 0, &across, &down));
-        exr_chunk_info_t tile;
-        for (int y = 0; std::int64_t{y} * down < height; ++y)
-            for (int x = 0; std::int64_t{x} * across < width; ++x)
-                require(exr_read_tile_chunk_info(context_, 0, x, y, 0, 0, &tile));
-    }
-
-    void require(exr_result_t result) const {
-        if (result == EXR_ERR_FILE_ACCESS)
-            refuse_exr(path_, "permission denied");
-        if (result == EXR_ERR_FILE_BAD_HEADER)
-            refuse_exr(path_, "it is not an OpenEXR file");
-        if (result != EXR_ERR_SUCCESS)
-            refuse_damaged_exr(path_, exr_get_default_error_message(result));
-    }
-
-    const std::filesystem::path& path_;
-    exr_context_t context_ = nullptr;
-};
+    if (storage == EXR_STORAGE_TILED)
+        check_tiles(file, width, height);
+    else
+        check_scanlines(file, window.min.y, window.max.y);
+    return block;
+}
 
 } // namespace
+
+ExrContext::ExrContext(const std::filesystem::path& path) : path_(path) {
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    // Strict, or it would skip what the C++ classes stumble over; and an unfinished file is not made up for.
+    settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+    require(exr_start_read(&context_, path.c_str(), &settings));
+}
+
+void ExrContext::require(exr_result_t result) const {
+    if (result == EXR_ERR_FILE_ACCESS)
+        refuse_exr(path_, "permission denied");
+    if (result == EXR_ERR_FILE_BAD_HEADER)
+        refuse_exr(path_, "it is not an OpenEXR file");
+    if (result != EXR_ERR_SUCCESS)
+        refuse_damaged_exr(path_, exr_get_default_error_message(result));
+}
 
 int inspect_exr(const std::filesystem::path& path) {
     std::error_code error;
@@ -126,7 +117,7 @@ int inspect_exr(const std::filesystem::path& path) {
         refuse_exr(path, error.message());
     if (!std::filesystem::is_regular_file(status)) // opening a FIFO would wait for ever
         refuse_exr(path, "it is not a regular file");
-    const std::uint64_t block = Inspection(path).run();
+    const std::uint64_t block = inspect(ExrContext(path));
     const auto affordable = static_cast<int>(decoding_memory / (2 * std::max<std::uint64_t>(block, 1)));
     return std::min(affordable, Imf::globalThreadCount()); // OpenEXR holds two blocks for each
 }

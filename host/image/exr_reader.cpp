@@ -1,13 +1,12 @@
 #include "image/exr.hpp"
 
-#include "error.hpp"
 #include "image/exr_inspection.hpp"
-#include "image/exr_threads.hpp"
+#include "image/exr_mosaic.hpp"
+#include "image/exr_stream.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -35,49 +34,61 @@ std::string default_channel(const Imf::ChannelList& channels) {
     return {};
 }
 
-Window to_window(const Imath::Box2i& box) {
-    return {box.min.x, box.min.y, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
-}
-
 } // namespace
 
 struct ExrReader::State {
-    explicit State(const std::filesystem::path& name) : path(name), image(name.c_str(), inspect_exr(name)) {}
+    State(ExrMosaic mosaic, std::filesystem::path first)
+        : image(std::move(mosaic)), path(std::move(first)),
+          picture(to_window(image.header().displayWindow())), window(to_window(image.header().dataWindow())),
+          parameters(text("gabor")), software(text("software")) {}
 
-    const std::filesystem::path path;
-    Imf::InputFile image;
-    Window picture;
-    Window window;
-    std::string channel;
-    std::string parameters;
+    std::string text(const char* attribute) const {
+        const auto* found = image.header().findTypedAttribute<Imf::StringAttribute>(attribute);
+        return found ? found->value() : "";
+    }
+    void add_channel(const std::string& name);
+
+    ExrMosaic image;
+    const std::filesystem::path path; ///< that messages name
+    const Window picture;
+    const Window window;
+    const std::string parameters;
+    const std::string software;
+    std::vector<std::string> channels;
     int rows_read = 0;
     std::vector<float> rows;
 };
 
-ExrReader::ExrReader(const std::filesystem::path& path, std::optional<std::string> channel) try {
-    start_exr_threads();
-    state_ = std::make_unique<State>(path);
-    const Imf::Header& header = state_->image.header();
-    state_->picture = to_window(header.displayWindow());
-    state_->window = to_window(header.dataWindow());
-    if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>("gabor"))
-        state_->parameters = text->value();
-
-    const Imf::ChannelList& channels = header.channels();
-    state_->channel = channel ? *channel : default_channel(channels);
-    const Imf::Channel* found = channels.findChannel(state_->channel);
-    if (!found && channel)
-        refuse_exr(path, fmt::format("there is no channel '{}': it has {}", *channel, list(channels)));
+void ExrReader::State::add_channel(const std::string& name) {
+    const Imf::ChannelList& all = image.header().channels();
+    const Imf::Channel* found = all.findChannel(name);
     if (!found)
-        refuse_exr(path, fmt::format("no half or float channel among {}", list(channels)));
+        refuse_exr(path, fmt::format("there is no channel '{}': it has {}", name, list(all)));
     if (found->type == Imf::UINT)
-        refuse_exr(path,
-                   fmt::format("channel '{}' holds integers; accepted are half and float", state_->channel));
+        refuse_exr(path, fmt::format("channel '{}' holds integers; accepted are half and float", name));
     if (found->xSampling != 1 || found->ySampling != 1)
-        refuse_exr(path, fmt::format("channel '{}' is subsampled; accepted is a value for every pixel",
-                                     state_->channel));
-} catch (const Iex::BaseExc& error) {
-    refuse_damaged_exr(path, error.what());
+        refuse_exr(path,
+                   fmt::format("channel '{}' is subsampled; accepted is a value for every pixel", name));
+    channels.push_back(name);
+}
+
+ExrReader::ExrReader(const std::filesystem::path& path, const std::optional<std::string>& channel)
+    : ExrReader(std::span(&path, 1), channel) {}
+
+ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::optional<std::string>& channel)
+    : state_(std::make_unique<State>(paths.size() == 1 ? ExrMosaic(paths.front()) : ExrMosaic(paths),
+                                     paths.front())) {
+    const Imf::ChannelList& all = state_->image.header().channels();
+    const std::string name = channel ? *channel : default_channel(all);
+    if (!channel && name.empty())
+        refuse_exr(paths.front(), fmt::format("no half or float channel among {}", list(all)));
+    state_->add_channel(name);
+}
+
+ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels)
+    : state_(std::make_unique<State>(ExrMosaic(paths), paths.front())) {
+    for (const std::string& channel : channels)
+        state_->add_channel(channel);
 }
 
 ExrReader::~ExrReader() = default;
@@ -90,7 +101,7 @@ const Window& ExrReader::window() const {
     return state_->window;
 }
 const std::string& ExrReader::channel() const {
-    return state_->channel;
+    return state_->channels.front();
 }
 bool ExrReader::has_channel(const std::string& name) const {
     return state_->image.header().channels().findChannel(name) != nullptr;
@@ -98,25 +109,29 @@ bool ExrReader::has_channel(const std::string& name) const {
 const std::string& ExrReader::parameters() const {
     return state_->parameters;
 }
+const std::string& ExrReader::software() const {
+    return state_->software;
+}
+std::string_view ExrReader::compression() const {
+    return exr_compression_name(state_->image.header().compression());
+}
 
 std::span<const float> ExrReader::read_rows(int rows) {
     const Window& window = state_->window;
     rows = std::min(rows, window.height - state_->rows_read);
     if (rows <= 0)
         return {};
-    const auto width = static_cast<std::size_t>(window.width);
-    state_->rows.resize(static_cast<std::size_t>(rows) * width);
+    const std::size_t channels = state_->channels.size();
+    const std::size_t row_values = static_cast<std::size_t>(window.width) * channels;
+    state_->rows.resize(static_cast<std::size_t>(rows) * row_values);
 
     const int y = window.y + state_->rows_read;
     Imf::FrameBuffer band;
-    band.insert(state_->channel, Imf::Slice::Make(Imf::FLOAT, state_->rows.data(), {window.x, y},
-                                                  window.width, rows, sizeof(float), width * sizeof(float)));
-    try {
-        state_->image.setFrameBuffer(band);
-        state_->image.readPixels(y, y + rows - 1);
-    } catch (const Iex::BaseExc& error) {
-        refuse_damaged_exr(state_->path, error.what());
-    }
+    for (std::size_t c = 0; c < channels; ++c)
+        band.insert(state_->channels[c],
+                    Imf::Slice::Make(Imf::FLOAT, state_->rows.data() + c, {window.x, y}, window.width, rows,
+                                     channels * sizeof(float), row_values * sizeof(float)));
+    state_->image.read(band, y, y + rows - 1);
     state_->rows_read += rows;
     return state_->rows;
 }

@@ -15,6 +15,8 @@ inline constexpr int exr_zip_level = 1;
 
 /// The method of that name. Throws RequestError, listing the names, where there is none.
 Imf::Compression exr_compression(std::string_view name);
+/// The name of that method, empty for one that loses bits.
+std::string_view exr_compression_name(Imf::Compression method);
 
 /// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
 /// completes the table of offsets, swallows it.

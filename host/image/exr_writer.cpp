@@ -35,6 +35,11 @@ Imf::Compression exr_compression(std::string_view name) {
     return methods[static_cast<std::size_t>(found - names.begin())];
 }
 
+std::string_view exr_compression_name(Imf::Compression method) {
+    const auto found = std::ranges::find(methods, method);
+    return found == methods.end() ? "" : names[static_cast<std::size_t>(found - methods.begin())];
+}
+
 namespace {
 
 Imath::Box2i box(const Window& window) {

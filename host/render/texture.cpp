@@ -8,9 +8,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace gabor::render {
@@ -41,6 +46,61 @@ void check_texture(const Request& request, const image::Window& region) {
                         region.x, region.y, region.width, region.height, request.width, request.height));
 }
 
+int drawn_levels(const image::Window& region) {
+    return std::bit_width(static_cast<unsigned>(std::min(region.width, region.height)));
+}
+
+// Pixel centres are at (i + 0.5) / scale, so that this is the same noise under larger pixels.
+Request texture_level(Request request, int level) {
+    request.filter = true;
+    request.width >>= level;
+    request.height >>= level;
+    request.scale = std::ldexp(request.scale, -level);
+    return request;
+}
+
+namespace {
+
+image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Request& request,
+                                    const image::Window& region, const TextureFormat& format,
+                                    const std::string& made_by) {
+    return {path,
+            {.width = region.width,
+             .height = region.height,
+             .channels = channels(request),
+             .half = format.half,
+             .periodic = std::get<Plane>(request.view).tileable && same_extent(request, region),
+             .compression = format.compression,
+             .parameters = to_json(request),
+             .software = made_by}};
+}
+
+using Write = std::function<void(std::span<const float>)>;
+
+// Hands the rows of all levels to `write`: `draw` those that are drawn.
+void write_levels(const image::Window& region, std::size_t channels, const Write& write,
+                  const std::function<void(int level, const Write&)>& draw) {
+    int level = 0;
+    for (; level + 1 < drawn_levels(region); ++level)
+        draw(level, write);
+    // A line's levels have pixels that are no longer squares: averages of two.
+    std::vector<float> line;
+    draw(level, [&](std::span<const float> values) {
+        write(values);
+        line.insert(line.end(), values.begin(), values.end());
+    });
+    while (line.size() > channels) {
+        for (std::size_t i = 0; i < line.size() / 2; ++i) {
+            const std::size_t first = 2 * (i / channels) * channels + i % channels;
+            line[i] = (line[first] + line[first + channels]) / 2;
+        }
+        line.resize(line.size() / 2);
+        write(line);
+    }
+}
+
+} // namespace
+
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
                          const std::filesystem::path& path, const TextureFormat& format,
                          const std::function<void(std::uint64_t)>& advance) {
@@ -48,20 +108,12 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
     const auto seconds_since = [](Clock::time_point start) {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    const std::vector<std::string> names = channels(request);
-    image::ExrTextureWriter writer(
-        path, {.width = region.width,
-               .height = region.height,
-               .channels = names,
-               .half = format.half,
-               .periodic = std::get<Plane>(request.view).tileable && same_extent(request, region),
-               .compression = format.compression,
-               .parameters = to_json(request),
-               .software = software(device)});
+    const std::size_t channels = render::channels(request).size();
+    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device));
 
     FileTimes times;
     const auto write = [&](std::span<const float> values) {
-        advance(values.size() / names.size());
+        advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
         writer.write_rows(values);
         times.writing += seconds_since(before);
@@ -74,43 +126,67 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
             return std::make_unique<Material>(here, window, pass);
         return std::make_unique<Pixels>(device, here, window, pass);
     };
-    std::vector<float> line; // a level of a single row or column
-    int level = 0;
-    for (; (region.width >> level) > 0 && (region.height >> level) > 0; ++level) {
-        // Pixel centres are at (i + 0.5) / scale, so that this is the same noise under larger pixels.
-        Request here = request;
-        here.width >>= level;
-        here.height >>= level;
-        here.scale = std::ldexp(request.scale, -level);
-        line.clear();
-        const bool is_line = std::min(region.width, region.height) >> level == 1;
+    write_levels(region, channels, write, [&](int level, const Write& take) {
+        const Request here = texture_level(request, level);
         const image::Window window{region.x >> level, region.y >> level, region.width >> level,
                                    region.height >> level};
-        const Times rendering = render_region(device, *renderer_of(here, window), here, window,
-                                              [&](std::span<const float> values) {
-                                                  write(values);
-                                                  if (is_line)
-                                                      line.insert(line.end(), values.begin(), values.end());
-                                              });
+        const Times rendering = render_region(device, *renderer_of(here, window), here, window, take);
         if (level == 0)
             times.rendering.first_dispatch = rendering.first_dispatch;
         times.rendering.waiting += rendering.waiting;
         times.rendering.gpu += rendering.gpu;
-    }
-    // A line's levels have pixels that are no longer squares: averages of two.
-    for (; std::max(region.width, region.height) >> level > 0; ++level) {
-        for (std::size_t i = 0; i < line.size() / 2; ++i) {
-            const std::size_t pixel = i / names.size();
-            const std::size_t first = 2 * pixel * names.size() + i % names.size();
-            line[i] = (line[first] + line[first + names.size()]) / 2;
-        }
-        line.resize(line.size() / 2);
-        write(line);
-    }
+    });
     const Clock::time_point before = Clock::now();
     writer.commit();
     times.closing = seconds_since(before);
     return times;
+}
+
+image::Window join_texture(std::span<const std::filesystem::path> regions,
+                           const std::filesystem::path& output, bool half,
+                           const std::function<void(std::uint64_t)>& advance) {
+    constexpr std::string_view accepted =
+        "accepted are regions of one picture's levels, from gabor render --level";
+    // The files of each level, the largest first.
+    std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
+    for (const std::filesystem::path& path : regions) {
+        const image::Window picture = image::ExrReader(path).picture();
+        levels[{picture.width, picture.height}].push_back(path);
+    }
+    const std::filesystem::path first = levels.begin()->second.front();
+    const image::ExrReader whole(first);
+    const Request request = from_json(whole.parameters());
+    if (!request.filter)
+        throw RequestError(fmt::format("cannot join: '{}' is not filtered; {}", first.string(), accepted));
+    check_texture(request, whole.picture());
+    const std::vector<std::string> names = channels(request);
+    image::ExrTextureWriter writer =
+        make_writer(output, request, whole.picture(), {whole.compression(), half}, whole.software());
+    const auto write = [&](std::span<const float> values) {
+        advance(values.size() / names.size());
+        writer.write_rows(values);
+    };
+    write_levels(whole.picture(), names.size(), write, [&](int level, const Write& take) {
+        const Request here = texture_level(request, level);
+        const auto found = levels.find({here.width, here.height});
+        if (found == levels.end())
+            throw RequestError(fmt::format("cannot join: no region is of level {}, {} x {} pixels; {}", level,
+                                           here.width, here.height, accepted));
+        image::ExrReader reader(found->second, names);
+        if (reader.parameters() != to_json(here) || reader.software() != whole.software())
+            throw RequestError(
+                fmt::format("cannot join: '{}' is not level {} of '{}', or by another version or driver; {}",
+                            found->second.front().string(), level, first.string(), accepted));
+        const int rows = std::max(1, (1 << 20) / here.width);
+        for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows))
+            take(band);
+        levels.erase(found);
+    });
+    if (!levels.empty())
+        throw RequestError(fmt::format("cannot join: '{}' is no level of '{}'; {}",
+                                       levels.begin()->second.front().string(), first.string(), accepted));
+    writer.commit();
+    return whole.picture();
 }
 
 } // namespace gabor::render

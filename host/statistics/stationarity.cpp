@@ -11,24 +11,14 @@ void InstanceStationarity::add(std::span<const float> window) {
     contrasts_.push_back(moments.variance());
 }
 
-void InstanceStationarity::merge(const InstanceStationarity& other) {
-    contrasts_.insert(contrasts_.end(), other.contrasts_.begin(), other.contrasts_.end());
+void InstanceStationarity::add_contrasts(std::span<const double> contrasts) {
+    contrasts_.insert(contrasts_.end(), contrasts.begin(), contrasts.end());
 }
 
 double InstanceStationarity::median_deviation() const {
     std::vector<double> deviations;
     std::ranges::transform(contrasts_, std::back_inserter(deviations), [](double c) { return std::sqrt(c); });
     return quantile(deviations, 0.5);
-}
-
-void ProcessStationarity::add(std::span<const float> instances) {
-    for (std::size_t i = 0; i < instances.size(); ++i)
-        places_[i % places_.size()].add(instances[i]);
-}
-
-void ProcessStationarity::merge(const ProcessStationarity& other) {
-    for (std::size_t i = 0; i < places_.size(); ++i)
-        places_[i].merge(other.places_.at(i));
 }
 
 Moments ProcessStationarity::all() const {

@@ -10,13 +10,15 @@ namespace gabor::statistics {
 
 /// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast, which is the variance, of
 /// windows, of one kernel diameter in the paper, differ from window to window. Results depend on the windows
-/// and not on their order, so parts merge into exactly the answer of the whole.
+/// and not on their order.
 class InstanceStationarity {
   public:
     /// All pixels of one window.
     void add(std::span<const float> window);
-    void merge(const InstanceStationarity& other);
+    /// Windows of which another has the contrasts.
+    void add_contrasts(std::span<const double> contrasts);
 
+    const std::vector<double>& contrasts() const { return contrasts_; }
     Dispersion contrast() const { return dispersion(contrasts_); }
     /// Median of the square root of the contrast.
     double median_deviation() const;
@@ -26,16 +28,13 @@ class InstanceStationarity {
 };
 
 /// Process stationarity [TNVT19, 3.2]: the mean and the variance at each of several places of a cell, over
-/// many instances. Parts merge into the answer of the whole, to rounding.
+/// many instances, as many at each place.
 class ProcessStationarity {
   public:
-    explicit ProcessStationarity(std::size_t places) : places_(places) {}
+    /// The values at one more place.
+    void add(const Moments& place) { places_.push_back(place); }
 
-    /// The values of one instance, or of several after each other, place by place.
-    void add(std::span<const float> instances);
-    /// The other must have as many places.
-    void merge(const ProcessStationarity& other);
-
+    const std::vector<Moments>& places() const { return places_; }
     /// Of the variances.
     Dispersion variance() const;
     /// The relative interdecile that the variances would show by chance, were they all the same.

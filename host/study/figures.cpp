@@ -5,7 +5,7 @@
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "render/file.hpp"
-#include "study/measures.hpp"
+#include "study/pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -28,14 +28,17 @@ constexpr std::string_view convergence_columns =
 // The Gaussianity and the variance of one noise.
 Row convergence_row(const vulkan::Device& device, const Ingredients& ingredients, const Effort& effort) {
     const std::uint64_t samples = effort.samples;
-    return {fmt::format("{},{}", key(ingredients), samples),
-            static_cast<double>(ingredients.impulses) * static_cast<double>(samples),
-            [&device, ingredients, samples](std::uint32_t seed) -> Numbers {
-                Noise noise(device, ingredients);
-                const ValueStatistics values = measure_values(std::span(&noise, 1), samples, seed);
-                const statistics::Estimate cvm = values.gaussianity.index();
-                return {cvm.value, cvm.low, cvm.high, values.moments.variance()};
-            }};
+    return {
+        fmt::format("{},{}", key(ingredients), samples),
+        static_cast<double>(ingredients.impulses) * static_cast<double>(samples),
+        in_pieces<ValueStatistics>([&device, ingredients] { return alone(Noise(device, ingredients)); },
+                                   [samples](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
+                                       return measure_values(noise, samples, seed, piece);
+                                   },
+                                   [](const ValueStatistics& values) -> Numbers {
+                                       const statistics::Estimate cvm = values.gaussianity.index();
+                                       return {cvm.value, cvm.low, cvm.high, values.moments.variance()};
+                                   })};
 }
 
 int side_of(std::span<const float> pixels) {
@@ -160,12 +163,15 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
                 table.rows.push_back(
                     {fmt::format("{},{}", key(ingredients), windows),
                      256.0 * n * static_cast<double>(windows),
-                     [&device, ingredients, windows](std::uint32_t seed) -> Numbers {
-                         Noise noise(device, ingredients);
-                         const statistics::InstanceStationarity w =
-                             measure_windows(std::span(&noise, 1), windows, seed);
-                         return {w.contrast().median, w.contrast().interdecile, shown * w.median_deviation()};
-                     }});
+                     in_pieces<statistics::InstanceStationarity>(
+                         [&device, ingredients] { return alone(Noise(device, ingredients)); },
+                         [windows](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
+                             return measure_windows(noise, windows, seed, piece);
+                         },
+                         [](const statistics::InstanceStationarity& w) -> Numbers {
+                             return {w.contrast().median, w.contrast().interdecile,
+                                     shown * w.median_deviation()};
+                         })});
             }
     return {table};
 }
@@ -253,20 +259,36 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         "cvm_seminal_high,cvm_recommended,cvm_recommended_low,cvm_recommended_high,interdecile_seminal,"
         "interdecile_recommended",
         {}};
-    const auto measure = [&device, effort](std::uint32_t seed) -> Numbers {
+    using Seconds = std::vector<double>;
+    const auto noises = [&device] {
         std::vector<Noise> all = six_lobes(device, seminal);
         std::ranges::move(six_lobes(device, recommended), std::back_inserter(all));
-        const std::vector<double> seconds = picture_seconds(all, effort.picture_bits, effort.timings);
+        return all;
+    };
+    const auto measure = [effort](std::span<Noise> all, std::uint32_t seed, const Piece& piece) {
+        // Noises that take turns are timed together: all by one piece.
+        const Seconds seconds =
+            piece.index == 0 ? picture_seconds(all, effort.picture_bits, effort.timings) : Seconds();
+        const std::span<Noise> slow = all.first(3);
+        const std::span<Noise> fast = all.last(3);
+        return std::tuple(seconds, measure_values(slow, effort.samples, seed, piece),
+                          measure_values(fast, effort.samples, seed, piece),
+                          measure_windows(slow, effort.windows, seed, piece),
+                          measure_windows(fast, effort.windows, seed, piece));
+    };
+    const auto finish = [](const Seconds& seconds, const ValueStatistics& slow_values,
+                           const ValueStatistics& fast_values,
+                           const statistics::InstanceStationarity& slow_windows,
+                           const statistics::InstanceStationarity& fast_windows) {
         const double slow = std::accumulate(seconds.begin(), seconds.begin() + 3, 0.0);
         const double fast = std::accumulate(seconds.begin() + 3, seconds.end(), 0.0);
-        const std::span<Noise> halves[]{std::span(all).first(3), std::span(all).last(3)};
         Numbers numbers{slow, fast, slow / fast};
-        for (const std::span<Noise> sum : halves) {
-            const statistics::Estimate cvm = measure_values(sum, effort.samples, seed).gaussianity.index();
+        for (const ValueStatistics* values : {&slow_values, &fast_values}) {
+            const statistics::Estimate cvm = values->gaussianity.index();
             numbers.insert(numbers.end(), {cvm.value, cvm.low, cvm.high});
         }
-        for (const std::span<Noise> sum : halves)
-            numbers.push_back(measure_windows(sum, effort.windows, seed).contrast().interdecile);
+        for (const statistics::InstanceStationarity* windows : {&slow_windows, &fast_windows})
+            numbers.push_back(windows->contrast().interdecile);
         return numbers;
     };
     const double impulses = 3 * (seminal.impulses + recommended.impulses);
@@ -274,7 +296,8 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         {fmt::format("{},{}", effort.samples, effort.windows),
          impulses * (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows) +
                      effort.timings * std::pow(4, effort.picture_bits)),
-         measure});
+         in_pieces<Seconds, ValueStatistics, ValueStatistics, statistics::InstanceStationarity,
+                   statistics::InstanceStationarity>(noises, measure, finish)});
     return {table};
 }
 

@@ -1,7 +1,7 @@
 // The paper's open questions: no weights, regular grids with random phases, several close kernels.
 
 #include "study/figures.hpp"
-#include "study/measures.hpp"
+#include "study/pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                              const double variance =
                                  measure_values(sum, effort.samples, seed).moments.variance();
                              const statistics::Estimate cvm =
-                                 measure_values(sum, effort.samples, seed, std::sqrt(variance))
+                                 measure_values(sum, effort.samples, seed, {}, std::sqrt(variance))
                                      .gaussianity.index();
                              const statistics::ProcessStationarity places =
                                  measure_places(sum, 1, effort.places, seed).stationarity;
@@ -78,17 +78,24 @@ Table kernels(const vulkan::Device& device, const Effort& effort) {
                     {fmt::format("{},{:g},{},{}", count, step, n, effort.samples),
                      count * n *
                          (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows)),
-                     [&device, count, step, n, effort](std::uint32_t seed) -> Numbers {
-                         Ingredients ingredients = recommended;
-                         ingredients.impulses = n;
-                         std::vector<Noise> sum;
-                         for (int i = 0; i < count; ++i)
-                             sum.emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
-                         const statistics::Estimate cvm =
-                             measure_values(sum, effort.samples, seed).gaussianity.index();
-                         return {cvm.value, cvm.low, cvm.high,
-                                 measure_windows(sum, effort.windows, seed).contrast().interdecile};
-                     }});
+                     in_pieces<ValueStatistics, statistics::InstanceStationarity>(
+                         [&device, count, step, n] {
+                             Ingredients ingredients = recommended;
+                             ingredients.impulses = n;
+                             std::vector<Noise> sum;
+                             for (int i = 0; i < count; ++i)
+                                 sum.emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
+                             return sum;
+                         },
+                         [effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {
+                             return std::tuple(measure_values(sum, effort.samples, seed, piece),
+                                               measure_windows(sum, effort.windows, seed, piece));
+                         },
+                         [](const ValueStatistics& values,
+                            const statistics::InstanceStationarity& windows) -> Numbers {
+                             const statistics::Estimate cvm = values.gaussianity.index();
+                             return {cvm.value, cvm.low, cvm.high, windows.contrast().interdecile};
+                         })});
     return table;
 }
 

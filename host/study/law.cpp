@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -93,8 +92,12 @@ Numbers law_of(std::span<const float> values) {
 
 constexpr int side = 8; // places of a cell along an axis, the first at its corner
 
-// For each noise the mean cvm over its places, and the extremes of all.
-using Summaries = std::map<std::string, Numbers>;
+// For each noise, in the order of the subjects, the mean cvm over its places, and the extremes of all.
+using Summaries = std::vector<Numbers>;
+
+void append(Numbers& numbers, const Numbers& more) {
+    numbers.insert(numbers.end(), more.begin(), more.end());
+}
 
 Numbers summary(std::span<const Numbers> places) {
     const auto extremes = [&](std::size_t column) {
@@ -116,9 +119,7 @@ Numbers summary(std::span<const Numbers> places) {
 Table places(const vulkan::Device& device, const Effort& effort,
              const std::shared_ptr<Summaries>& summaries) {
     Table table{"law_places", fmt::format("noise,x,y,instances,{}", law_columns), {}};
-    std::vector<std::string> names;
     for (const Subject& subject : subjects()) {
-        names.push_back(subject.name);
         const Source noise = source(device, subject, {});
         for (int place = 0; place < side * side; ++place) {
             const double x = place % side / double{side};
@@ -132,12 +133,9 @@ Table places(const vulkan::Device& device, const Effort& effort,
                                   }});
         }
     }
-    table.derive = [names, summaries](std::vector<Numbers>& rows) {
-        std::span<const Numbers> rest = rows;
-        for (const std::string& name : names) {
-            (*summaries)[name] = summary(rest.first(side * side));
-            rest = rest.subspan(side * side);
-        }
+    table.derive = [summaries](std::vector<Numbers>& rows) {
+        for (std::span<const Numbers> rest = rows; !rest.empty(); rest = rest.subspan(side * side))
+            summaries->push_back(summary(rest.first(side * side)));
     };
     return table;
 }
@@ -146,20 +144,15 @@ Table places(const vulkan::Device& device, const Effort& effort,
 Table pooled(const vulkan::Device& device, const Effort& effort,
              const std::shared_ptr<Summaries>& summaries) {
     Table table{"law", fmt::format("noise,samples,{}", law_columns), {}};
-    std::vector<std::string> names;
-    for (const Subject& subject : subjects()) {
-        names.push_back(subject.name);
+    for (const Subject& subject : subjects())
         table.rows.push_back({fmt::format("{},{}", subject.name, effort.samples),
                               subject.visited * static_cast<double>(effort.samples),
                               [noise = source(device, subject, {}), samples = effort.samples](
                                   std::uint32_t seed) { return law_of(draw(noise(), samples, {}, seed)); }});
-    }
     table.derived = "cvm_mean,cvm_worst,kurtosis_lowest,kurtosis_highest,beyond_lowest,beyond_highest";
-    table.derive = [names, summaries](std::vector<Numbers>& rows) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const Numbers& more = summaries->at(names[i]);
-            rows[i].insert(rows[i].end(), more.begin(), more.end());
-        }
+    table.derive = [summaries](std::vector<Numbers>& rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            append(rows[i], summaries->at(i));
     };
     return table;
 }
@@ -275,7 +268,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     table.derived = "rms_theory,largest_theory";
     table.derive = [theory](std::vector<Numbers>& rows) {
         for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].insert(rows[i].end(), theory[i].begin(), theory[i].end());
+            append(rows[i], theory[i]);
     };
     return table;
 }

@@ -11,15 +11,28 @@ namespace {
 
 constexpr std::uint64_t batch = 1 << 20; // values
 
+// From `begin` to before `end`.
+struct Range {
+    std::uint64_t begin;
+    std::uint64_t end;
+};
+
+Range part_of(std::uint64_t count, const Piece& piece) {
+    const auto at = [&](int index) {
+        return count * static_cast<std::uint64_t>(index) / static_cast<std::uint64_t>(piece.count);
+    };
+    return {at(piece.index), at(piece.index + 1)};
+}
+
 // Calls `visit` with the values of whole instances, many instances at a time.
-void for_each_batch(std::span<Noise> sum, const Grid& grid, std::uint64_t instances, std::uint32_t seed,
+void for_each_batch(std::span<Noise> sum, const Grid& grid, const Range& instances, std::uint32_t seed,
                     const std::function<void(std::span<const float>)>& visit) {
     const std::uint64_t per_batch = batch >> 2 * grid.bits;
     std::vector<float> total;
     std::vector<float> part;
-    for (std::uint64_t first = 0; first < instances; first += per_batch) {
+    for (std::uint64_t first = instances.begin; first < instances.end; first += per_batch) {
         const std::size_t count =
-            static_cast<std::size_t>(std::min(per_batch, instances - first) << 2 * grid.bits);
+            static_cast<std::size_t>(std::min(per_batch, instances.end - first) << 2 * grid.bits);
         total.assign(count, 0);
         part.resize(count);
         std::uint32_t noise_seed = seed;
@@ -40,9 +53,9 @@ Grid picture_grid(int bits, double scale = pixels_per_radius) {
 } // namespace
 
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
-                               double deviation) {
+                               const Piece& piece, double deviation) {
     ValueStatistics result{{}, statistics::Gaussianity(deviation)};
-    for_each_batch(sum, {}, samples, seed, [&](std::span<const float> values) {
+    for_each_batch(sum, {}, part_of(samples, piece), seed, [&](std::span<const float> values) {
         result.moments.add(values);
         result.gaussianity.add(values);
     });
@@ -50,49 +63,56 @@ ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std:
 }
 
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
-                                                 std::uint32_t seed) {
+                                                 std::uint32_t seed, const Piece& piece) {
     constexpr Grid grid{4, 2, true};
     constexpr std::size_t pixels = std::size_t{1} << 2 * grid.bits;
     statistics::InstanceStationarity result;
-    for_each_batch(sum, grid, windows, seed, [&](std::span<const float> values) {
+    for_each_batch(sum, grid, part_of(windows, piece), seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels))
             result.add(values.first(pixels));
     });
     return result;
 }
 
-PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                               std::uint32_t seed) {
-    const Grid grid{3, cell, false};
-    const std::size_t places = std::size_t{1} << 2 * grid.bits;
-    PlaceStatistics result{statistics::ProcessStationarity(places), {}};
-    std::vector<statistics::Gaussianity> laws(places);
-    std::vector<float> here;
-    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) {
-        result.stationarity.add(values);
-        for (std::size_t place = 0; place < places; ++place) {
-            here.clear();
-            for (std::size_t i = place; i < values.size(); i += places)
-                here.push_back(values[i]);
-            laws[place].add(here);
-        }
-    });
-    const double share = 1 / static_cast<double>(places);
-    for (const statistics::Gaussianity& law : laws) {
-        const statistics::Estimate cvm = law.index();
-        result.cvm.value += share * cvm.value;
-        result.cvm.low += share * cvm.low;
-        result.cvm.high += share * cvm.high;
+PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances, std::uint32_t seed,
+                               const Piece& piece) {
+    constexpr std::uint64_t side = 8;
+    PlaceStatistics result;
+    const Range places = part_of(side * side, piece);
+    for (std::uint64_t place = places.begin; place < places.end; ++place) {
+        const auto coordinate = [&](std::uint64_t index) {
+            return cell * (static_cast<double>(index) + 0.5) / static_cast<double>(side);
+        };
+        const Grid grid{.random = false, .shift = {coordinate(place % side), coordinate(place / side)}};
+        statistics::Moments moments;
+        statistics::Gaussianity law;
+        for_each_batch(sum, grid, {0, instances}, seed, [&](std::span<const float> values) {
+            moments.add(values);
+            law.add(values);
+        });
+        result.stationarity.add(moments);
+        result.cvm.push_back(law.index());
     }
     return result;
 }
 
+statistics::Estimate PlaceStatistics::mean_cvm() const {
+    statistics::Estimate mean;
+    const double share = 1 / static_cast<double>(cvm.size());
+    for (const statistics::Estimate& place : cvm) {
+        mean.value += share * place.value;
+        mean.low += share * place.low;
+        mean.high += share * place.high;
+    }
+    return mean;
+}
+
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
-                                  std::uint32_t seed) {
+                                  std::uint32_t seed, const Piece& piece) {
     const Grid grid{6, side, false};
     const std::size_t pixels = std::size_t{1} << 2 * grid.bits;
     std::vector<double> means;
-    for_each_batch(sum, grid, instances, seed, [&](std::span<const float> values) {
+    for_each_batch(sum, grid, part_of(instances, piece), seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels)) {
             const auto window = values.first(pixels);
             means.push_back(std::reduce(window.begin(), window.end(), 0.0) / static_cast<double>(pixels));

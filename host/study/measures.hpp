@@ -11,7 +11,14 @@
 
 namespace gabor::study {
 
-// Each measures the sum of several noises, with another seed each: `seed` decides everything.
+// Each measures the sum of several noises, with another seed each: `seed` decides everything. Pieces see what
+// the whole sees, each a part of it.
+
+/// One of equal pieces, counted from 0.
+struct Piece {
+    int index = 0;
+    int count = 1;
+};
 
 /// One value at a random place of each of `samples` independent instances.
 struct ValueStatistics {
@@ -21,26 +28,27 @@ struct ValueStatistics {
 
 /// `deviation`: the standard deviation of the normal distribution to compare with.
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
-                               double deviation = 1);
+                               const Piece& piece = {}, double deviation = 1);
 
 /// Windows of one kernel diameter, each of another instance, 16 x 16 pixels each.
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
-                                                 std::uint32_t seed);
+                                                 std::uint32_t seed, const Piece& piece = {});
 
-/// 8 x 8 places of a cell, over many instances. `cell`: its side in kernel radii.
+/// 8 x 8 places of a cell, over many instances; pieces are of places. `cell`: its side in kernel radii.
 struct PlaceStatistics {
     statistics::ProcessStationarity stationarity;
-    /// The index at each place, averaged over the places; the interval is the average of theirs, which is
-    /// wider than needed.
-    statistics::Estimate cvm;
+    std::vector<statistics::Estimate> cvm; ///< the index at each place
+
+    /// The index averaged over the places; the interval is the average of theirs, which is wider than needed.
+    statistics::Estimate mean_cvm() const;
 };
-PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
-                               std::uint32_t seed);
+PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances, std::uint32_t seed,
+                               const Piece& piece = {});
 
 /// The mean of a whole instance, 64 x 64 pixels on a square of `side` kernel radii from a cell's corner, for
 /// each of many instances.
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
-                                  std::uint32_t seed);
+                                  std::uint32_t seed, const Piece& piece = {});
 
 /// Seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius: the median over
 /// `timings` rounds in which the noises take turns, so that what else the machine does touches all alike.

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -33,6 +34,10 @@ std::string label(const Table& table, const Row& row) {
     return fmt::format("{:08x} {}", hash(table.columns), row.key);
 }
 
+std::string label(const Table& table, const Row& row, int piece) {
+    return fmt::format("{} piece {} of {}", label(table, row), piece + 1, row.measure.count());
+}
+
 // How many numbers a row has: the columns that its text does not fill.
 std::size_t numbers_of(const Table& table, const Row& row) {
     return static_cast<std::size_t>(std::ranges::count(table.columns, ',') -
@@ -53,36 +58,85 @@ std::optional<Numbers> parse_numbers(std::string_view text) {
     return text.empty() ? std::optional(numbers) : std::nullopt;
 }
 
-// What one part measures of a study: rows with one label once.
-struct Share {
-    struct Entry {
-        const Table* table;
-        const Row* row;
-    };
-    std::vector<Entry> rows;
-    double cost = 0;
+// The pieces of a row that one part measures.
+struct Task {
+    const Table* table;
+    const Row* row;
+    std::vector<int> pieces;
+    bool whole; // it has all of them, and the row's numbers are kept instead of theirs
+
+    double cost() const { return row->cost * static_cast<double>(pieces.size()) / row->measure.count(); }
 };
 
-Share share_of(std::span<const Table> tables, const Part& part) {
-    std::vector<Share::Entry> rows;
+std::vector<int> all_pieces(const Measurement& measurement) {
+    std::vector<int> pieces(static_cast<std::size_t>(measurement.count()));
+    std::iota(pieces.begin(), pieces.end(), 0);
+    return pieces;
+}
+
+// Rows with one label once.
+std::vector<Task> different_rows(std::span<const Table> tables) {
+    std::vector<Task> rows;
     std::set<std::string> labels;
     for (const Table& table : tables)
         for (const Row& row : table.rows)
             if (labels.insert(label(table, row)).second)
-                rows.push_back({&table, &row});
-    std::ranges::stable_sort(rows, std::ranges::greater(), [](const auto& entry) { return entry.row->cost; });
+                rows.push_back({&table, &row, all_pieces(row.measure), true});
+    return rows;
+}
+
+// What one part measures of a study.
+struct Share {
+    std::vector<Task> tasks;
+    double cost = 0;
+};
+
+Share share_of(std::span<const Table> tables, const Part& part) {
+    const std::vector<Task> rows = different_rows(tables);
+    double total = 0;
+    for (const Task& row : rows)
+        total += row.cost();
+    std::vector<Task> tasks;
+    for (const Task& row : rows) {
+        if (row.pieces.size() == 1 || row.cost() <= total / (2 * part.count))
+            tasks.push_back(row);
+        else
+            for (const int piece : row.pieces)
+                tasks.push_back({row.table, row.row, {piece}, false});
+    }
+    std::ranges::stable_sort(tasks, std::ranges::greater(), &Task::cost);
+
     std::vector<Share> shares(static_cast<std::size_t>(part.count));
-    for (const Share::Entry& entry : rows) {
+    for (const Task& task : tasks) {
         // Rows that cost nothing are spread as well.
         Share& least = *std::ranges::min_element(
-            shares, {}, [](const Share& share) { return std::pair(share.cost, share.rows.size()); });
-        least.rows.push_back(entry);
-        least.cost += entry.row->cost;
+            shares, {}, [](const Share& share) { return std::pair(share.cost, share.tasks.size()); });
+        if (!least.tasks.empty() && least.tasks.back().row == task.row)
+            least.tasks.back().pieces.push_back(task.pieces.front());
+        else
+            least.tasks.push_back(task);
+        least.cost += task.cost();
     }
     return shares[static_cast<std::size_t>(part.index - 1)];
 }
 
+// What of it the journal does not have.
+std::vector<Task> tasks_left(std::span<const Table> tables, const Part& part, const Journal& journal) {
+    std::vector<Task> tasks = share_of(tables, part).tasks;
+    for (Task& task : tasks)
+        std::erase_if(task.pieces, [&](int piece) {
+            return task.whole ? journal.find(*task.table, *task.row).has_value()
+                              : journal.has_piece(*task.table, *task.row, piece);
+        });
+    std::erase_if(tasks, [](const Task& task) { return task.pieces.empty(); });
+    return tasks;
+}
+
 } // namespace
+
+Numbers Measurement::whole(std::uint32_t seed) const {
+    return combine_(measure_(seed, all_pieces(*this)));
+}
 
 std::optional<Record> read_record(const std::filesystem::path& path) {
     std::ifstream in(path);
@@ -115,17 +169,38 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& study, 
             fmt::format("cannot write in '{}': -o takes a folder that can be written", folder.string()));
 }
 
-const Numbers* Journal::find(const Table& table, const Row& row) const {
-    const auto found = rows_.find(label(table, row));
-    return found == rows_.end() || found->second.size() != numbers_of(table, row) ? nullptr : &found->second;
+std::optional<Numbers> Journal::find(const Table& table, const Row& row) const {
+    if (const auto found = rows_.find(label(table, row));
+        found != rows_.end() && found->second.size() == numbers_of(table, row))
+        return found->second;
+    std::vector<Numbers> pieces;
+    for (const int piece : all_pieces(row.measure)) {
+        const auto found = rows_.find(label(table, row, piece));
+        if (found == rows_.end())
+            return {};
+        pieces.push_back(found->second);
+    }
+    return row.measure.combine(pieces);
+}
+
+bool Journal::has_piece(const Table& table, const Row& row, int piece) const {
+    return rows_.contains(label(table, row, piece));
 }
 
 void Journal::add(const Table& table, const Row& row, const Numbers& numbers) {
+    add(label(table, row), numbers);
+}
+
+void Journal::add_piece(const Table& table, const Row& row, int piece, const Numbers& numbers) {
+    add(label(table, row, piece), numbers);
+}
+
+void Journal::add(const std::string& label, const Numbers& numbers) {
     std::ofstream out(path_, std::ios::app);
-    out << fmt::format("{}: {}\n", label(table, row), fmt::join(numbers, " "));
+    out << fmt::format("{}: {}\n", label, fmt::join(numbers, " "));
     if (!out.flush())
         throw std::runtime_error(fmt::format("cannot write '{}'", path_.string()));
-    rows_[label(table, row)] = numbers;
+    rows_[label] = numbers;
 }
 
 void Journal::remove() {
@@ -138,19 +213,21 @@ void Journal::complete() {
 
 void write_table(const Table& table, const std::filesystem::path& folder, Journal& journal,
                  const std::function<void(double)>& advance) {
-    std::vector<Numbers> numbers;
+    std::vector<Numbers> all;
     for (const Row& row : table.rows) {
-        if (!journal.find(table, row)) {
-            journal.add(table, row, row.measure(hash(row.key)));
+        std::optional<Numbers> numbers = journal.find(table, row);
+        if (!numbers) {
+            numbers = row.measure.whole(hash(row.key));
+            journal.add(table, row, *numbers);
             advance(row.cost);
         }
-        numbers.push_back(*journal.find(table, row));
+        all.push_back(std::move(*numbers));
     }
     if (table.derive)
-        table.derive(numbers);
+        table.derive(all);
     std::string text = table.columns + (table.derived.empty() ? "" : "," + table.derived) + '\n';
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        text += fmt::format("{},{:.6g}\n", table.rows[i].key, fmt::join(numbers[i], ","));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        text += fmt::format("{},{:.6g}\n", table.rows[i].key, fmt::join(all[i], ","));
     image::OutputFile file(folder / (table.name + ".csv"));
     file.write(std::as_bytes(std::span(text)));
     file.commit();
@@ -158,17 +235,23 @@ void write_table(const Table& table, const std::filesystem::path& folder, Journa
 
 void measure_part(std::span<const Table> tables, const Part& part, Journal& journal,
                   const std::function<void(double)>& advance) {
-    for (const auto& [table, row] : share_of(tables, part).rows)
-        if (!journal.find(*table, *row)) {
-            journal.add(*table, *row, row->measure(hash(row->key)));
-            advance(row->cost);
+    for (const Task& task : tasks_left(tables, part, journal)) {
+        const Row& row = *task.row;
+        if (task.whole) {
+            journal.add(*task.table, row, row.measure.whole(hash(row.key)));
+        } else {
+            const std::vector<Numbers> numbers = row.measure.pieces(hash(row.key), task.pieces);
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                journal.add_piece(*task.table, row, task.pieces[i], numbers[i]);
         }
+        advance(task.cost());
+    }
 }
 
 double cost_of_part(std::span<const Table> tables, const Part& part, const Journal& journal) {
     double cost = 0;
-    for (const auto& [table, row] : share_of(tables, part).rows)
-        cost += journal.find(*table, *row) ? 0 : row->cost;
+    for (const Task& task : tasks_left(tables, part, journal))
+        cost += task.cost();
     return cost;
 }
 

@@ -76,11 +76,10 @@ std::string of_wave(const render::Request& request, const Quantity& of) {
 {} {}_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
 {{
     GaborKernel kernel = gabor_kernel(frequency, orientation);
-{}{}    return {};
+{}    return {};
 }}
 )",
         of.type, of.name, request.filter ? " GaborFootprint footprint," : "",
-        request.recipe.is_lattice() ? "    kernel = gabor_kernel_stretched(kernel, place.radius);\n" : "",
         request.filter ? filtered : sharp, &of == &removed && !request.filter ? "0.0" : of.plane);
 }
 

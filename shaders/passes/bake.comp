@@ -60,15 +60,6 @@ vec2 rotated(vec2 z, vec2 by)
 
 #ifdef GABOR_TAPS
 
-// Those of an axis' nodes.
-//   x  place in node spacings from the first node
-GaborWindows windows_at(float x, float nodes_per_radius)
-{
-    GaborWindows windows = gabor_impl_windows(GABOR_TAPS == 2 ? x : x - 1.0);
-    windows.slope *= nodes_per_radius / GABOR_RADIUS;
-    return windows;
-}
-
 // The nodes along z that reach the slice: a word and a factor for each.
 struct Depth {
     uint word[3];
@@ -80,29 +71,32 @@ Depth depth_of(float wave, uint salt)
     Depth depth;
 #if GABOR_TAPS == 3
     if (slice) {
-        vec3 windows = inversesqrt(GABOR_IMPL_ENERGY) * gabor_impl_windows(slice_offset).value.xyz;
+        vec4 windows;
+        vec4 slopes;
+        gabor_impl_windows(slice_offset, windows, slopes);
         [[unroll]] for (int i = 0; i < 3; ++i) {
             depth.word[i] = gabor_impl_line_word(first_slice + i, salt ^ GABOR_IMPL_SLICES);
-            depth.factor[i] = windows[i] * gabor_impl_wave(wave * (slice_offset + 1.0 - float(i)) / GABOR_RADIUS);
+            depth.factor[i] = inversesqrt(GABOR_IMPL_ENERGY) * windows[i]
+                            * gabor_impl_wave(wave * (slice_offset + 1.0 - float(i)) / GABOR_RADIUS);
         }
     }
 #endif
     return depth;
 }
 
-vec2 node_amplitude(uint column, uint row, Depth depth, vec2 moment)
+vec2 node_amplitude(uint column, uint row, Depth depth)
 {
 #if GABOR_TAPS == 3
     if (slice) {
         vec2 sum = vec2(0.0);
         [[unroll]] for (int i = 0; i < 3; ++i) {
-            uint word = gabor_impl_node_word(column, gabor_impl_slice_word(row, depth.word[i]));
-            sum += rotated(gabor_impl_amplitude_at(word, animated, moment), depth.factor[i]);
+            uint word = column * gabor_impl_slice_word(row, depth.word[i]);
+            sum += rotated(gabor_impl_amplitude_at(word, animated, time), depth.factor[i]);
         }
         return sum;
     }
 #endif
-    return gabor_impl_amplitude_at(gabor_impl_node_word(column, row), animated, moment);
+    return gabor_impl_amplitude_at(column * row, animated, time);
 }
 
 #endif
@@ -143,14 +137,15 @@ void fill(Run across, Run down, uint index)
     vec2 bracket_slope[terms * block_columns]; // with q' for q
 
 #ifdef GABOR_TAPS
-    GaborWindows across_windows[block_columns];
+    vec4 across_windows[block_columns];
+    vec4 across_slopes[block_columns];
     vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
-        across_windows[k] = windows_at(local.x + float(k) * pixel * radius.x, radius.x);
+        gabor_impl_windows(local.x + float(k) * pixel * radius.x - 1.0, across_windows[k], across_slopes[k]);
+        across_slopes[k] *= radius.x / GABOR_RADIUS;
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
-    vec2 moment = gabor_impl_wave(time);
     Depth depth = depth_of(waves[index].depth_wave, salt);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
@@ -158,15 +153,15 @@ void fill(Run across, Run down, uint index)
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
             uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            vec2 a = node_amplitude(column_word, row_word, depth, moment);
+            vec2 a = node_amplitude(column_word, row_word, depth);
             node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
         }
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
             vec2 sum = vec2(0.0);
             vec2 slope = vec2(0.0);
             [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-                sum += across_windows[k].value[i] * node[i];
-                slope += across_windows[k].slope[i] * node[i];
+                sum += across_windows[k][i] * node[i];
+                slope += across_slopes[k][i] * node[i];
             }
             bracket[c * block_columns + k] = rotated(sum, turned[k]);
             if (with_gradient)
@@ -209,11 +204,13 @@ void fill(Run across, Run down, uint index)
             slope_y[k] = vec2(0.0);
         }
 #ifdef GABOR_TAPS
-        GaborWindows down_windows = windows_at(local.y + float(r) * pixel * radius.y, radius.y);
+        vec4 down_windows;
+        vec4 down_slopes;
+        gabor_impl_windows(local.y + float(r) * pixel * radius.y - 1.0, down_windows, down_slopes);
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
-            vec2 q = vec2(down_windows.value[c], down_windows.slope[c]); // and its derivative per kernel radius
+            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS));
 #else
             vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
 #endif

@@ -50,6 +50,8 @@ struct Values {
     vec3 components_removed;
 };
 
+const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));
+
 // Where a pixel is, and how far from it are its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
@@ -57,16 +59,6 @@ struct Footprint {
     vec2 dx;
     vec2 dy;
 };
-
-Values values_of(GaborField field, float removed)
-{
-#ifdef GABOR_TAPS
-    vec4 four = values > 1 ? field.four : vec4(field.value.y);
-#else
-    vec4 four = vec4(field.value.y); // of which only the first is wanted
-#endif
-    return Values(four, field.value, vec2(field.slope_x.y, field.slope_y.y), removed, vec3(0.0), vec3(0.0));
-}
 
 Values wave_at(PixelsWave wave, Footprint here)
 {
@@ -78,22 +70,35 @@ Values wave_at(PixelsWave wave, Footprint here)
     GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
 #ifdef GABOR_TAPS
     GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, animated, time);
-    kernel = gabor_kernel_stretched(kernel, wave.nodes);
 #else
     GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, time);
 #endif
 #if GABOR_TAPS == 3
-    if (filtered) {
-        vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
-        float removed;
-        GaborFootprint footprint = gabor_footprint(nodes * here.dx, nodes * here.dy);
-        return values_of(gabor_field_filtered(place, kernel, footprint, wave.seed, removed), removed);
-    }
+    vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
+    GaborFootprint footprint = gabor_footprint(nodes * here.dx, nodes * here.dy);
 #endif
-    return values_of(gabor_field(place, kernel, wave.seed), 0.0);
+    Values result = nothing;
+    for (int i = 0; i < values; ++i) {
+        GaborField field;
+#ifdef GABOR_TAPS
+        uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
+#else
+        uint seed = wave.seed; // there is one value
+#endif
+#if GABOR_TAPS == 3
+        if (filtered)
+            field = gabor_field_filtered(place, kernel, footprint, seed, result.removed);
+        else
+#endif
+            field = gabor_field(place, kernel, seed);
+        result.values[i] = field.value.y;
+        if (i == 0) {
+            result.complex = field.value;
+            result.slope = vec2(field.slope_x.y, field.slope_y.y);
+        }
+    }
+    return result;
 }
-
-const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));
 
 Values values_at(Footprint here)
 {

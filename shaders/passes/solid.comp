@@ -60,8 +60,9 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
         place.filtered = filtered;
         place.dx = dx / wave.radius;
         place.dy = dy / wave.radius;
+        uint seed = wave.seed;
         for (int channel = 0; channel < values; ++channel) {
-            place.channel = channel;
+            wave.seed = channel == 0 ? seed : gabor_lobe_seed(seed, -channel);
             GaborField3d field = wave_at(wave, place, normal);
             sum.values[channel] += wave.amplitude * field.value.y;
             if (channel == 0) {

@@ -2,16 +2,18 @@
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
 //
-// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
-// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
-// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
-// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
+// The nodes (x_i, y_j) of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent
+// and normal, and each sends out a wave under a window that ends one unit, the kernel radius, from it along x and y:
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2;
+// as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
 // and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
 // derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
-// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+// phase counts from its own node, so frequency and orientation may vary from place to place. From node to node it turns
+// by u = 2 pi F_x / R and v = 2 pi F_y / R; counted from node (0, 0), which is next to p, both axes separate:
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -347,8 +349,7 @@ GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
-// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
-// the hash-prospector project).
+// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
 GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt)
 {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
@@ -362,16 +363,15 @@ GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index)
     return gabor_impl_mix(seed + std::uint32_t(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
-// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
-// would have squares for words.
 #define GABOR_IMPL_ROWS 0x5bd1e995u
+// The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
 GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed)
 {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
-// 32 bits; GPUs multiply 24 bits at a quarter of the cost. It has 2^22 values: of 4096 columns two pairs are alike.
+// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
+// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
 GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt)
 {
     std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
@@ -379,120 +379,80 @@ GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt)
     return (word >> 8u) | 0x800001u;
 }
 
-GABOR_INLINE std::uint32_t gabor_impl_node_word(std::uint32_t column, std::uint32_t row)
-{
-    return column * row;
-}
-
-// Another word of the same node.
-GABOR_INLINE std::uint32_t gabor_impl_next_word(std::uint32_t word)
-{
-    return (word ^ (word >> 15u)) * 0xd35a2d97u;
-}
-
+#define GABOR_IMPL_DEVIATION 1.4599553e27f // of a part of an amplitude
 // The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The cvm [TNVT19] of the noise is 0.03 at the worst place, a node, where its amplitude has 63 % of the
-// power, and 0.001 on average. The deviation of a part in units of 2^-93 / 0.623:
-#define GABOR_IMPL_DEVIATION 1.4599553e27f
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
+// there, and 0.001 on average.
 GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word)
 {
     gabor_vec2 u = gabor_vec2(float(int(word)), float(int(word << 16u)));
     return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
 }
 
-// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
-// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
-// between as (1 + cos) / 2.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, gabor_vec2 time)
-{
-    gabor_vec2 a = gabor_impl_amplitude(word);
-    if (animated) {
-        std::uint32_t second = gabor_impl_next_word(word ^ 0x68e31da4u);
-        gabor_vec2 b = gabor_impl_amplitude(second);
-        gabor_vec2 c = gabor_impl_amplitude(gabor_impl_next_word(second));
-        a = 0.5f * (a + b + time.x * (a - b)) + 0.70710678f * time.y * c;
-    }
-    return a;
-}
-
-// ---- Waves ---------------------------------------------------------------------------------------------------------
-
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
-GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
-{
-    t -= gabor_cpp_floor(t + 0.5f);
-    float y = gabor_cpp_abs(t) - 0.25f;
-    float s = y * y;
-    float r = s * s;
-    float cosine = (41.341655f * s - 6.2831852f) + r * ((76.549782f * s - 81.601004f) - 39.536707f * r);
-    float sine = (1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r);
-    return gabor_vec2(y * cosine, t < 0.0f ? -sine : sine);
-}
+// ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // Product of complex numbers.
 GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b)
 {
-    return gabor_vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+    return a.x * b + a.y * gabor_vec2(-b.y, b.x);
 }
 
-// ---- Windows -------------------------------------------------------------------------------------------------------
+// Adds to two sums the pair of complex numbers times z.
+GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z)
+{
+    sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
+}
 
-// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
-// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
-struct GaborWindows {
-    gabor_vec4 value;
-    gabor_vec4 slope;
-};
+// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: minus the square of (c, s), cosine
+// and sine of pi (t - 1/2), which are minimax polynomials where t is reduced to [0, 1].
+GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
+{
+    t = gabor_cpp_fract(t) - 0.5f;
+    float x = t * t;
+    float y = x * x;
+    float c = (1.0f - 4.9347955f * x) + y * ((4.0584513f - 1.3320939f * x) + y * 0.22008065f);
+    float s = t * ((3.1415926f - 5.1677069f * x) + y * ((2.5500314f - 0.59804517f * x) + y * 0.07722013f));
+    return gabor_vec2(2.0f * s * s - 1.0f, -2.0f * s * c);
+}
 
+// The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
+// kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of their squares
+GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope)
+{
 #if GABOR_TAPS == 2
-// The squares of two shifts of Hann's window do not sum to a constant. Those of 1 - s and s over the root of the sum of
-// their squares, with s = x^2 (3 - 2 x), do; but the variances of their derivatives vary.
-//   x   offset from the first node, in [0, 1) node spacings
-#define GABOR_IMPL_ENERGY 1.0f
-GABOR_INLINE GaborWindows gabor_impl_windows(float x)
-{
-    float s = x * x * (3.0f - 2.0f * x);
-    gabor_vec2 pair = gabor_vec2(1.0f - s, s);
-    float scale = gabor_cpp_inversesqrt(gabor_cpp_dot(pair, pair));
-    gabor_vec2 slope = (6.0f * x * (1.0f - x) * scale * scale * scale) * pair.yx();
-    return GaborWindows{gabor_vec4(scale * pair, 0.0f, 0.0f), gabor_vec4(-slope.x, slope.y, 0.0f, 0.0f)};
-}
+    // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
+    // but the variances of their derivatives vary.
+    float t = x + 1.0f;
+    float s = t * t * (3.0f - 2.0f * t);
+    float scale = gabor_cpp_inversesqrt(1.0f - 2.0f * s * (1.0f - s));
+    value = scale * gabor_vec4(1.0f - s, s, 0.0f, 0.0f);
+    slope = 6.0f * t * (1.0f - t) * scale * scale * scale * gabor_vec4(-s, 1.0f - s, 0.0f, 0.0f);
 #elif GABOR_TAPS == 3
-//   x   offset from the second node, in [-1/2, 1/2) node spacings
-#define GABOR_IMPL_ENERGY 1.125f
-GABOR_INLINE GaborWindows gabor_impl_windows(float x)
-{
-    float s = x * x;
-    float c = 0.5f + s * (-1.0966099f + s * (0.40054826f - s * 0.05644487f));              // cos(2 pi x / 3) / 2
-    float b = x * (0.90689956f + s * (-0.66301124f + s * (0.14532053f - s * 0.01467483f))); // sqrt(3)/4 sin(2 pi x / 3)
+    float y = x * x;
+    float c = 0.5f - y * (1.0966099f - y * (0.40054826f - y * 0.05644487f)); // cos(2/3 pi x) / 2
+    float s = x * (0.90689956f - y * (0.66301124f - y * (0.14532053f - y * 0.01467483f))); // sqrt(3)/4 sin(2/3 pi x)
     float a = 0.5f - 0.5f * c;
-    float slope = 1.8137994f * b; // pi/4 sin(2 pi x / 3)
-    return GaborWindows{gabor_vec4(a - b, 0.5f + c, a + b, 0.0f),
-                        gabor_vec4(slope - 2.7206991f * c, -2.0f * slope, slope + 2.7206991f * c, 0.0f)};
-}
+    float b = 1.8137994f * s;
+    value = gabor_vec4(a - s, 0.5f + c, a + s, 0.0f);
+    slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
 #else
-//   x   offset from the second node, in [0, 1) node spacings
-#define GABOR_IMPL_ENERGY 1.5f
-GABOR_INLINE GaborWindows gabor_impl_windows(float x)
-{
-    x -= 0.5f;
-    float s = x * x;
-    float cosine = 0.35355338f + s * (-0.43617776f + s * (0.089660662f - s * 0.0072154454f));
-    float sine = x * (0.55536036f + s * (-0.22838239f + s * (0.028169686f - s * 0.0016236194f)));
-    gabor_vec2 c = gabor_vec2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
-    return GaborWindows{0.5f + gabor_vec4(-c.y, c.x, c.y, -c.x), 3.1415927f * gabor_vec4(-c.x, -c.y, c.x, c.y)};
-}
+    float z = x - 0.5f;
+    float y = z * z; // cosine and sine of pi/2 z, over the root of 8; c and s: halves of those of pi/2 x
+    float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
+    float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
+    float c = cosine - sine;
+    float s = cosine + sine;
+    value = 0.5f + gabor_vec4(-s, c, s, -c);
+    slope = 3.1415927f * gabor_vec4(-c, -s, c, s);
 #endif
+}
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-// A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
-struct GaborKernel {
-    gabor_vec2 wave;   // F, cycles per kernel radius
-    gabor_vec2 step_x; // e^(2 pi i F.x / R): what a wave turns from one node to the next along x
-    gabor_vec2 step_y; // along y
+struct GaborKernel { // see gabor_kernel
+    gabor_vec2 wave; // F, cycles per kernel radius
 };
 
 // Where to evaluate, and how space and time close upon themselves.
@@ -511,7 +471,6 @@ struct GaborField {
     gabor_vec2 value;
     gabor_vec2 slope_x;
     gabor_vec2 slope_y;
-    gabor_vec4 four; // four independent noises, the first the noise itself
 };
 
 // An index within a period.
@@ -523,132 +482,105 @@ GABOR_INLINE int gabor_impl_wrap(int index, int period)
     return within < 0 ? within + period : within;
 }
 
-// The nodes of an axis that reach a point: their words, and what their amplitudes are multiplied with along it, h e and
-// h' e with e = exp(2 pi i F (x - x_i)), relative to the second node (for two taps, to the first).
+// The nodes along an axis that reach a point.
 struct GaborAxis {
-    gabor_uvec4 word;
-    gabor_vec4 real;
-    gabor_vec4 imaginary;
-    gabor_vec4 slope_real;
-    gabor_vec4 slope_imaginary;
+    float offset; // of the point from node 0, in node spacings
+    float turns;  // of the wave from a node to the next
+    std::uint32_t word[4];
+    gabor_vec4 node[4]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
 };
 
-//   step             e^(2 pi i F / R): what the wave turns from one node to the next
-//   real, imaginary  windows: the latter are there after a filter
-GABOR_INLINE GaborAxis gabor_impl_axis(int first, int period, std::uint32_t salt, gabor_vec2 step, GaborWindows real, GaborWindows imaginary)
+// With `wave` cycles and `radius` nodes per kernel radius.
+GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius)
 {
-#if GABOR_TAPS == 2
-    gabor_vec4 cosine = gabor_vec4(1.0f, step.x, 0.0f, 0.0f);
-    gabor_vec4 sine = gabor_vec4(0.0f, -step.y, 0.0f, 0.0f);
-#else
-    gabor_vec2 two = gabor_impl_product(step, step);
-    gabor_vec4 cosine = gabor_vec4(step.x, 1.0f, step.x, two.x);
-    gabor_vec4 sine = gabor_vec4(step.y, 0.0f, -step.y, -two.y);
-#endif
-    gabor_uvec4 word = gabor_uvec4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
-    return GaborAxis{word, real.value * cosine - imaginary.value * sine, real.value * sine + imaginary.value * cosine,
-                     real.slope * cosine - imaginary.slope * sine, real.slope * sine + imaginary.slope * cosine};
+    GaborAxis axis;
+    float zero = gabor_cpp_floor(local + (2.0f - GABOR_RADIUS));
+    axis.offset = local - zero;
+    axis.turns = wave / radius;
+    gabor_vec4 value;
+    gabor_vec4 slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    gabor_vec2 turn = gabor_impl_wave(axis.turns);
+    gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
+    gabor_vec2 twice = gabor_impl_product(back, back);
+    axis.node[0] = gabor_vec4(value.x * turn, slope.x * turn);
+    axis.node[1] = gabor_vec4(value.y, 0.0f, slope.y, 0.0f);
+    axis.node[2] = gabor_vec4(value.z * back, slope.z * back);
+    axis.node[3] = gabor_vec4(value.w * twice, slope.w * twice);
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
+    return axis;
 }
 
-// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
-// first noise), and along both.
-struct GaborSum {
-    gabor_vec4 real;
-    gabor_vec4 imaginary;
-    gabor_vec4 slope_real;
-    gabor_vec4 slope_imaginary;
-    gabor_vec2 slope_y;
-    gabor_vec4 mixed_real;
-    gabor_vec4 mixed_imaginary;
-};
-
-GABOR_INLINE GaborSum gabor_impl_no_sum()
+// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
+// squares sum to 1 and which at time 0 are 1, 0, 0.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float time)
 {
-    return GaborSum{gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec4(0.0f), gabor_vec4(0.0f)};
+    gabor_vec2 amplitude = gabor_impl_amplitude(word);
+    if (!animated)
+        return amplitude;
+    std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    gabor_vec2 turn = gabor_impl_wave(time);
+    return (0.5f + 0.5f * turn.x) * amplitude + (0.5f - 0.5f * turn.x) * gabor_impl_amplitude(second)
+         + 0.70710678f * turn.y * gabor_impl_amplitude(third);
 }
 
-// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
-//   time  cosine and sine of time
-GABOR_INLINE void gabor_impl_add_node(GaborSum& row, GaborAxis columns, int k, std::uint32_t row_word, bool animated, gabor_vec2 time)
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+GABOR_INLINE void gabor_impl_add_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated, float time)
 {
-    std::uint32_t word = gabor_impl_node_word(columns.word[k], row_word);
-    std::uint32_t second = gabor_impl_next_word(word);
-    std::uint32_t third = gabor_impl_next_word(second);
-    gabor_vec2 a = gabor_impl_amplitude_at(word, animated, time);
-    gabor_vec2 b = gabor_impl_amplitude_at(second, animated, time);
-    gabor_vec2 c = gabor_impl_amplitude_at(third, animated, time);
-    gabor_vec2 d = gabor_impl_amplitude_at(gabor_impl_next_word(third), animated, time);
-    gabor_vec4 real = gabor_vec4(a.x, b.x, c.x, d.x);
-    gabor_vec4 imaginary = gabor_vec4(a.y, b.y, c.y, d.y);
-    row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
-    row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
-    row.slope_real += columns.slope_real[k] * real - columns.slope_imaginary[k] * imaginary;
-    row.slope_imaginary += columns.slope_real[k] * imaginary + columns.slope_imaginary[k] * real;
-}
-
-// Adds row k.
-GABOR_INLINE void gabor_impl_add_row(GaborSum& sum, GaborAxis columns, GaborAxis rows, int k, bool animated, gabor_vec2 time)
-{
-    GaborSum row = gabor_impl_no_sum();
-    gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
-    gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
+    gabor_vec4 row = gabor_vec4(0.0f);
+    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_node(row, columns, 2, rows.word[k], animated, time);
+        gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
-    gabor_vec2 factor = gabor_vec2(rows.real[k], rows.imaginary[k]);
+        gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     {
-        sum.real += factor.x * row.real - factor.y * row.imaginary;
-        sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-        sum.slope_real += factor.x * row.slope_real - factor.y * row.slope_imaginary;
-        sum.slope_imaginary += factor.x * row.slope_imaginary + factor.y * row.slope_real;
-        gabor_vec2 slope = gabor_vec2(rows.slope_real[k], rows.slope_imaginary[k]);
-        sum.slope_y += gabor_impl_product(gabor_vec2(row.real.x, row.imaginary.x), slope);
-        sum.mixed_real += slope.x * row.slope_real - slope.y * row.slope_imaginary;
-        sum.mixed_imaginary += slope.x * row.slope_imaginary + slope.y * row.slope_real;
+        gabor_impl_add(sum, row, y.node[j].xy());
+        gabor_impl_add(slope, row, y.node[j].zw());
     }
 }
 
-// The sum over all nodes.
-GABOR_INLINE GaborSum gabor_impl_sum(GaborAxis columns, GaborAxis rows, bool animated, float time)
+GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, gabor_vec4& sum, gabor_vec4& slope)
 {
-    gabor_vec2 turn = gabor_impl_wave(time);
-    GaborSum sum = gabor_impl_no_sum();
-    gabor_impl_add_row(sum, columns, rows, 0, animated, turn);
-    gabor_impl_add_row(sum, columns, rows, 1, animated, turn);
+    sum = slope = gabor_vec4(0.0f);
+    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
     if (GABOR_TAPS > 2)
-        gabor_impl_add_row(sum, columns, rows, 2, animated, turn);
+        gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
     if (GABOR_TAPS > 3)
-        gabor_impl_add_row(sum, columns, rows, 3, animated, turn);
-    return sum;
+        gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+}
+
+// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
+// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor_vec2 turn, gabor_vec2 wave, gabor_vec2 stretch)
+{
+    turn *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    gabor_vec2 value = gabor_impl_product(sum.xy(), turn);
+    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
+    return GaborField{value, stretch.x * gabor_impl_product(sum.zw(), turn) + wave.x * turned,
+                      stretch.y * gabor_impl_product(slope.xy(), turn) + wave.y * turned};
 }
 
 // The noise at a place: what the functions below call.
 GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed)
 {
-    gabor_vec2 first = gabor_cpp_floor(place.local - GABOR_RADIUS) + 1.0f;
-    gabor_vec2 offset = place.local - first - (GABOR_TAPS == 2 ? 0.0f : 1.0f);
-    gabor_ivec2 node = place.cell + gabor_ivec2(first);
+    gabor_vec2 wave = kernel.wave;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborWindows none = GaborWindows{gabor_vec4(0.0f), gabor_vec4(0.0f)};
-    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel.step_x,
-                                        gabor_impl_windows(offset.x), none);
-    GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel.step_y,
-                                     gabor_impl_windows(offset.y), none);
-    gabor_vec2 base = gabor_impl_wave(gabor_cpp_dot(kernel.wave, offset * (1.0f / place.radius)));
-    GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
-
-    // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
-    base *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    gabor_vec2 value = gabor_impl_product(gabor_vec2(sum.real.x, sum.imaginary.x), base);
-    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField{value, stretch.x * gabor_impl_product(gabor_vec2(sum.slope_real.x, sum.slope_imaginary.x), base) + kernel.wave.x * turned,
-                      stretch.y * gabor_impl_product(sum.slope_y, base) + kernel.wave.y * turned,
-                      base.x * sum.imaginary + base.y * sum.real};
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    salt ^= GABOR_IMPL_ROWS;
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
+    gabor_vec4 sum;
+    gabor_vec4 slope;
+    gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -665,30 +597,17 @@ GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period)
 {
     gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
-    if (period.x > 0.0f) {
-        place.period.x = int(nodes.x);
-        place.radius.x = nodes.x / period.x;
-    }
-    if (period.y > 0.0f) {
-        place.period.y = int(nodes.y);
-        place.radius.y = nodes.y / period.y;
-    }
+    place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / period.x : GABOR_RADIUS,
+                        period.y > 0.0f ? nodes.y / period.y : GABOR_RADIUS);
+    place.period = gabor_ivec2(period.x > 0.0f ? int(nodes.x) : 0, period.y > 0.0f ? int(nodes.y) : 0);
     place.local = p * place.radius;
     return place;
-}
-
-// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
-GABOR_INLINE GaborKernel gabor_kernel_stretched(GaborKernel kernel, gabor_vec2 radius)
-{
-    gabor_vec2 step = kernel.wave / radius;
-    return GaborKernel{kernel.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y)};
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
 {
-    gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * orientation);
-    return gabor_kernel_stretched(GaborKernel{wave, gabor_vec2(0.0f), gabor_vec2(0.0f)}, gabor_vec2(GABOR_RADIUS));
+    return GaborKernel{gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * orientation)};
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
@@ -726,10 +645,14 @@ GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float
     return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
+// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
 GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
 {
-    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
+    return gabor_vec4(gabor_noise(p, frequency, orientation, seed),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
@@ -748,8 +671,7 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
 {
     GaborPlace place = gabor_place_tiled(p, gabor_cpp_max(period, gabor_vec2(0.0009765625f)));
-    GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
-    return gabor_field(place, kernel, seed).value.y;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is

@@ -33,10 +33,9 @@ struct GaborPlace3d {
     bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
     float3 dx;
     float3 dy;
-    int channel; // 0, or 1 to 3 for another noise of the same seed, independent of it
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, bool animated, float time, bool filtered, float3 dx, float3 dy, int channel)
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, bool animated, float time, bool filtered, float3 dx, float3 dy)
 {
     GaborPlace3d made;
     made.cell = cell;
@@ -48,7 +47,6 @@ GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period
     made.filtered = filtered;
     made.dx = dx;
     made.dy = dy;
-    made.channel = channel;
     return made;
 }
 
@@ -75,6 +73,60 @@ GaborField3d GaborField3d_of(float2 value, float2 slope_x, float2 slope_y, float
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
+// Along each axis.
+struct GaborAxes3d {
+    GaborAxis x;
+    GaborAxis y;
+    GaborAxis z;
+    float2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+};
+
+GaborAxes3d gabor_impl_axes(GaborPlace3d place, float3 wave, uint seed)
+{
+    GaborAxes3d n;
+    uint salt = gabor_impl_salt(seed);
+    n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    n.y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y, place.radius.y);
+    n.z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z, place.radius.z);
+    n.base = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+           * gabor_impl_wave(n.x.turns * n.x.offset + n.y.turns * n.y.offset + n.z.turns * n.z.offset);
+    return n;
+}
+
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+uint gabor_impl_slice_word(uint row, uint slice)
+{
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// Slice by slice, each a sum as in the plane.
+GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
+{
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    float4 sum = (float4)(0.0);    // and in zw with the derivatives of windows along x
+    float4 slopes = (float4)(0.0); // with those along y; in zw along z
+    for (int k = 0; k < 3; ++k) {
+        GaborAxis rows = n.y;
+        for (int j = 0; j < 3; ++j)
+            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
+        float4 slice;
+        float4 slope;
+        gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
+        gabor_impl_add(sum, slice, n.z.node[k].xy);
+        slopes += float4(gabor_impl_product(slope.xy, n.z.node[k].xy), gabor_impl_product(slice.xy, n.z.node[k].zw));
+    }
+    float2 value = gabor_impl_product(sum.xy, n.base);
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    float3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d_of(value, stretch.x * gabor_impl_product(sum.zw, n.base) + wave.x * turned,
+                        stretch.y * gabor_impl_product(slopes.xy, n.base) + wave.y * turned,
+                        stretch.z * gabor_impl_product(slopes.zw, n.base) + wave.z * turned, 0.0);
+}
+
+// ---- Filtering -----------------------------------------------------------------------------------------------------
+
 // Three times three complex numbers.
 struct GaborMatrix {
     float3x3 real;
@@ -89,125 +141,33 @@ GaborMatrix GaborMatrix_of(float3x3 real, float3x3 imaginary)
     return made;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-
 GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
     return GaborMatrix_of(mul(n.real, m.real) - mul(n.imaginary, m.imaginary), mul(n.imaginary, m.real) + mul(n.real, m.imaginary));
 }
 
-float2 gabor_impl_amplitude_3d(uint word, GaborPlace3d place)
-{
-    for (int i = 0; i < place.channel; ++i)
-        word = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
-}
-
-// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
-uint gabor_impl_slice_word(uint row, uint slice)
-{
-    return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// The amplitudes of a slice, a column for each row.
-GaborMatrix gabor_impl_slice(uint4 columns, uint4 rows, uint slice, GaborPlace3d place)
+// The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
+GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y)
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        uint row = gabor_impl_slice_word(rows[j], slice);
-        float2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
-        float2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
-        float2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
-        m.real[j] = float3(a.x, b.x, c.x);
-        m.imaginary[j] = float3(a.y, b.y, c.y);
+        uint row = gabor_impl_slice_word(n.y.word[j], slice);
+        for (int i = 0; i < 3; ++i) {
+            float2 amplitude = gabor_impl_amplitude_at(n.x.word[i] * row, place.animated, place.time);
+            m.real[j][i] = amplitude.x;
+            m.imaginary[j][i] = amplitude.y;
+        }
     }
-    return m;
+    return gabor_impl_matrix_product(gabor_impl_matrix_product(x, m), y);
 }
-
-// The nodes that reach a place: by axis, and their amplitudes by slice.
-struct GaborNodes3d {
-    GaborAxis x;
-    GaborAxis y;
-    GaborAxis z;
-    GaborMatrix a;
-    GaborMatrix b;
-    GaborMatrix c;
-    float3 offset; // from the middle node, in node spacings
-    float3 turns;  // of the wave from a node to the next
-    float2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
-};
-
-GaborNodes3d gabor_impl_nodes(GaborPlace3d place, float3 wave, uint seed)
-{
-    GaborNodes3d n;
-    float3 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    int3 node = place.cell + (int3)(first);
-    uint salt = gabor_impl_salt(seed);
-    n.offset = place.local - first - 1.0;
-    n.turns = wave / place.radius;
-    GaborWindows none = GaborWindows_of((float4)(0.0), (float4)(0.0));
-    n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
-    n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
-                          gabor_impl_windows(n.offset.y), none);
-    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(n.turns.z),
-                          gabor_impl_windows(n.offset.z), none);
-    n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
-    n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
-    n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);
-    n.base = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-           * gabor_impl_wave(dot(n.turns, n.offset));
-    return n;
-}
-
-// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
-// slice; then along z for column `j` of those along y, with columns for z.
-void gabor_impl_along_xy(inout GaborNodes3d n, GaborMatrix x, GaborMatrix y)
-{
-    x = GaborMatrix_of(transpose(x.real), transpose(x.imaginary));
-    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
-    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
-    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
-}
-
-GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
-{
-    return gabor_impl_matrix_product(
-        GaborMatrix_of(float3x3(n.a.real[j], n.b.real[j], n.c.real[j]),
-                    float3x3(n.a.imaginary[j], n.b.imaginary[j], n.c.imaginary[j])), z);
-}
-
-// An axis' factors and their derivatives.
-GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
-{
-    return GaborMatrix_of(float3x3(axis.real.xyz, axis.slope_real.xyz, (float3)(0.0)),
-                       float3x3(axis.imaginary.xyz, axis.slope_imaginary.xyz, (float3)(0.0)));
-}
-
-GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
-{
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
-    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors_3d(n.z));
-    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors_3d(n.z));
-    float2 value = gabor_impl_product(n.base, float2(values.real[0].x, values.imaginary[0].x));
-    float2 slope_x = gabor_impl_product(n.base, float2(values.real[0].y, values.imaginary[0].y));
-    float2 slope_y = gabor_impl_product(n.base, float2(slopes.real[0].x, slopes.imaginary[0].x));
-    float2 slope_z = gabor_impl_product(n.base, float2(values.real[1].x, values.imaginary[1].x));
-    float2 turned = 6.2831853 * float2(-value.y, value.x);
-    float3 stretch = place.radius / GABOR_RADIUS;
-    return GaborField3d_of(value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
-                        stretch.z * slope_z + wave.z * turned, 0.0);
-}
-
-// ---- Filtering -----------------------------------------------------------------------------------------------------
 
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
+GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
 {
-    float3 d = (offset + float3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
-    float2 step = gabor_impl_wave(turns);
+    float3 d = (axis.offset + float3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
+    float2 step = gabor_impl_wave(axis.turns);
     float3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
     reach *= 0.5 * reach * (3.0 - 2.0 * reach);
     float3 real = reach * float3(step.x, 1.0, step.x);
@@ -228,17 +188,23 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint seed)
     float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     float3 stretch = place.radius / GABOR_RADIUS;
     float3 deviation = 0.5 * stretch * sqrt(dx * dx + dy * dy);
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_waves(n.offset.x, n.turns.x, deviation.x),
-                        gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
-    GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    GaborMatrix x = gabor_impl_waves(n.x, deviation.x);
+    GaborMatrix y = gabor_impl_waves(n.y, deviation.y);
+    GaborMatrix z = gabor_impl_waves(n.z, deviation.z);
+    x = GaborMatrix_of(transpose(x.real), transpose(x.imaginary));
+    GaborMatrix first = gabor_impl_slice(n, n.z.word[0], place, x, y);
+    GaborMatrix second = gabor_impl_slice(n, n.z.word[1], place, x, y);
+    GaborMatrix third = gabor_impl_slice(n, n.z.word[2], place, x, y);
     float2 sum = (float2)(0.0);
     float2 slope_x = (float2)(0.0);
     float2 slope_y = (float2)(0.0);
     float2 slope_z = (float2)(0.0);
     float kept = 0.0;
     for (int b = 0; b < 3; ++b) {
-        GaborMatrix m = gabor_impl_along_z(n, b, z);
+        GaborMatrix m = GaborMatrix_of(float3x3(first.real[b], second.real[b], third.real[b]),
+                                    float3x3(first.imaginary[b], second.imaginary[b], third.imaginary[b]));
+        m = gabor_impl_matrix_product(m, z);
         for (int c = 0; c < 3; ++c) {
             for (int a = 0; a < 3; ++a) {
                 float3 aside = float3(float(a - 1), float(b - 1), float(c - 1));
@@ -267,7 +233,7 @@ GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint seed)
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
 GaborPlace3d gabor_place_3d(int3 cell, float3 local)
 {
-    return GaborPlace3d_of(cell, local, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0, false, (float3)(0.0), (float3)(0.0), 0);
+    return GaborPlace3d_of(cell, local, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0, false, (float3)(0.0), (float3)(0.0));
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
@@ -287,12 +253,6 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
     if (place.filtered)
         return gabor_impl_filtered(place, wave, seed);
     return gabor_impl_windowed(place, wave, seed);
-}
-
-float gabor_impl_channel(GaborPlace3d place, float3 wave, uint seed, int channel)
-{
-    place.channel = channel;
-    return gabor_field_3d(place, wave, seed).value.y;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -396,10 +356,10 @@ float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
 {
-    GaborPlace3d place = gabor_place_3d((int3)(0), p * GABOR_RADIUS);
-    float3 wave = gabor_wave_3d(frequency, direction);
-    return float4(gabor_impl_channel(place, wave, seed, 0), gabor_impl_channel(place, wave, seed, 1),
-                gabor_impl_channel(place, wave, seed, 2), gabor_impl_channel(place, wave, seed, 3));
+    return float4(gabor_noise_3d(p, frequency, direction, seed),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -3)));
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.

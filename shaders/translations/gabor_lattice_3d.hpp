@@ -33,7 +33,6 @@ struct GaborPlace3d {
     bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
     gabor_vec3 dx;
     gabor_vec3 dy;
-    int channel; // 0, or 1 to 3 for another noise of the same seed, independent of it
 };
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
@@ -48,131 +47,93 @@ struct GaborField3d {
 
 // ---- The nodes around a place --------------------------------------------------------------------------------------
 
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+
+// Along each axis.
+struct GaborAxes3d {
+    GaborAxis x;
+    GaborAxis y;
+    GaborAxis z;
+    gabor_vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
+};
+
+GABOR_INLINE GaborAxes3d gabor_impl_axes(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
+{
+    GaborAxes3d n;
+    std::uint32_t salt = gabor_impl_salt(seed);
+    n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    n.y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y, place.radius.y);
+    n.z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z, place.radius.z);
+    n.base = gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
+           * gabor_impl_wave(n.x.turns * n.x.offset + n.y.turns * n.y.offset + n.z.turns * n.z.offset);
+    return n;
+}
+
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice)
+{
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// Slice by slice, each a sum as in the plane.
+GABOR_INLINE GaborField3d gabor_impl_windowed(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
+{
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    gabor_vec4 sum = gabor_vec4(0.0f);    // and in zw with the derivatives of windows along x
+    gabor_vec4 slopes = gabor_vec4(0.0f); // with those along y; in zw along z
+    for (int k = 0; k < 3; ++k) {
+        GaborAxis rows = n.y;
+        for (int j = 0; j < 3; ++j)
+            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
+        gabor_vec4 slice;
+        gabor_vec4 slope;
+        gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
+        gabor_impl_add(sum, slice, n.z.node[k].xy());
+        slopes += gabor_vec4(gabor_impl_product(slope.xy(), n.z.node[k].xy()), gabor_impl_product(slice.xy(), n.z.node[k].zw()));
+    }
+    gabor_vec2 value = gabor_impl_product(sum.xy(), n.base);
+    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
+    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d{value, stretch.x * gabor_impl_product(sum.zw(), n.base) + wave.x * turned,
+                        stretch.y * gabor_impl_product(slopes.xy(), n.base) + wave.y * turned,
+                        stretch.z * gabor_impl_product(slopes.zw(), n.base) + wave.z * turned, 0.0f};
+}
+
+// ---- Filtering -----------------------------------------------------------------------------------------------------
+
 // Three times three complex numbers.
 struct GaborMatrix {
     gabor_mat3 real;
     gabor_mat3 imaginary;
 };
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-
 GABOR_INLINE GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
 {
     return GaborMatrix{m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real};
 }
 
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_3d(std::uint32_t word, GaborPlace3d place)
-{
-    for (int i = 0; i < place.channel; ++i)
-        word = gabor_impl_next_word(word);
-    return gabor_impl_amplitude_at(word, place.animated, gabor_impl_wave(place.time));
-}
-
-// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
-GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice)
-{
-    return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// The amplitudes of a slice, a column for each row.
-GABOR_INLINE GaborMatrix gabor_impl_slice(gabor_uvec4 columns, gabor_uvec4 rows, std::uint32_t slice, GaborPlace3d place)
+// The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
+GABOR_INLINE GaborMatrix gabor_impl_slice(GaborAxes3d n, std::uint32_t slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y)
 {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
-        std::uint32_t row = gabor_impl_slice_word(rows[j], slice);
-        gabor_vec2 a = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.x, row), place);
-        gabor_vec2 b = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.y, row), place);
-        gabor_vec2 c = gabor_impl_amplitude_3d(gabor_impl_node_word(columns.z, row), place);
-        m.real[j] = gabor_vec3(a.x, b.x, c.x);
-        m.imaginary[j] = gabor_vec3(a.y, b.y, c.y);
+        std::uint32_t row = gabor_impl_slice_word(n.y.word[j], slice);
+        for (int i = 0; i < 3; ++i) {
+            gabor_vec2 amplitude = gabor_impl_amplitude_at(n.x.word[i] * row, place.animated, place.time);
+            m.real[j][i] = amplitude.x;
+            m.imaginary[j][i] = amplitude.y;
+        }
     }
-    return m;
+    return gabor_impl_matrix_product(gabor_impl_matrix_product(x, m), y);
 }
-
-// The nodes that reach a place: by axis, and their amplitudes by slice.
-struct GaborNodes3d {
-    GaborAxis x;
-    GaborAxis y;
-    GaborAxis z;
-    GaborMatrix a;
-    GaborMatrix b;
-    GaborMatrix c;
-    gabor_vec3 offset; // from the middle node, in node spacings
-    gabor_vec3 turns;  // of the wave from a node to the next
-    gabor_vec2 base;   // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
-};
-
-GABOR_INLINE GaborNodes3d gabor_impl_nodes(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
-    GaborNodes3d n;
-    gabor_vec3 first = gabor_cpp_floor(place.local - GABOR_RADIUS) + 1.0f;
-    gabor_ivec3 node = place.cell + gabor_ivec3(first);
-    std::uint32_t salt = gabor_impl_salt(seed);
-    n.offset = place.local - first - 1.0f;
-    n.turns = wave / place.radius;
-    GaborWindows none = GaborWindows{gabor_vec4(0.0f), gabor_vec4(0.0f)};
-    n.x = gabor_impl_axis(node.x, place.period.x, salt, gabor_impl_wave(n.turns.x), gabor_impl_windows(n.offset.x), none);
-    n.y = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(n.turns.y),
-                          gabor_impl_windows(n.offset.y), none);
-    n.z = gabor_impl_axis(node.z, place.period.z, salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(n.turns.z),
-                          gabor_impl_windows(n.offset.z), none);
-    n.a = gabor_impl_slice(n.x.word, n.y.word, n.z.word.x, place);
-    n.b = gabor_impl_slice(n.x.word, n.y.word, n.z.word.y, place);
-    n.c = gabor_impl_slice(n.x.word, n.y.word, n.z.word.z, place);
-    n.base = gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-           * gabor_impl_wave(gabor_cpp_dot(n.turns, n.offset));
-    return n;
-}
-
-// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
-// slice; then along z for column `j` of those along y, with columns for z.
-GABOR_INLINE void gabor_impl_along_xy(GaborNodes3d& n, GaborMatrix x, GaborMatrix y)
-{
-    x = GaborMatrix{gabor_cpp_transpose(x.real), gabor_cpp_transpose(x.imaginary)};
-    n.a = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.a), y);
-    n.b = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.b), y);
-    n.c = gabor_impl_matrix_product(gabor_impl_matrix_product(x, n.c), y);
-}
-
-GABOR_INLINE GaborMatrix gabor_impl_along_z(GaborNodes3d n, int j, GaborMatrix z)
-{
-    return gabor_impl_matrix_product(
-        GaborMatrix{gabor_mat3{n.a.real[j], n.b.real[j], n.c.real[j]},
-                    gabor_mat3{n.a.imaginary[j], n.b.imaginary[j], n.c.imaginary[j]}}, z);
-}
-
-// An axis' factors and their derivatives.
-GABOR_INLINE GaborMatrix gabor_impl_factors_3d(GaborAxis axis)
-{
-    return GaborMatrix{gabor_mat3{axis.real.xyz(), axis.slope_real.xyz(), gabor_vec3(0.0f)},
-                       gabor_mat3{axis.imaginary.xyz(), axis.slope_imaginary.xyz(), gabor_vec3(0.0f)}};
-}
-
-GABOR_INLINE GaborField3d gabor_impl_windowed(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_factors_3d(n.x), gabor_impl_factors_3d(n.y));
-    GaborMatrix values = gabor_impl_along_z(n, 0, gabor_impl_factors_3d(n.z));
-    GaborMatrix slopes = gabor_impl_along_z(n, 1, gabor_impl_factors_3d(n.z));
-    gabor_vec2 value = gabor_impl_product(n.base, gabor_vec2(values.real[0].x, values.imaginary[0].x));
-    gabor_vec2 slope_x = gabor_impl_product(n.base, gabor_vec2(values.real[0].y, values.imaginary[0].y));
-    gabor_vec2 slope_y = gabor_impl_product(n.base, gabor_vec2(slopes.real[0].x, slopes.imaginary[0].x));
-    gabor_vec2 slope_z = gabor_impl_product(n.base, gabor_vec2(values.real[1].x, values.imaginary[1].x));
-    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
-    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
-    return GaborField3d{value, stretch.x * slope_x + wave.x * turned, stretch.y * slope_y + wave.y * turned,
-                        stretch.z * slope_z + wave.z * turned, 0.0f};
-}
-
-// ---- Filtering -----------------------------------------------------------------------------------------------------
 
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-GABOR_INLINE GaborMatrix gabor_impl_waves(float offset, float turns, float deviation)
+GABOR_INLINE GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
 {
-    gabor_vec3 d = (offset + gabor_vec3(1.0f, 0.0f, -1.0f)) / GABOR_RADIUS;
-    gabor_vec2 step = gabor_impl_wave(turns);
+    gabor_vec3 d = (axis.offset + gabor_vec3(1.0f, 0.0f, -1.0f)) / GABOR_RADIUS;
+    gabor_vec2 step = gabor_impl_wave(axis.turns);
     gabor_vec3 reach = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / gabor_cpp_max(0.5f * deviation, 1.0e-6f), 0.0f, 1.0f);
     reach *= 0.5f * reach * (3.0f - 2.0f * reach);
     gabor_vec3 real = reach * gabor_vec3(step.x, 1.0f, step.x);
@@ -193,17 +154,23 @@ GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wav
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f);
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     gabor_vec3 deviation = 0.5f * stretch * gabor_cpp_sqrt(dx * dx + dy * dy);
-    GaborNodes3d n = gabor_impl_nodes(place, wave, seed);
-    gabor_impl_along_xy(n, gabor_impl_waves(n.offset.x, n.turns.x, deviation.x),
-                        gabor_impl_waves(n.offset.y, n.turns.y, deviation.y));
-    GaborMatrix z = gabor_impl_waves(n.offset.z, n.turns.z, deviation.z);
+    GaborAxes3d n = gabor_impl_axes(place, wave, seed);
+    GaborMatrix x = gabor_impl_waves(n.x, deviation.x);
+    GaborMatrix y = gabor_impl_waves(n.y, deviation.y);
+    GaborMatrix z = gabor_impl_waves(n.z, deviation.z);
+    x = GaborMatrix{gabor_cpp_transpose(x.real), gabor_cpp_transpose(x.imaginary)};
+    GaborMatrix first = gabor_impl_slice(n, n.z.word[0], place, x, y);
+    GaborMatrix second = gabor_impl_slice(n, n.z.word[1], place, x, y);
+    GaborMatrix third = gabor_impl_slice(n, n.z.word[2], place, x, y);
     gabor_vec2 sum = gabor_vec2(0.0f);
     gabor_vec2 slope_x = gabor_vec2(0.0f);
     gabor_vec2 slope_y = gabor_vec2(0.0f);
     gabor_vec2 slope_z = gabor_vec2(0.0f);
     float kept = 0.0f;
     for (int b = 0; b < 3; ++b) {
-        GaborMatrix m = gabor_impl_along_z(n, b, z);
+        GaborMatrix m = GaborMatrix{gabor_mat3{first.real[b], second.real[b], third.real[b]},
+                                    gabor_mat3{first.imaginary[b], second.imaginary[b], third.imaginary[b]}};
+        m = gabor_impl_matrix_product(m, z);
         for (int c = 0; c < 3; ++c) {
             for (int a = 0; a < 3; ++a) {
                 gabor_vec3 aside = gabor_vec3(float(a - 1), float(b - 1), float(c - 1));
@@ -232,7 +199,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wav
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
 GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local)
 {
-    return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f), 0};
+    return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
@@ -252,12 +219,6 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, st
     if (place.filtered)
         return gabor_impl_filtered(place, wave, seed);
     return gabor_impl_windowed(place, wave, seed);
-}
-
-GABOR_INLINE float gabor_impl_channel(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed, int channel)
-{
-    place.channel = channel;
-    return gabor_field_3d(place, wave, seed).value.y;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -361,10 +322,10 @@ GABOR_INLINE gabor_vec4 gabor_noise_3d_gradient(gabor_vec3 p, float frequency, g
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 GABOR_INLINE gabor_vec4 gabor_noise_3d_four(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed)
 {
-    GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
-    gabor_vec3 wave = gabor_wave_3d(frequency, direction);
-    return gabor_vec4(gabor_impl_channel(place, wave, seed, 0), gabor_impl_channel(place, wave, seed, 1),
-                gabor_impl_channel(place, wave, seed, 2), gabor_impl_channel(place, wave, seed, 3));
+    return gabor_vec4(gabor_noise_3d(p, frequency, direction, seed),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
+                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -3)));
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.

@@ -25,7 +25,6 @@ struct GaborPlace3d {
     filtered: bool,
     dx: vec3<f32>,
     dy: vec3<f32>,
-    channel: i32,
 }
 
 // The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
@@ -38,6 +37,152 @@ struct GaborField3d {
     removed: f32,
 }
 
+// Along each axis.
+struct GaborAxes3d {
+    x: GaborAxis,
+    y: GaborAxis,
+    z: GaborAxis,
+    base: vec2<f32>,
+}
+
+fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes3d {
+    var n: GaborAxes3d;
+    var salt_4: u32;
+    var local_11: f32;
+    var local_12: f32;
+
+    let _e4 = gabor_impl_salt(seed);
+    salt_4 = _e4;
+    let _e13 = salt_4;
+    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, wave.x, place.radius.x);
+    n.x = _e17;
+    let _e25 = salt_4;
+    let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e25 ^ 1540483477u), wave.y, place.radius.y);
+    n.y = _e31;
+    let _e39 = salt_4;
+    let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e39 ^ 668265263u), wave.z, place.radius.z);
+    n.z = _e45;
+    if false {
+        local_11 = 1f;
+    } else {
+        local_11 = 1.125f;
+    }
+    let _e56 = local_11;
+    if false {
+        local_12 = 1f;
+    } else {
+        local_12 = 1.125f;
+    }
+    let _e68 = local_12;
+    let _e71 = n;
+    let _e74 = n;
+    let _e78 = n;
+    let _e81 = n;
+    let _e86 = n;
+    let _e89 = n;
+    let _e94 = gabor_impl_wave((((_e71.x.turns * _e74.x.offset) + (_e78.y.turns * _e81.y.offset)) + (_e86.z.turns * _e89.z.offset)));
+    n.base = ((inverseSqrt(_e56) / (1459955300000000000000000000f * _e68)) * _e94);
+    let _e96 = n;
+    return _e96;
+}
+
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
+    return (((row * slice) >> 8u) | 8388609u);
+}
+
+// Slice by slice, each a sum as in the plane.
+fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
+    var n_1: GaborAxes3d;
+    var sum_4: vec4<f32> = vec4(0f);
+    var slopes: vec4<f32> = vec4(0f);
+    var k: i32 = 0i;
+    var rows: GaborAxis;
+    var j_1: i32;
+    var slice_1: vec4<f32>;
+    var slope_6: vec4<f32>;
+    var value_4: vec2<f32>;
+    var turned_1: vec2<f32>;
+    var stretch_1: vec3<f32>;
+
+    let _e3 = gabor_impl_axes(place, wave, seed);
+    n_1 = _e3;
+    loop {
+        let _e13 = k;
+        if !((_e13 < 3i)) {
+            break;
+        }
+        {
+            let _e20 = n_1;
+            rows = _e20.y;
+            j_1 = 0i;
+            loop {
+                let _e25 = j_1;
+                if !((_e25 < 3i)) {
+                    break;
+                }
+                let _e32 = j_1;
+                let _e35 = j_1;
+                let _e39 = n_1.y.word[_e35];
+                let _e40 = k;
+                let _e44 = n_1.z.word[_e40];
+                let _e45 = gabor_impl_slice_word(_e39, _e44);
+                rows.word[_e32] = _e45;
+                continuing {
+                    let _e29 = j_1;
+                    j_1 = (_e29 + 1i);
+                }
+            }
+            let _e48 = n_1;
+            let _e50 = rows;
+            gabor_impl_sum(_e48.x, _e50, place.animated, place.time, (&slice_1), (&slope_6));
+            let _e58 = slice_1;
+            let _e59 = k;
+            let _e63 = n_1.z.node[_e59];
+            gabor_impl_add((&sum_4), _e58, _e63.xy);
+            let _e66 = slopes;
+            let _e67 = slope_6;
+            let _e69 = k;
+            let _e73 = n_1.z.node[_e69];
+            let _e75 = gabor_impl_product(_e67.xy, _e73.xy);
+            let _e76 = slice_1;
+            let _e78 = k;
+            let _e82 = n_1.z.node[_e78];
+            let _e84 = gabor_impl_product(_e76.xy, _e82.zw);
+            slopes = (_e66 + vec4<f32>(_e75.x, _e75.y, _e84.x, _e84.y));
+        }
+        continuing {
+            let _e17 = k;
+            k = (_e17 + 1i);
+        }
+    }
+    let _e91 = sum_4;
+    let _e93 = n_1;
+    let _e95 = gabor_impl_product(_e91.xy, _e93.base);
+    value_4 = _e95;
+    let _e98 = value_4;
+    let _e101 = value_4;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e98.y), _e101.x));
+    stretch_1 = (place.radius / vec3(1.5f));
+    let _e114 = value_4;
+    let _e115 = stretch_1;
+    let _e117 = sum_4;
+    let _e119 = n_1;
+    let _e121 = gabor_impl_product(_e117.zw, _e119.base);
+    let _e124 = turned_1;
+    let _e127 = stretch_1;
+    let _e129 = slopes;
+    let _e131 = n_1;
+    let _e133 = gabor_impl_product(_e129.xy, _e131.base);
+    let _e136 = turned_1;
+    let _e139 = stretch_1;
+    let _e141 = slopes;
+    let _e143 = n_1;
+    let _e145 = gabor_impl_product(_e141.zw, _e143.base);
+    let _e148 = turned_1;
+    return GaborField3d(_e114, ((_e115.x * _e121) + (wave.x * _e124)), ((_e127.y * _e133) + (wave.y * _e136)), ((_e139.z * _e145) + (wave.z * _e148)), 0f);
+}
+
 // Three times three complex numbers.
 struct GaborMatrix {
     real: mat3x3<f32>,
@@ -48,331 +193,122 @@ fn gabor_impl_matrix_product(m: GaborMatrix, n: GaborMatrix) -> GaborMatrix {
     return GaborMatrix(((m.real * n.real) - (m.imaginary * n.imaginary)), ((m.real * n.imaginary) + (m.imaginary * n.real)));
 }
 
-fn gabor_impl_amplitude_3d(word: u32, place: GaborPlace3d) -> vec2<f32> {
-    var word_9: u32;
-    var i: i32 = 0i;
-
-    word_9 = word;
-    loop {
-        let _e5 = i;
-        if !((_e5 < place.channel)) {
-            break;
-        }
-        let _e12 = word_9;
-        let _e13 = gabor_impl_next_word(_e12);
-        word_9 = _e13;
-        continuing {
-            let _e9 = i;
-            i = (_e9 + 1i);
-        }
-    }
-    let _e14 = word_9;
-    let _e17 = gabor_impl_wave(place.time);
-    let _e18 = gabor_impl_amplitude_at(_e14, place.animated, _e17);
-    return _e18;
-}
-
-// The word of a row of a slice of nodes, odd and of 24 bits, as those of lines are.
-fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
-    return (((row * slice) >> 8u) | 8388609u);
-}
-
-// The amplitudes of a slice, a column for each row.
-fn gabor_impl_slice(columns: vec4<u32>, rows: vec4<u32>, slice: u32, place: GaborPlace3d) -> GaborMatrix {
+// The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
+fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMatrix, y: GaborMatrix) -> GaborMatrix {
     var m_1: GaborMatrix;
-    var j: i32 = 0i;
-    var row_4: u32;
-    var a_4: vec2<f32>;
-    var b_4: vec2<f32>;
-    var c_3: vec2<f32>;
+    var j_2: i32 = 0i;
+    var row_2: u32;
+    var i: i32;
+    var amplitude_1: vec2<f32>;
 
     loop {
-        let _e7 = j;
-        if !((_e7 < 3i)) {
+        let _e8 = j_2;
+        if !((_e8 < 3i)) {
             break;
         }
         {
-            let _e14 = j;
-            let _e16 = gabor_impl_slice_word(rows[_e14], slice);
-            row_4 = _e16;
-            let _e19 = row_4;
-            let _e20 = gabor_impl_node_word(columns.x, _e19);
-            let _e21 = gabor_impl_amplitude_3d(_e20, place);
-            a_4 = _e21;
-            let _e24 = row_4;
-            let _e25 = gabor_impl_node_word(columns.y, _e24);
-            let _e26 = gabor_impl_amplitude_3d(_e25, place);
-            b_4 = _e26;
-            let _e29 = row_4;
-            let _e30 = gabor_impl_node_word(columns.z, _e29);
-            let _e31 = gabor_impl_amplitude_3d(_e30, place);
-            c_3 = _e31;
-            let _e33 = j;
-            let _e36 = a_4;
-            let _e38 = b_4;
-            let _e40 = c_3;
-            m_1.real[_e33] = vec3<f32>(_e36.x, _e38.x, _e40.x);
-            let _e43 = j;
-            let _e46 = a_4;
-            let _e48 = b_4;
-            let _e50 = c_3;
-            m_1.imaginary[_e43] = vec3<f32>(_e46.y, _e48.y, _e50.y);
+            let _e15 = j_2;
+            let _e19 = gabor_impl_slice_word(n.y.word[_e15], slice);
+            row_2 = _e19;
+            i = 0i;
+            loop {
+                let _e23 = i;
+                if !((_e23 < 3i)) {
+                    break;
+                }
+                {
+                    let _e30 = i;
+                    let _e34 = row_2;
+                    let _e38 = gabor_impl_amplitude_at((n.x.word[_e30] * _e34), place.animated, place.time);
+                    amplitude_1 = _e38;
+                    let _e40 = i;
+                    let _e41 = j_2;
+                    let _e45 = amplitude_1;
+                    m_1.real[_e41][_e40] = _e45.x;
+                    let _e47 = i;
+                    let _e48 = j_2;
+                    let _e52 = amplitude_1;
+                    m_1.imaginary[_e48][_e47] = _e52.y;
+                }
+                continuing {
+                    let _e27 = i;
+                    i = (_e27 + 1i);
+                }
+            }
         }
         continuing {
-            let _e11 = j;
-            j = (_e11 + 1i);
+            let _e12 = j_2;
+            j_2 = (_e12 + 1i);
         }
     }
-    let _e53 = m_1;
-    return _e53;
-}
-
-// The nodes that reach a place: by axis, and their amplitudes by slice.
-struct GaborNodes3d {
-    x: GaborAxis,
-    y: GaborAxis,
-    z: GaborAxis,
-    a: GaborMatrix,
-    b: GaborMatrix,
-    c: GaborMatrix,
-    offset: vec3<f32>,
-    turns: vec3<f32>,
-    base: vec2<f32>,
-}
-
-fn gabor_impl_nodes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborNodes3d {
-    var n_1: GaborNodes3d;
-    var first_2: vec3<f32>;
-    var node_1: vec3<i32>;
-    var salt_4: u32;
-    var none_1: GaborWindows = GaborWindows(vec4(0f), vec4(0f));
-
-    first_2 = (floor((place.local - vec3(1.5f))) + vec3(1f));
-    let _e17 = first_2;
-    node_1 = (place.cell + vec3<i32>(_e17));
-    let _e21 = gabor_impl_salt(seed);
-    salt_4 = _e21;
-    let _e25 = first_2;
-    n_1.offset = ((place.local - _e25) - vec3(1f));
-    n_1.turns = (wave / place.radius);
-    let _e40 = node_1;
-    let _e44 = salt_4;
-    let _e45 = n_1;
-    let _e48 = gabor_impl_wave(_e45.turns.x);
-    let _e49 = n_1;
-    let _e52 = gabor_impl_windows(_e49.offset.x);
-    let _e53 = none_1;
-    let _e54 = gabor_impl_axis(_e40.x, place.period.x, _e44, _e48, _e52, _e53);
-    n_1.x = _e54;
-    let _e56 = node_1;
-    let _e60 = salt_4;
-    let _e63 = n_1;
-    let _e66 = gabor_impl_wave(_e63.turns.y);
-    let _e67 = n_1;
-    let _e70 = gabor_impl_windows(_e67.offset.y);
-    let _e71 = none_1;
-    let _e72 = gabor_impl_axis(_e56.y, place.period.y, (_e60 ^ 1540483477u), _e66, _e70, _e71);
-    n_1.y = _e72;
-    let _e74 = node_1;
-    let _e78 = salt_4;
-    let _e81 = n_1;
-    let _e84 = gabor_impl_wave(_e81.turns.z);
-    let _e85 = n_1;
-    let _e88 = gabor_impl_windows(_e85.offset.z);
-    let _e89 = none_1;
-    let _e90 = gabor_impl_axis(_e74.z, place.period.z, (_e78 ^ 668265263u), _e84, _e88, _e89);
-    n_1.z = _e90;
-    let _e92 = n_1;
-    let _e95 = n_1;
-    let _e98 = n_1;
-    let _e102 = gabor_impl_slice(_e92.x.word, _e95.y.word, _e98.z.word.x, place);
-    n_1.a = _e102;
-    let _e104 = n_1;
-    let _e107 = n_1;
-    let _e110 = n_1;
-    let _e114 = gabor_impl_slice(_e104.x.word, _e107.y.word, _e110.z.word.y, place);
-    n_1.b = _e114;
-    let _e116 = n_1;
-    let _e119 = n_1;
-    let _e122 = n_1;
-    let _e126 = gabor_impl_slice(_e116.x.word, _e119.y.word, _e122.z.word.z, place);
-    n_1.c = _e126;
-    let _e134 = n_1;
-    let _e136 = n_1;
-    let _e139 = gabor_impl_wave(dot(_e134.turns, _e136.offset));
-    n_1.base = (0.00000000000000000000000000057402616f * _e139);
-    let _e141 = n_1;
-    return _e141;
-}
-
-// From sums over nodes to those with factors: each column of a matrix has an axis' three. First along x and y, slice by
-// slice; then along z for column `j` of those along y, with columns for z.
-fn gabor_impl_along_xy(n: ptr<function, GaborNodes3d>, x: GaborMatrix, y: GaborMatrix) {
-    var x_2: GaborMatrix;
-
-    x_2 = x;
-    let _e4 = x_2;
-    let _e7 = x_2;
-    x_2 = GaborMatrix(transpose(_e4.real), transpose(_e7.imaginary));
-    let _e12 = x_2;
-    let _e13 = (*n);
-    let _e15 = gabor_impl_matrix_product(_e12, _e13.a);
-    let _e16 = gabor_impl_matrix_product(_e15, y);
-    (*n).a = _e16;
-    let _e18 = x_2;
-    let _e19 = (*n);
-    let _e21 = gabor_impl_matrix_product(_e18, _e19.b);
-    let _e22 = gabor_impl_matrix_product(_e21, y);
-    (*n).b = _e22;
-    let _e24 = x_2;
-    let _e25 = (*n);
-    let _e27 = gabor_impl_matrix_product(_e24, _e25.c);
-    let _e28 = gabor_impl_matrix_product(_e27, y);
-    (*n).c = _e28;
-    return;
-}
-
-fn gabor_impl_along_z(n: GaborNodes3d, j: i32, z: GaborMatrix) -> GaborMatrix {
-    let _e48 = gabor_impl_matrix_product(GaborMatrix(mat3x3<f32>(vec3<f32>(n.a.real[j].x, n.a.real[j].y, n.a.real[j].z), vec3<f32>(n.b.real[j].x, n.b.real[j].y, n.b.real[j].z), vec3<f32>(n.c.real[j].x, n.c.real[j].y, n.c.real[j].z)), mat3x3<f32>(vec3<f32>(n.a.imaginary[j].x, n.a.imaginary[j].y, n.a.imaginary[j].z), vec3<f32>(n.b.imaginary[j].x, n.b.imaginary[j].y, n.b.imaginary[j].z), vec3<f32>(n.c.imaginary[j].x, n.c.imaginary[j].y, n.c.imaginary[j].z))), z);
-    return _e48;
-}
-
-// An axis' factors and their derivatives.
-fn gabor_impl_factors_3d(axis: GaborAxis) -> GaborMatrix {
-    let _e2 = axis.real.xyz;
-    let _e4 = axis.slope_real.xyz;
-    let _e18 = axis.imaginary.xyz;
-    let _e20 = axis.slope_imaginary.xyz;
-    return GaborMatrix(mat3x3<f32>(vec3<f32>(_e2.x, _e2.y, _e2.z), vec3<f32>(_e4.x, _e4.y, _e4.z), vec3<f32>(0f, 0f, 0f)), mat3x3<f32>(vec3<f32>(_e18.x, _e18.y, _e18.z), vec3<f32>(_e20.x, _e20.y, _e20.z), vec3<f32>(0f, 0f, 0f)));
-}
-
-fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
-    var n_4: GaborNodes3d;
-    var values: GaborMatrix;
-    var slopes: GaborMatrix;
-    var value_2: vec2<f32>;
-    var slope_x: vec2<f32>;
-    var slope_y: vec2<f32>;
-    var slope_z: vec2<f32>;
-    var turned_1: vec2<f32>;
-    var stretch_1: vec3<f32>;
-
-    let _e3 = gabor_impl_nodes(place, wave, seed);
-    n_4 = _e3;
-    let _e6 = n_4;
-    let _e8 = gabor_impl_factors_3d(_e6.x);
-    let _e9 = n_4;
-    let _e11 = gabor_impl_factors_3d(_e9.y);
-    gabor_impl_along_xy((&n_4), _e8, _e11);
-    let _e13 = n_4;
-    let _e15 = n_4;
-    let _e17 = gabor_impl_factors_3d(_e15.z);
-    let _e18 = gabor_impl_along_z(_e13, 0i, _e17);
-    values = _e18;
-    let _e20 = n_4;
-    let _e22 = n_4;
-    let _e24 = gabor_impl_factors_3d(_e22.z);
-    let _e25 = gabor_impl_along_z(_e20, 1i, _e24);
-    slopes = _e25;
-    let _e27 = n_4;
-    let _e32 = values.real[0];
-    let _e37 = values.imaginary[0];
-    let _e40 = gabor_impl_product(_e27.base, vec2<f32>(_e32.x, _e37.x));
-    value_2 = _e40;
-    let _e42 = n_4;
-    let _e47 = values.real[0];
-    let _e52 = values.imaginary[0];
-    let _e55 = gabor_impl_product(_e42.base, vec2<f32>(_e47.y, _e52.y));
-    slope_x = _e55;
-    let _e57 = n_4;
-    let _e62 = slopes.real[0];
-    let _e67 = slopes.imaginary[0];
-    let _e70 = gabor_impl_product(_e57.base, vec2<f32>(_e62.x, _e67.x));
-    slope_y = _e70;
-    let _e72 = n_4;
-    let _e77 = values.real[1];
-    let _e82 = values.imaginary[1];
-    let _e85 = gabor_impl_product(_e72.base, vec2<f32>(_e77.x, _e82.x));
-    slope_z = _e85;
-    let _e88 = value_2;
-    let _e91 = value_2;
-    turned_1 = (6.2831855f * vec2<f32>(-(_e88.y), _e91.x));
-    stretch_1 = (place.radius / vec3(1.5f));
-    let _e104 = value_2;
-    let _e105 = stretch_1;
-    let _e107 = slope_x;
-    let _e110 = turned_1;
-    let _e113 = stretch_1;
-    let _e115 = slope_y;
-    let _e118 = turned_1;
-    let _e121 = stretch_1;
-    let _e123 = slope_z;
-    let _e126 = turned_1;
-    return GaborField3d(_e104, ((_e105.x * _e107) + (wave.x * _e110)), ((_e113.y * _e115) + (wave.y * _e118)), ((_e121.z * _e123) + (wave.z * _e126)), 0f);
+    let _e54 = m_1;
+    let _e55 = gabor_impl_matrix_product(x, _e54);
+    let _e56 = gabor_impl_matrix_product(_e55, y);
+    return _e56;
 }
 
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-fn gabor_impl_waves(offset: f32, turns: f32, deviation: f32) -> GaborMatrix {
-    var d_1: vec3<f32>;
-    var step_2: vec2<f32>;
+fn gabor_impl_waves(axis: GaborAxis, deviation: f32) -> GaborMatrix {
+    var d: vec3<f32>;
+    var step_: vec2<f32>;
     var reach: vec3<f32>;
-    var real_2: vec3<f32>;
-    var imaginary_2: vec3<f32>;
-    var turn_1: vec2<f32>;
-    var c_4: vec3<f32>;
+    var real: vec3<f32>;
+    var imaginary: vec3<f32>;
+    var turn_5: vec2<f32>;
+    var c_2: vec3<f32>;
     var s_2: vec3<f32>;
 
-    d_1 = ((vec3(offset) + vec3<f32>(1f, 0f, -1f)) / vec3(1.5f));
-    let _e17 = gabor_impl_wave(turns);
-    step_2 = _e17;
-    let _e20 = d_1;
-    reach = clamp(((vec3(1f) - abs(_e20)) / vec3(max((0.5f * deviation), 0.000001f))), vec3(0f), vec3(1f));
-    let _e36 = reach;
-    let _e38 = reach;
-    let _e42 = reach;
-    reach = (_e36 * ((0.5f * _e38) * (vec3(3f) - (2f * _e42))));
-    let _e48 = reach;
-    let _e49 = step_2;
-    let _e52 = step_2;
-    real_2 = (_e48 * vec3<f32>(_e49.x, 1f, _e52.x));
-    let _e57 = reach;
-    let _e58 = step_2;
-    let _e61 = step_2;
-    imaginary_2 = (_e57 * vec3<f32>(_e58.y, 0f, -(_e61.y)));
-    let _e69 = d_1;
-    let _e72 = gabor_impl_wave((0.5f * _e69.y));
-    turn_1 = (0.5f * _e72);
-    let _e75 = turn_1;
-    let _e84 = turn_1;
-    c_4 = ((_e75.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e84.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
-    let _e94 = turn_1;
-    let _e103 = turn_1;
-    s_2 = ((_e94.y * vec3<f32>(-0.5f, 1f, -0.5f)) - (_e103.x * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
-    let _e113 = real_2;
-    let _e114 = c_4;
-    let _e116 = imaginary_2;
-    let _e117 = s_2;
-    let _e119 = ((_e113 * _e114) + (_e116 * _e117));
-    let _e120 = real_2;
-    let _e121 = real_2;
-    let _e122 = c_4;
-    let _e124 = imaginary_2;
-    let _e125 = s_2;
-    let _e127 = ((_e121 * _e122) - (_e124 * _e125));
-    let _e141 = imaginary_2;
-    let _e142 = c_4;
-    let _e144 = real_2;
-    let _e145 = s_2;
-    let _e147 = ((_e141 * _e142) - (_e144 * _e145));
-    let _e148 = imaginary_2;
-    let _e149 = imaginary_2;
-    let _e150 = c_4;
-    let _e152 = real_2;
-    let _e153 = s_2;
-    let _e155 = ((_e149 * _e150) + (_e152 * _e153));
-    return GaborMatrix(mat3x3<f32>(vec3<f32>(_e119.x, _e119.y, _e119.z), vec3<f32>(_e120.x, _e120.y, _e120.z), vec3<f32>(_e127.x, _e127.y, _e127.z)), mat3x3<f32>(vec3<f32>(_e147.x, _e147.y, _e147.z), vec3<f32>(_e148.x, _e148.y, _e148.z), vec3<f32>(_e155.x, _e155.y, _e155.z)));
+    d = ((vec3(axis.offset) + vec3<f32>(1f, 0f, -1f)) / vec3(1.5f));
+    let _e18 = gabor_impl_wave(axis.turns);
+    step_ = _e18;
+    let _e21 = d;
+    reach = clamp(((vec3(1f) - abs(_e21)) / vec3(max((0.5f * deviation), 0.000001f))), vec3(0f), vec3(1f));
+    let _e37 = reach;
+    let _e39 = reach;
+    let _e43 = reach;
+    reach = (_e37 * ((0.5f * _e39) * (vec3(3f) - (2f * _e43))));
+    let _e49 = reach;
+    let _e50 = step_;
+    let _e53 = step_;
+    real = (_e49 * vec3<f32>(_e50.x, 1f, _e53.x));
+    let _e58 = reach;
+    let _e59 = step_;
+    let _e62 = step_;
+    imaginary = (_e58 * vec3<f32>(_e59.y, 0f, -(_e62.y)));
+    let _e70 = d;
+    let _e73 = gabor_impl_wave((0.5f * _e70.y));
+    turn_5 = (0.5f * _e73);
+    let _e76 = turn_5;
+    let _e85 = turn_5;
+    c_2 = ((_e76.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e85.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
+    let _e95 = turn_5;
+    let _e104 = turn_5;
+    s_2 = ((_e95.y * vec3<f32>(-0.5f, 1f, -0.5f)) - (_e104.x * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
+    let _e114 = real;
+    let _e115 = c_2;
+    let _e117 = imaginary;
+    let _e118 = s_2;
+    let _e120 = ((_e114 * _e115) + (_e117 * _e118));
+    let _e121 = real;
+    let _e122 = real;
+    let _e123 = c_2;
+    let _e125 = imaginary;
+    let _e126 = s_2;
+    let _e128 = ((_e122 * _e123) - (_e125 * _e126));
+    let _e142 = imaginary;
+    let _e143 = c_2;
+    let _e145 = real;
+    let _e146 = s_2;
+    let _e148 = ((_e142 * _e143) - (_e145 * _e146));
+    let _e149 = imaginary;
+    let _e150 = imaginary;
+    let _e151 = c_2;
+    let _e153 = real;
+    let _e154 = s_2;
+    let _e156 = ((_e150 * _e151) + (_e153 * _e154));
+    return GaborMatrix(mat3x3<f32>(vec3<f32>(_e120.x, _e120.y, _e120.z), vec3<f32>(_e121.x, _e121.y, _e121.z), vec3<f32>(_e128.x, _e128.y, _e128.z)), mat3x3<f32>(vec3<f32>(_e148.x, _e148.y, _e148.z), vec3<f32>(_e149.x, _e149.y, _e149.z), vec3<f32>(_e156.x, _e156.y, _e156.z)));
 }
 
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
@@ -383,25 +319,30 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var dy: vec3<f32>;
     var stretch_2: vec3<f32>;
     var deviation_1: vec3<f32>;
-    var n_5: GaborNodes3d;
+    var n_4: GaborAxes3d;
+    var x_6: GaborMatrix;
+    var y_6: GaborMatrix;
     var z_1: GaborMatrix;
-    var sum_3: vec2<f32> = vec2(0f);
-    var slope_x_1: vec2<f32> = vec2(0f);
-    var slope_y_1: vec2<f32> = vec2(0f);
-    var slope_z_1: vec2<f32> = vec2(0f);
+    var first_1: GaborMatrix;
+    var second_1: GaborMatrix;
+    var third_1: GaborMatrix;
+    var sum_5: vec2<f32> = vec2(0f);
+    var slope_x: vec2<f32> = vec2(0f);
+    var slope_y: vec2<f32> = vec2(0f);
+    var slope_z: vec2<f32> = vec2(0f);
     var kept: f32 = 0f;
-    var b_5: i32 = 0i;
+    var b_2: i32 = 0i;
     var m_2: GaborMatrix;
-    var c_5: i32;
-    var a_5: i32;
+    var c_3: i32;
+    var a_2: i32;
     var aside: vec3<f32>;
-    var k_2: vec3<f32>;
+    var k_1: vec3<f32>;
     var left: f32;
-    var value_3: vec2<f32>;
+    var value_5: vec2<f32>;
     var trace: f32;
     var determinant_: f32;
     var fade: f32;
-    var base_1: vec2<f32>;
+    var base: vec2<f32>;
 
     dx = clamp(place.dx, vec3(-1000000f), vec3(1000000f));
     dy = clamp(place.dy, vec3(-1000000f), vec3(1000000f));
@@ -412,152 +353,183 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e33 = dy;
     let _e34 = dy;
     deviation_1 = ((0.5f * _e28) * sqrt(((_e30 * _e31) + (_e33 * _e34))));
-    let _e40 = gabor_impl_nodes(place, wave, seed);
-    n_5 = _e40;
-    let _e43 = n_5;
-    let _e46 = n_5;
-    let _e49 = deviation_1;
-    let _e51 = gabor_impl_waves(_e43.offset.x, _e46.turns.x, _e49.x);
-    let _e52 = n_5;
-    let _e55 = n_5;
-    let _e58 = deviation_1;
-    let _e60 = gabor_impl_waves(_e52.offset.y, _e55.turns.y, _e58.y);
-    gabor_impl_along_xy((&n_5), _e51, _e60);
-    let _e62 = n_5;
-    let _e65 = n_5;
-    let _e68 = deviation_1;
-    let _e70 = gabor_impl_waves(_e62.offset.z, _e65.turns.z, _e68.z);
-    z_1 = _e70;
+    let _e40 = gabor_impl_axes(place, wave, seed);
+    n_4 = _e40;
+    let _e42 = n_4;
+    let _e44 = deviation_1;
+    let _e46 = gabor_impl_waves(_e42.x, _e44.x);
+    x_6 = _e46;
+    let _e48 = n_4;
+    let _e50 = deviation_1;
+    let _e52 = gabor_impl_waves(_e48.y, _e50.y);
+    y_6 = _e52;
+    let _e54 = n_4;
+    let _e56 = deviation_1;
+    let _e58 = gabor_impl_waves(_e54.z, _e56.z);
+    z_1 = _e58;
+    let _e60 = x_6;
+    let _e63 = x_6;
+    x_6 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
+    let _e67 = n_4;
+    let _e72 = n_4.z.word[0];
+    let _e73 = x_6;
+    let _e74 = y_6;
+    let _e75 = gabor_impl_slice(_e67, _e72, place, _e73, _e74);
+    first_1 = _e75;
+    let _e77 = n_4;
+    let _e82 = n_4.z.word[1];
+    let _e83 = x_6;
+    let _e84 = y_6;
+    let _e85 = gabor_impl_slice(_e77, _e82, place, _e83, _e84);
+    second_1 = _e85;
+    let _e87 = n_4;
+    let _e92 = n_4.z.word[2];
+    let _e93 = x_6;
+    let _e94 = y_6;
+    let _e95 = gabor_impl_slice(_e87, _e92, place, _e93, _e94);
+    third_1 = _e95;
     loop {
-        let _e88 = b_5;
-        if !((_e88 < 3i)) {
+        let _e113 = b_2;
+        if !((_e113 < 3i)) {
             break;
         }
         {
-            let _e95 = n_5;
-            let _e96 = b_5;
-            let _e97 = z_1;
-            let _e98 = gabor_impl_along_z(_e95, _e96, _e97);
-            m_2 = _e98;
-            c_5 = 0i;
+            let _e120 = b_2;
+            let _e123 = first_1.real[_e120];
+            let _e124 = b_2;
+            let _e127 = second_1.real[_e124];
+            let _e128 = b_2;
+            let _e131 = third_1.real[_e128];
+            let _e145 = b_2;
+            let _e148 = first_1.imaginary[_e145];
+            let _e149 = b_2;
+            let _e152 = second_1.imaginary[_e149];
+            let _e153 = b_2;
+            let _e156 = third_1.imaginary[_e153];
+            m_2 = GaborMatrix(mat3x3<f32>(vec3<f32>(_e123.x, _e123.y, _e123.z), vec3<f32>(_e127.x, _e127.y, _e127.z), vec3<f32>(_e131.x, _e131.y, _e131.z)), mat3x3<f32>(vec3<f32>(_e148.x, _e148.y, _e148.z), vec3<f32>(_e152.x, _e152.y, _e152.z), vec3<f32>(_e156.x, _e156.y, _e156.z)));
+            let _e172 = m_2;
+            let _e173 = z_1;
+            let _e174 = gabor_impl_matrix_product(_e172, _e173);
+            m_2 = _e174;
+            c_3 = 0i;
             loop {
-                let _e102 = c_5;
-                if !((_e102 < 3i)) {
+                let _e177 = c_3;
+                if !((_e177 < 3i)) {
                     break;
                 }
                 {
-                    a_5 = 0i;
+                    a_2 = 0i;
                     loop {
-                        let _e111 = a_5;
-                        if !((_e111 < 3i)) {
+                        let _e186 = a_2;
+                        if !((_e186 < 3i)) {
                             break;
                         }
                         {
-                            let _e118 = a_5;
-                            let _e122 = b_5;
-                            let _e126 = c_5;
-                            aside = vec3<f32>(f32((_e118 - 1i)), f32((_e122 - 1i)), f32((_e126 - 1i)));
-                            let _e133 = stretch_2;
-                            let _e135 = aside;
-                            k_2 = (wave + ((0.5f * _e133) * _e135));
-                            let _e141 = k_2;
-                            let _e142 = dx;
-                            let _e144 = k_2;
-                            let _e145 = dx;
-                            let _e148 = k_2;
-                            let _e149 = dy;
-                            let _e151 = k_2;
-                            let _e152 = dy;
-                            left = exp((-4.934802f * ((dot(_e141, _e142) * dot(_e144, _e145)) + (dot(_e148, _e149) * dot(_e151, _e152)))));
-                            let _e159 = left;
-                            let _e160 = a_5;
-                            let _e161 = c_5;
-                            let _e165 = m_2.real[_e161][_e160];
-                            let _e166 = a_5;
-                            let _e167 = c_5;
-                            let _e171 = m_2.imaginary[_e167][_e166];
-                            value_3 = (_e159 * vec2<f32>(_e165, _e171));
-                            let _e175 = sum_3;
-                            let _e176 = value_3;
-                            sum_3 = (_e175 + _e176);
-                            let _e178 = slope_x_1;
-                            let _e179 = k_2;
-                            let _e181 = value_3;
-                            let _e184 = value_3;
-                            slope_x_1 = (_e178 + (_e179.x * vec2<f32>(-(_e181.y), _e184.x)));
-                            let _e189 = slope_y_1;
-                            let _e190 = k_2;
-                            let _e192 = value_3;
-                            let _e195 = value_3;
-                            slope_y_1 = (_e189 + (_e190.y * vec2<f32>(-(_e192.y), _e195.x)));
-                            let _e200 = slope_z_1;
-                            let _e201 = k_2;
-                            let _e203 = value_3;
-                            let _e206 = value_3;
-                            slope_z_1 = (_e200 + (_e201.z * vec2<f32>(-(_e203.y), _e206.x)));
-                            let _e211 = kept;
-                            let _e212 = left;
-                            let _e213 = left;
-                            let _e217 = aside;
-                            let _e218 = aside;
-                            kept = (_e211 + ((_e212 * _e213) * exp2((-2f * dot(_e217, _e218)))));
+                            let _e193 = a_2;
+                            let _e197 = b_2;
+                            let _e201 = c_3;
+                            aside = vec3<f32>(f32((_e193 - 1i)), f32((_e197 - 1i)), f32((_e201 - 1i)));
+                            let _e208 = stretch_2;
+                            let _e210 = aside;
+                            k_1 = (wave + ((0.5f * _e208) * _e210));
+                            let _e216 = k_1;
+                            let _e217 = dx;
+                            let _e219 = k_1;
+                            let _e220 = dx;
+                            let _e223 = k_1;
+                            let _e224 = dy;
+                            let _e226 = k_1;
+                            let _e227 = dy;
+                            left = exp((-4.934802f * ((dot(_e216, _e217) * dot(_e219, _e220)) + (dot(_e223, _e224) * dot(_e226, _e227)))));
+                            let _e234 = left;
+                            let _e235 = a_2;
+                            let _e236 = c_3;
+                            let _e240 = m_2.real[_e236][_e235];
+                            let _e241 = a_2;
+                            let _e242 = c_3;
+                            let _e246 = m_2.imaginary[_e242][_e241];
+                            value_5 = (_e234 * vec2<f32>(_e240, _e246));
+                            let _e250 = sum_5;
+                            let _e251 = value_5;
+                            sum_5 = (_e250 + _e251);
+                            let _e253 = slope_x;
+                            let _e254 = k_1;
+                            let _e256 = value_5;
+                            let _e259 = value_5;
+                            slope_x = (_e253 + (_e254.x * vec2<f32>(-(_e256.y), _e259.x)));
+                            let _e264 = slope_y;
+                            let _e265 = k_1;
+                            let _e267 = value_5;
+                            let _e270 = value_5;
+                            slope_y = (_e264 + (_e265.y * vec2<f32>(-(_e267.y), _e270.x)));
+                            let _e275 = slope_z;
+                            let _e276 = k_1;
+                            let _e278 = value_5;
+                            let _e281 = value_5;
+                            slope_z = (_e275 + (_e276.z * vec2<f32>(-(_e278.y), _e281.x)));
+                            let _e286 = kept;
+                            let _e287 = left;
+                            let _e288 = left;
+                            let _e292 = aside;
+                            let _e293 = aside;
+                            kept = (_e286 + ((_e287 * _e288) * exp2((-2f * dot(_e292, _e293)))));
                         }
                         continuing {
-                            let _e115 = a_5;
-                            a_5 = (_e115 + 1i);
+                            let _e190 = a_2;
+                            a_2 = (_e190 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e106 = c_5;
-                    c_5 = (_e106 + 1i);
+                    let _e181 = c_3;
+                    c_3 = (_e181 + 1i);
                 }
             }
         }
         continuing {
-            let _e92 = b_5;
-            b_5 = (_e92 + 1i);
+            let _e117 = b_2;
+            b_2 = (_e117 + 1i);
         }
     }
-    let _e225 = dx;
-    let _e226 = dx;
-    let _e228 = dy;
-    let _e229 = dy;
-    trace = (0.25f * (dot(_e225, _e226) + dot(_e228, _e229)));
-    let _e235 = dx;
-    let _e236 = dy;
-    let _e238 = dx;
-    let _e239 = dy;
-    determinant_ = (0.0625f * dot(cross(_e235, _e236), cross(_e238, _e239)));
-    let _e245 = trace;
-    let _e246 = trace;
-    let _e249 = determinant_;
-    let _e250 = determinant_;
-    fade = inverseSqrt(sqrt(max(((1f + (_e245 * _e246)) + (_e249 * (_e250 - 2f))), 1f)));
-    let _e260 = fade;
-    let _e261 = n_5;
-    base_1 = (_e260 * _e261.base);
-    let _e265 = base_1;
-    let _e266 = sum_3;
-    let _e267 = gabor_impl_product(_e265, _e266);
-    let _e268 = base_1;
-    let _e270 = slope_x_1;
-    let _e272 = gabor_impl_product(_e268, (6.2831855f * _e270));
-    let _e273 = base_1;
-    let _e275 = slope_y_1;
-    let _e277 = gabor_impl_product(_e273, (6.2831855f * _e275));
-    let _e278 = base_1;
-    let _e280 = slope_z_1;
-    let _e282 = gabor_impl_product(_e278, (6.2831855f * _e280));
-    let _e284 = fade;
-    let _e285 = fade;
-    let _e291 = kept;
-    return GaborField3d(_e267, _e272, _e277, _e282, (1f - (((_e284 * _e285) * 0.2962963f) * _e291)));
+    let _e300 = dx;
+    let _e301 = dx;
+    let _e303 = dy;
+    let _e304 = dy;
+    trace = (0.25f * (dot(_e300, _e301) + dot(_e303, _e304)));
+    let _e310 = dx;
+    let _e311 = dy;
+    let _e313 = dx;
+    let _e314 = dy;
+    determinant_ = (0.0625f * dot(cross(_e310, _e311), cross(_e313, _e314)));
+    let _e320 = trace;
+    let _e321 = trace;
+    let _e324 = determinant_;
+    let _e325 = determinant_;
+    fade = inverseSqrt(sqrt(max(((1f + (_e320 * _e321)) + (_e324 * (_e325 - 2f))), 1f)));
+    let _e335 = fade;
+    let _e336 = n_4;
+    base = (_e335 * _e336.base);
+    let _e340 = base;
+    let _e341 = sum_5;
+    let _e342 = gabor_impl_product(_e340, _e341);
+    let _e343 = base;
+    let _e345 = slope_x;
+    let _e347 = gabor_impl_product(_e343, (6.2831855f * _e345));
+    let _e348 = base;
+    let _e350 = slope_y;
+    let _e352 = gabor_impl_product(_e348, (6.2831855f * _e350));
+    let _e353 = base;
+    let _e355 = slope_z;
+    let _e357 = gabor_impl_product(_e353, (6.2831855f * _e355));
+    let _e359 = fade;
+    let _e360 = fade;
+    let _e366 = kept;
+    return GaborField3d(_e342, _e347, _e352, _e357, (1f - (((_e359 * _e360) * 0.2962963f) * _e366)));
 }
 
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
 fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
-    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f), 0i);
+    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
@@ -585,16 +557,6 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
     }
     let _e5 = gabor_impl_windowed(place, wave, seed);
     return _e5;
-}
-
-fn gabor_impl_channel(place: GaborPlace3d, wave: vec3<f32>, seed: u32, channel: i32) -> f32 {
-    var place_11: GaborPlace3d;
-
-    place_11 = place;
-    place_11.channel = channel;
-    let _e6 = place_11;
-    let _e7 = gabor_field_3d(_e6, wave, seed);
-    return _e7.value.y;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -626,7 +588,7 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wa
 // power, so that all is continuous in frequency.
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_5: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var i_1: i32 = 0i;
     var share: f32;
     var z_2: f32;
@@ -659,14 +621,14 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
             let _e70 = gabor_wave_3d(frequency, _e69);
             let _e71 = i_1;
             let _e72 = share;
-            gabor_impl_add_term((&sum_5), place, _e70, seed, _e71, _e72);
+            gabor_impl_add_term((&sum_7), place, _e70, seed, _e71, _e72);
         }
         continuing {
             let _e30 = i_1;
             i_1 = (_e30 + 1i);
         }
     }
-    let _e74 = sum_5;
+    let _e74 = sum_7;
     return _e74;
 }
 
@@ -688,10 +650,10 @@ fn gabor_impl_takeover(low: f32, high: f32, x: f32) -> f32 {
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_8: vec3<f32>;
+    var local_14: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_6: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_8: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
 
     normal_1 = normal;
     direction_3 = direction;
@@ -704,11 +666,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_8 = vec3<f32>(0f, 0f, 1f);
+        local_14 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_8 = vec3<f32>(1f, 0f, 0f);
+        local_14 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_8;
+    let _e26 = local_14;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -729,16 +691,16 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
         let _e65 = direction_3;
         let _e66 = gabor_wave_3d(frequency, _e65);
         let _e68 = power_1;
-        gabor_impl_add_term((&sum_6), place, _e66, seed, 0i, _e68);
+        gabor_impl_add_term((&sum_8), place, _e66, seed, 0i, _e68);
     }
     let _e70 = power_1;
     if (_e70 < 1f) {
         let _e74 = other;
         let _e75 = gabor_wave_3d(frequency, _e74);
         let _e78 = power_1;
-        gabor_impl_add_term((&sum_6), place, _e75, seed, 1i, (1f - _e78));
+        gabor_impl_add_term((&sum_8), place, _e75, seed, 1i, (1f - _e78));
     }
-    let _e81 = sum_6;
+    let _e81 = sum_8;
     return _e81;
 }
 
@@ -747,13 +709,13 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
-    var axis_1: i32 = 0i;
-    var local_9: vec3<f32>;
+    var sum_9: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var axis_2: i32 = 0i;
+    var local_15: vec3<f32>;
     var along: vec3<f32>;
     var i_2: i32;
     var share_2: f32;
-    var turn_2: vec2<f32>;
+    var turn_6: vec2<f32>;
     var direction_4: vec3<f32>;
 
     normal_3 = normal;
@@ -766,18 +728,18 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     let _e22 = gabor_impl_takeover(0.25f, 0.5f, dot(_e17.xy, _e19.xy));
     power_2 = _e22;
     loop {
-        let _e37 = axis_1;
+        let _e37 = axis_2;
         if !((_e37 < 2i)) {
             break;
         }
         {
-            let _e44 = axis_1;
+            let _e44 = axis_2;
             if (_e44 == 0i) {
-                local_9 = vec3<f32>(0f, 0f, 1f);
+                local_15 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_9 = vec3<f32>(1f, 0f, 0f);
+                local_15 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e56 = local_9;
+            let _e56 = local_15;
             let _e57 = normal_3;
             let _e59 = gabor_impl_unit(cross(_e56, _e57));
             along = _e59;
@@ -798,20 +760,20 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     let _e88 = count_1;
                     let _e91 = share_2;
                     let _e95 = gabor_impl_wave((0.5f * ((f32(_e86) / _e88) + (0.5f * _e91))));
-                    turn_2 = _e95;
-                    let _e97 = turn_2;
+                    turn_6 = _e95;
+                    let _e97 = turn_6;
                     let _e99 = along;
-                    let _e101 = turn_2;
+                    let _e101 = turn_6;
                     let _e103 = normal_3;
                     let _e104 = along;
                     direction_4 = ((_e97.x * _e99) + (_e101.y * cross(_e103, _e104)));
                     let _e110 = direction_4;
                     let _e111 = gabor_wave_3d(frequency, _e110);
-                    let _e113 = axis_1;
+                    let _e113 = axis_2;
                     let _e115 = i_2;
                     let _e117 = power_2;
                     let _e118 = share_2;
-                    gabor_impl_add_term((&sum_7), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
+                    gabor_impl_add_term((&sum_9), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
                 }
                 continuing {
                     let _e73 = i_2;
@@ -822,11 +784,11 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             power_2 = (1f - _e122);
         }
         continuing {
-            let _e41 = axis_1;
-            axis_1 = (_e41 + 1i);
+            let _e41 = axis_2;
+            axis_2 = (_e41 + 1i);
         }
     }
-    let _e124 = sum_7;
+    let _e124 = sum_9;
     return _e124;
 }
 
@@ -852,12 +814,12 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
 // normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var place_16: GaborPlace3d;
+    var place_13: GaborPlace3d;
     var field_1: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_16 = _e11;
-    let _e13 = place_16;
+    place_13 = _e11;
+    let _e13 = place_13;
     let _e14 = gabor_wave_3d(frequency, direction);
     let _e15 = gabor_field_3d(_e13, _e14, seed);
     field_1 = _e15;
@@ -870,33 +832,21 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
 fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var place_17: GaborPlace3d;
-    var wave_7: vec3<f32>;
-
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_17 = _e11;
-    let _e13 = gabor_wave_3d(frequency, direction);
-    wave_7 = _e13;
-    let _e15 = place_17;
-    let _e16 = wave_7;
-    let _e18 = gabor_impl_channel(_e15, _e16, seed, 0i);
-    let _e19 = place_17;
-    let _e20 = wave_7;
-    let _e22 = gabor_impl_channel(_e19, _e20, seed, 1i);
-    let _e23 = place_17;
-    let _e24 = wave_7;
-    let _e26 = gabor_impl_channel(_e23, _e24, seed, 2i);
-    let _e27 = place_17;
-    let _e28 = wave_7;
-    let _e30 = gabor_impl_channel(_e27, _e28, seed, 3i);
-    return vec4<f32>(_e18, _e22, _e26, _e30);
+    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_5: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_18: GaborPlace3d;
+    var place_14: GaborPlace3d;
 
     period_5 = period;
     let _e6 = period_5;
@@ -908,13 +858,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e32 = nodes_1;
     let _e33 = period_5;
     let _e36 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e26)) * _e29)) * (_e32 / _e33)));
-    place_18 = _e36;
+    place_14 = _e36;
     let _e39 = nodes_1;
     let _e40 = period_5;
-    place_18.radius = (_e39 / _e40);
+    place_14.radius = (_e39 / _e40);
     let _e43 = nodes_1;
-    place_18.period = vec3<i32>(_e43);
-    let _e45 = place_18;
+    place_14.period = vec3<i32>(_e43);
+    let _e45 = place_14;
     let _e46 = gabor_wave_3d(frequency, direction);
     let _e47 = gabor_field_3d(_e45, _e46, seed);
     return _e47.value.y;
@@ -922,13 +872,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_19: GaborPlace3d;
+    var place_15: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_19 = _e12;
-    place_19.animated = true;
-    place_19.time = time;
-    let _e17 = place_19;
+    place_15 = _e12;
+    place_15.animated = true;
+    place_15.time = time;
+    let _e17 = place_15;
     let _e18 = gabor_wave_3d(frequency, direction);
     let _e19 = gabor_field_3d(_e17, _e18, seed);
     return _e19.value.y;
@@ -939,15 +889,15 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 // The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var place_20: GaborPlace3d;
+    var place_16: GaborPlace3d;
     var field_2: GaborField3d;
 
     let _e13 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_20 = _e13;
-    place_20.filtered = true;
-    place_20.dx = dx;
-    place_20.dy = dy;
-    let _e19 = place_20;
+    place_16 = _e13;
+    place_16.filtered = true;
+    place_16.dx = dx;
+    place_16.dy = dy;
+    let _e19 = place_16;
     let _e20 = gabor_wave_3d(frequency, direction);
     let _e21 = gabor_field_3d(_e19, _e20, seed);
     field_2 = _e21;

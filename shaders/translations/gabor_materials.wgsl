@@ -45,30 +45,30 @@ struct GaborPixel {
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var place_13: GaborPlace;
-    var kernel_15: GaborKernel;
-    var removed_4: f32;
+    var kernel_8: GaborKernel;
+    var removed_3: f32;
     var footprint_2: GaborFootprint;
-    var value_5: vec2<f32>;
+    var value_4: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
     place_13 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
-    kernel_15 = _e16;
+    kernel_8 = _e16;
     if !(pixel.filtered) {
         let _e20 = place_13;
-        let _e21 = kernel_15;
+        let _e21 = kernel_8;
         let _e22 = gabor_field(_e20, _e21, seed);
         return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
     }
     let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
     footprint_2 = _e33;
     let _e35 = place_13;
-    let _e36 = kernel_15;
+    let _e36 = kernel_8;
     let _e37 = footprint_2;
-    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_4));
-    value_5 = _e40.value;
-    let _e43 = value_5;
-    let _e44 = removed_4;
+    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
+    value_4 = _e40.value;
+    let _e43 = value_4;
+    let _e44 = removed_3;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
 
@@ -83,38 +83,38 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
     var density_3: vec2<f32>;
     var sum_11: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
-    var amplitude_4: f32 = 1f;
-    var i_5: i32 = 0i;
+    var amplitude_5: f32 = 1f;
+    var i_7: i32 = 0i;
 
     density_3 = density;
     loop {
-        let _e15 = i_5;
+        let _e15 = i_7;
         if !((_e15 < count)) {
             break;
         }
         {
             let _e21 = sum_11;
-            let _e22 = amplitude_4;
-            let _e23 = amplitude_4;
-            let _e24 = amplitude_4;
-            let _e25 = amplitude_4;
+            let _e22 = amplitude_5;
+            let _e23 = amplitude_5;
+            let _e24 = amplitude_5;
+            let _e25 = amplitude_5;
             let _e28 = density_3;
-            let _e29 = i_5;
+            let _e29 = i_7;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
             sum_11 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
-            let _e35 = amplitude_4;
-            let _e36 = amplitude_4;
+            let _e35 = amplitude_5;
+            let _e36 = amplitude_5;
             power_3 = (_e34 + (_e35 * _e36));
-            let _e39 = amplitude_4;
-            amplitude_4 = (_e39 * gain);
+            let _e39 = amplitude_5;
+            amplitude_5 = (_e39 * gain);
             let _e41 = density_3;
             density_3 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_5;
-            i_5 = (_e18 + 1i);
+            let _e18 = i_7;
+            i_7 = (_e18 + 1i);
         }
     }
     let _e44 = sum_11;
@@ -127,7 +127,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var place_14: GaborPlace;
-    var field_8: GaborField;
+    var field_7: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
@@ -136,12 +136,12 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     let _e15 = place_14;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_8 = _e19;
-    let _e23 = field_8;
+    field_7 = _e19;
+    let _e23 = field_7;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_8;
+    let _e29 = field_7;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_8;
+    let _e34 = field_7;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;
@@ -151,15 +151,15 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 
 // The place in axes turned by an angle.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_1: vec2<f32>;
+    var turn_7: vec2<f32>;
 
     let _e5 = gabor_impl_wave((-0.15915494f * angle));
-    turn_1 = _e5;
-    let _e7 = turn_1;
+    turn_7 = _e5;
+    let _e7 = turn_7;
     let _e9 = gabor_impl_product(_e7, pixel.p);
-    let _e10 = turn_1;
+    let _e10 = turn_7;
     let _e12 = gabor_impl_product(_e10, pixel.dx);
-    let _e13 = turn_1;
+    let _e13 = turn_7;
     let _e15 = gabor_impl_product(_e13, pixel.dy);
     return GaborPixel(_e9, _e12, _e15, pixel.filtered);
 }
@@ -167,12 +167,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_3: f32;
+    var x_6: f32;
 
-    x_3 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_3;
-    let _e20 = x_3;
-    let _e22 = x_3;
+    x_6 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_6;
+    let _e20 = x_6;
+    let _e22 = x_6;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -208,10 +208,10 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var sum_12: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
-    var wave_7: vec2<f32> = vec2<f32>(1f, 0f);
+    var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
     var m_2: i32 = 1i;
-    var x_4: f32;
-    var r_2: f32;
+    var x_7: f32;
+    var r_1: f32;
 
     damping = dot(phase, phase);
     loop {
@@ -221,23 +221,23 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
         }
         {
             let _e20 = power_4;
-            let _e21 = wave_7;
+            let _e21 = wave_9;
             let _e22 = gabor_impl_product(_e21, phase);
-            wave_7 = (_e20 * _e22);
+            wave_9 = (_e20 * _e22);
             let _e24 = power_4;
             let _e25 = damping;
             power_4 = (_e24 * _e25);
             let _e28 = m_2;
-            x_4 = (0.44879895f * f32(_e28));
+            x_7 = (0.44879895f * f32(_e28));
             let _e33 = m_2;
-            r_2 = (0.3183099f / f32(_e33));
+            r_1 = (0.3183099f / f32(_e33));
             let _e37 = sum_12;
-            let _e38 = x_4;
-            let _e40 = x_4;
-            let _e42 = r_2;
-            let _e44 = r_2;
-            let _e45 = wave_7;
-            let _e48 = wave_7;
+            let _e38 = x_7;
+            let _e40 = x_7;
+            let _e42 = r_1;
+            let _e44 = r_1;
+            let _e45 = wave_9;
+            let _e48 = wave_9;
             sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
@@ -332,21 +332,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_13: f32;
+    var local_19: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_5: bool;
+    var first_3: bool;
     var top: f32;
-    var local_14: vec3<f32>;
+    var local_20: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_15: vec3<f32>;
+    var local_21: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_16: f32;
+    var local_22: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -386,11 +386,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_13 = -1f;
+        local_19 = -1f;
     } else {
-        local_13 = 1f;
+        local_19 = 1f;
     }
-    let _e89 = local_13;
+    let _e89 = local_19;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -408,29 +408,29 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_5 = (_e151.x > _e153.y);
+    first_3 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_5;
+    let _e166 = first_3;
     if _e166 {
         let _e167 = upright;
-        local_14 = _e167;
+        local_20 = _e167;
     } else {
         let _e168 = level;
-        local_14 = _e168;
+        local_20 = _e168;
     }
-    let _e170 = local_14;
+    let _e170 = local_20;
     tone_1 = _e170;
-    let _e172 = first_5;
+    let _e172 = first_3;
     if _e172 {
         let _e173 = upright_fibre;
-        local_15 = _e173;
+        local_21 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_15 = _e174;
+        local_21 = _e174;
     }
-    let _e176 = local_15;
+    let _e176 = local_21;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -445,13 +445,13 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e210 = top;
     let _e212 = kept;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_5;
+    let _e216 = first_3;
     if _e216 {
-        local_16 = 1f;
+        local_22 = 1f;
     } else {
-        local_16 = 0f;
+        local_22 = 0f;
     }
-    let _e220 = local_16;
+    let _e220 = local_22;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -478,12 +478,12 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var skin: GaborPixel;
     var one: vec3<f32>;
-    var other: vec3<f32>;
+    var other_1: vec3<f32>;
     var fine: vec3<f32>;
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
-    var a_6: vec2<f32>;
-    var b_8: vec2<f32>;
+    var a_4: vec2<f32>;
+    var b_6: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
     var kept_1: f32;
@@ -506,7 +506,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e27 = skin;
     let _e33 = gabor_lobe_seed(seed, 3i);
     let _e34 = gabor_impl_layer(_e27, vec2(4.3f), 1.6f, 2.2944f, _e33);
-    other = _e34;
+    other_1 = _e34;
     let _e41 = gabor_lobe_seed(seed, 4i);
     let _e42 = gabor_impl_octaves(pixel, vec2(18f), 3i, 0.75f, _e41);
     fine = _e42;
@@ -515,25 +515,25 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     tone_2 = _e48;
     let _e50 = one;
     let _e52 = one;
-    let _e55 = other;
-    let _e57 = other;
+    let _e55 = other_1;
+    let _e57 = other_1;
     powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
     let _e62 = one;
     let _e64 = powers;
-    a_6 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
-    let _e71 = other;
+    a_4 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
+    let _e71 = other_1;
     let _e73 = powers;
-    b_8 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
-    let _e80 = a_6;
-    let _e82 = b_8;
-    let _e85 = a_6;
-    let _e86 = b_8;
+    b_6 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
+    let _e80 = a_4;
+    let _e82 = b_6;
+    let _e85 = a_4;
+    let _e86 = b_6;
     let _e87 = gabor_impl_product(_e85, _e86);
     cells = ((_e80.x + _e82.x) + _e87.x);
     let _e91 = powers;
     let _e92 = powers;
     let _e94 = one;
-    let _e96 = other;
+    let _e96 = other_1;
     shares = (_e91 / (_e92 + (2.5f * vec2<f32>(_e94.z, _e96.z))));
     let _e103 = shares;
     let _e105 = shares;
@@ -728,63 +728,63 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_8: f32 = 0f;
+    var removed_7: f32 = 0f;
     var power_5: f32 = 0f;
-    var i_6: i32 = 0i;
+    var i_8: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_8: vec3<f32>;
-    var amplitude_6: f32;
+    var wave_10: vec3<f32>;
+    var amplitude_7: f32;
     var light_1: f32;
 
     loop {
-        let _e12 = i_6;
+        let _e12 = i_8;
         if !((_e12 < 14i)) {
             break;
         }
         {
-            let _e21 = i_6;
+            let _e21 = i_8;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e29 = i_6;
+            let _e29 = i_8;
             angle_1 = (2.3f * fract(((0.618034f * f32(_e29)) + 0.1f)));
             let _e37 = waves;
             let _e42 = angle_1;
-            let _e43 = i_6;
+            let _e43 = i_8;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
-            wave_8 = _e45;
+            wave_10 = _e45;
             let _e48 = waves;
-            amplitude_6 = (0.018f / pow(_e48, 1.35f));
+            amplitude_7 = (0.018f / pow(_e48, 1.35f));
             let _e53 = height_3;
-            let _e54 = amplitude_6;
-            let _e55 = wave_8;
-            let _e58 = wave_8;
-            let _e60 = wave_8;
-            let _e63 = wave_8;
-            let _e65 = wave_8;
+            let _e54 = amplitude_7;
+            let _e55 = wave_10;
+            let _e58 = wave_10;
+            let _e60 = wave_10;
+            let _e63 = wave_10;
+            let _e65 = wave_10;
             height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
             let _e73 = crest_1;
-            let _e74 = amplitude_6;
-            let _e75 = wave_8;
+            let _e74 = amplitude_7;
+            let _e75 = wave_10;
             crest_1 = (_e73 + (_e74 * _e75.x));
-            let _e79 = removed_8;
-            let _e80 = amplitude_6;
-            let _e81 = amplitude_6;
-            let _e83 = wave_8;
-            removed_8 = (_e79 + ((_e80 * _e81) * _e83.z));
+            let _e79 = removed_7;
+            let _e80 = amplitude_7;
+            let _e81 = amplitude_7;
+            let _e83 = wave_10;
+            removed_7 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
-            let _e88 = amplitude_6;
-            let _e89 = amplitude_6;
+            let _e88 = amplitude_7;
+            let _e89 = amplitude_7;
             power_5 = (_e87 + (_e88 * _e89));
         }
         continuing {
-            let _e16 = i_6;
-            i_6 = (_e16 + 1i);
+            let _e16 = i_8;
+            i_8 = (_e16 + 1i);
         }
     }
     let _e92 = crest_1;
     let _e93 = power_5;
-    let _e96 = removed_8;
+    let _e96 = removed_7;
     let _e97 = power_5;
     let _e101 = gabor_impl_above((_e92 * inverseSqrt(_e93)), (_e96 / _e97), 0.5f, 1f);
     light_1 = _e101;
@@ -797,21 +797,21 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_4: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_7: i32 = 0i;
+    var i_9: i32 = 0i;
     var fine_1: f32;
     var streak: vec3<f32>;
 
     loop {
-        let _e9 = i_7;
+        let _e9 = i_9;
         if !((_e9 < 5i)) {
             break;
         }
         {
-            let _e16 = i_7;
+            let _e16 = i_9;
             fine_1 = exp2(f32(_e16));
             let _e22 = fine_1;
             let _e26 = fine_1;
-            let _e29 = i_7;
+            let _e29 = i_9;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
             streak = _e31;
@@ -824,8 +824,8 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
         }
         continuing {
-            let _e13 = i_7;
-            i_7 = (_e13 + 1i);
+            let _e13 = i_9;
+            i_9 = (_e13 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -840,40 +840,40 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
-    var i_8: i32 = 0i;
+    var i_10: i32 = 0i;
     var size: f32;
-    var turned_2: GaborPixel;
-    var noise_5: vec3<f32>;
+    var turned_1: GaborPixel;
+    var noise_6: vec3<f32>;
     var scratch: f32;
     var colour_6: vec3<f32>;
 
     loop {
-        let _e8 = i_8;
+        let _e8 = i_10;
         if !((_e8 < 14i)) {
             break;
         }
         {
-            let _e17 = i_8;
+            let _e17 = i_10;
             size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_8;
+            let _e24 = i_10;
             let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
-            turned_2 = _e28;
-            let _e30 = turned_2;
-            let _e38 = i_8;
+            turned_1 = _e28;
+            let _e30 = turned_1;
+            let _e38 = i_10;
             let _e40 = gabor_lobe_seed(seed, (2i * _e38));
             let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
-            turned_2 = _e41;
-            let _e42 = turned_2;
+            turned_1 = _e41;
+            let _e42 = turned_1;
             let _e46 = size;
-            let _e50 = i_8;
+            let _e50 = i_10;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
-            noise_5 = _e55;
-            let _e57 = noise_5;
-            let _e59 = noise_5;
+            noise_6 = _e55;
+            let _e57 = noise_6;
+            let _e59 = noise_6;
             let _e63 = gabor_impl_above(_e57.x, _e59.z, 2.4f, 0.2f);
-            let _e64 = noise_5;
-            let _e66 = noise_5;
+            let _e64 = noise_6;
+            let _e66 = noise_6;
             let _e70 = gabor_impl_above(_e64.y, _e66.z, 0.3f, 0.7f);
             scratch = (_e63 * _e70);
             let _e73 = whole;
@@ -886,8 +886,8 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             height_5 = (_e84 - ((0.0025f * _e86) * _e88));
         }
         continuing {
-            let _e12 = i_8;
-            i_8 = (_e12 + 1i);
+            let _e12 = i_10;
+            i_10 = (_e12 + 1i);
         }
     }
     let _e99 = whole;
@@ -1037,13 +1037,13 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_2: f32;
-    var first_6: bool;
-    var local_17: vec3<f32>;
+    var turn_8: f32;
+    var first_4: bool;
+    var local_23: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_18: vec2<f32>;
+    var local_24: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_19: f32;
+    var local_25: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1073,37 +1073,37 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     within_2 = ((_e38 * _e39.p) - _e42);
     let _e47 = tow;
     let _e49 = tow;
-    turn_2 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
-    let _e60 = turn_2;
-    first_6 = (_e60 < 1.5f);
-    let _e64 = first_6;
+    turn_8 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
+    let _e60 = turn_8;
+    first_4 = (_e60 < 1.5f);
+    let _e64 = first_4;
     if _e64 {
         let _e65 = upright_1;
-        local_17 = _e65;
+        local_23 = _e65;
     } else {
         let _e66 = level_1;
-        local_17 = _e66;
+        local_23 = _e66;
     }
-    let _e68 = local_17;
+    let _e68 = local_23;
     fibre_2 = _e68;
-    let _e70 = first_6;
+    let _e70 = first_4;
     if _e70 {
         let _e71 = within_2;
-        local_18 = _e71.yx;
+        local_24 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_18 = _e73;
+        local_24 = _e73;
     }
-    let _e75 = local_18;
+    let _e75 = local_24;
     along_across = _e75;
     let _e78 = along_across;
-    let _e81 = turn_2;
+    let _e81 = turn_8;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_19 = 0f;
+        local_25 = 0f;
     } else {
-        local_19 = 1f;
+        local_25 = 1f;
     }
-    let _e91 = local_19;
+    let _e91 = local_25;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

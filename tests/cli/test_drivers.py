@@ -2,7 +2,6 @@
 on another driver (SwiftShader). With GABOR_OTHER_PROGRAM, from another compiler's build too."""
 
 import glob
-import itertools
 import os
 import unittest
 
@@ -26,13 +25,13 @@ class Drivers(ProgramTest):
 
     def test_every_run_gives_the_same_bytes(self):
         for options in REQUESTS:
-            self.assertEqual(len({self.render(*options) for _ in range(3)}), 1, options)
+            self.assertEqual(len({self.render(*options) for _ in range(2)}), 1, options)
 
     @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe")
     def test_lavapipe_gives_the_same_bits_however_it_divides_its_work(self):
         for options in REQUESTS:
             pixels = set()
-            for width, threads in itertools.product(("128", "256"), ("0", "1", "4")):
+            for width, threads in (("128", "0"), ("256", "0"), ("256", "1"), ("128", "4")):
                 self.render(*options, env={"VK_ICD_FILENAMES": LAVAPIPE, "LP_NATIVE_VECTOR_WIDTH": width,
                                            "LP_NUM_THREADS": threads})
                 channels = Exr(self.folder / "out.exr").channels  # the header names the driver, with its width

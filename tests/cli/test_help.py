@@ -23,9 +23,9 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--texture", "--half", "--compression", "--device", "--verbose", "--yaw", "--pitch",
+                              "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
                               "--zoom", "--material"),
-                   "join": ("REGION", "-o,--output"),
+                   "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "merge": ("PART", "-o,--output", "--device"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
                    "bench": ("--json", "--device", "--quick", "--isa")}

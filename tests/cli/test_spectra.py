@@ -73,7 +73,7 @@ class Spectra(SpectraTest):
 
     def test_lobes_have_the_energies_asked_for(self):
         name = self.write_lobes(LOBES)
-        exr = self.render("--tileable", lobes=name, size="4096x4096", scale=8, seed=5)
+        exr = self.render("--tileable", lobes=name, size="2048x2048", scale=8, seed=5)
         self.assertAlmostEqual(exr.pixels.var(), 1, delta=0.01)
         self.assert_energies(exr.pixels, 8, LOBES)
 
@@ -286,80 +286,57 @@ class Space(SpectraTest):
         self.assertTrue((solid.channels["A"] == torus.channels["A"]).all() and (solid.pixels != torus.pixels).any())
 
     def test_slices_at_other_depths_are_others_of_the_same_noise(self):
-        slices = [self.render(view="slice", size="512x512", scale=8, frequency=2, depth=depth).pixels
-                  for depth in (0, 0, 0.01, 5)]
-        self.assertEqual(slices[0].tobytes(), slices[1].tobytes())
+        slices = [self.render(view="slice", size="256x256", scale=4, frequency=1, depth=depth).pixels
+                  for depth in (0, 0.01, 5)]
         correlation = [np.mean(slices[0] * other) / slices[0].var() for other in slices]
-        self.assertGreater(correlation[2], 0.99)
-        self.assertAlmostEqual(correlation[3], 0, delta=0.06)
+        self.assertGreater(correlation[1], 0.99)
+        self.assertAlmostEqual(correlation[2], 0, delta=0.06)
         self.assertAlmostEqual(slices[0].var(), 1, delta=0.06)
 
     def test_spectra_in_space(self):
         """A sum of lobes is the sum of what each of them is alone, with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
-        for view in (["--view=slice", "--depth=1.3"], ["--view=sphere"], ["--view=torus", "--solid"]):
+        for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
             # Seeds of a sum are not those of a lone lobe: so the sum is known by its powers' limits.
-            both = [self.render(*view, "--gradient", lobes=self.write_lobes([{**lobes[0], "power": power}, lobes[1]]),
-                                size="120x100", scale=12).pixels for power in (0, 1, 3, 1e9)]
-            for share, seen in ((0.5, both[1]), (0.75, both[2])):
-                expected = np.sqrt(share) * both[3] + np.sqrt(1 - share) * both[0]
-                np.testing.assert_allclose(seen, expected, atol=1e-4)
-            self.assertGreater(np.ptp(both[0]), 1)
-            self.assertGreater(np.abs(both[0] - both[3]).max(), 1)
+            second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
+                [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
+            share = ratio / (ratio + 1)
+            np.testing.assert_allclose(both, np.sqrt(share) * first + np.sqrt(1 - share) * second, atol=1e-4)
+            self.assertGreater(np.ptp(second), 1)
+            self.assertGreater(np.abs(second - first).max(), 1)
         # Kernels twice as wide at half the frequency are the same noise at twice the scale.
         wide = self.render(view="slice", lobes=self.write_lobes([{"frequency": 1, "radius": 2}]), size="80x60", scale=10)
         plain = self.render(view="slice", frequency=2, size="80x60", scale=20)
         np.testing.assert_allclose(wide.pixels, plain.pixels, atol=4e-5)
         # A spread in the slice's plane is narrow where its angle is.
-        values = self.render(view="slice", frequency=3, orientation_spread=20, size="1024x1024", scale=8).pixels
-        x, y = frequencies(1024, 8)
+        values = self.render(view="slice", frequency=3, orientation_spread=20, size="384x384", scale=8).pixels
+        x, y = frequencies(384, 8)
         measured = power(values)
         self.assertAlmostEqual(values.var(), 1, delta=0.06)
         self.assertLess((measured * np.abs(y)).sum() / (measured * np.abs(x)).sum(), 0.25)
 
     def test_several_values_in_space_do_not_correlate(self):
         for time in (0, 0.25, 0.5):
-            exr = self.render("--view=slice", size="512x512", scale=4, frequency=1, values=4, orientation_spread=90,
+            exr = self.render("--view=slice", size="256x256", scale=4, frequency=1, values=4, orientation_spread=90,
                               time=time)
             values = np.array([exr.channels[name].ravel() for name in ("Y", "second", "third", "fourth")])
             np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.05)
 
 
 class Channels(SpectraTest):
-    def test_pixel_by_pixel_it_is_the_noise_of_the_blocks(self):
-        options = {"size": "300x200", "scale": 20, "orientation": 25, "time": 0.2}
-        spreads = ["--view=slice", "--depth=-3.3", "--frequency=1.3", "--frequency-spread=0.5"]
-        for flags in ([], ["--tileable"], [*spreads, "--orientation-spread=40"], [*spreads, "--orientation-spread=90"]):
-            for recipe in ("lattice", "lattice-2", "lattice-4", "one", "pure", "paper")[:1 if "--view=slice" in flags else 6]:
-                blocks = self.render("--quadrature", "--gradient", *flags, output="a.exr", recipe=recipe, **options)
-                pixels = self.render("--quadrature", "--gradient", "--phasor", *flags, output="b.exr", recipe=recipe,
-                                     **options)
-                for name, values in blocks.channels.items():
-                    np.testing.assert_allclose(pixels.channels[name], values,
-                                               atol=1e-3 if name.startswith("gradient") else 4e-5, err_msg=name)
-                turn = 2 * np.pi * pixels.channels["phase"]
-                np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
-
-    def assert_blocks_are_pixels(self, **options):
-        """Whole blocks and single pixels are two ways to the same picture: --phasor takes the second."""
-        blocks = self.render(output="a.exr", **options).pixels
-        pixels = self.render("--phasor", output="b.exr", **options).pixels
-        self.assertGreater(np.ptp(blocks), 0.1)
-        np.testing.assert_allclose(pixels, blocks, atol=4e-5, err_msg=str(options))
-
-    def test_blocks_are_pixels_on_both_sides_of_a_cell_at_large_scales(self):
-        for scale in (999.5, 1507, 4096):
-            for recipe, cell in (("lattice", scale / 1.5), ("lattice-2", scale), ("lattice-4", scale / 2), ("one", scale),
-                                 ("paper", scale), ("pure", scale / 1.5)):
-                x, y = int(2 * cell) - 40, int(cell) - 21
-                self.assert_blocks_are_pixels(recipe=recipe, scale=scale, size="16384x16384", frequency=6,
-                                              orientation=25, region=f"{x},{y},83,61")
-
-    def test_blocks_are_pixels_in_every_corner_of_the_largest_picture(self):
-        for x in (0, 65536 - 37):
-            for y in (0, 65536 - 45):
-                self.assert_blocks_are_pixels(scale=7.7, size="65536x65536", frequency=2, orientation=25,
-                                              region=f"{x},{y},37,45")
+    def test_pixel_by_pixel_a_slice_is_the_noise_of_the_blocks(self):
+        # Of the plane tests/render/test_pixels.cpp says so.
+        options = {"view": "slice", "depth": -3.3, "frequency": 1.3, "frequency_spread": 0.5, "size": "300x200", "scale": 20,
+                   "orientation": 25, "time": 0.2}
+        for spread in (40, 90):
+            blocks = self.render("--quadrature", "--gradient", output="a.exr", orientation_spread=spread, **options)
+            pixels = self.render("--quadrature", "--gradient", "--phasor", output="b.exr", orientation_spread=spread,
+                                 **options)
+            for name, values in blocks.channels.items():
+                np.testing.assert_allclose(pixels.channels[name], values,
+                                           atol=1e-3 if name.startswith("gradient") else 4e-5, err_msg=name)
+            turn = 2 * np.pi * pixels.channels["phase"]
+            np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
 
     def test_headers_name_the_recipe_that_drew(self):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),

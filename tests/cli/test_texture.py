@@ -67,6 +67,56 @@ class Levels(TextureTest):
             np.testing.assert_array_equal(a["Y"].astype(np.float16), b["Y"])
 
 
+class Joined(TextureTest):
+    def levels(self, width, height, options, strips=3):
+        """Level 0 in uneven strips, all others whole, down to a line."""
+        regions = []
+        for level in range(min(width, height).bit_length()):
+            rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]
+            for first, end in zip(rows, rows[1:]):
+                regions.append(f"level{level}.{first}.exr")
+                self.succeed("render", f"--size={width}x{height}", f"--level={level}", *options, "-o", regions[-1],
+                             f"--region=0,{first},{width >> level},{end - first}")
+        return regions
+
+    def test_levels_become_the_texture(self):
+        for width, height, options, half in ((128, 64, [*NOISE, "--scale=16", "--compression=zip"], ["--half"]),
+                                             (32, 64, [*NOISE, "--scale=8", "--tileable"], []),
+                                             (16, 16, [*NOISE, "--scale=6", "--quadrature", "--gradient"], [])):
+            self.succeed("render", "--texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
+            regions = self.levels(width, height, options)
+            said = self.succeed("join", "--texture", *half, *regions[2:], *regions[:2], "-o", "joined.exr")
+            self.assertEqual(said, f"joined.exr: {width} x {height} pixels, from {len(regions)} regions\n")
+            files = self.files()
+            self.assertEqual(files["joined.exr"], files["texture.exr"], options)
+
+    def test_a_level_is_the_filtered_picture_of_its_size(self):
+        self.succeed("render", "--size=128x64", "--level=2", *NOISE, "--scale=16", "-o", "level.exr")
+        flat = self.flat(32, 16, 4)
+        self.assertEqual(flat.parameters, Exr(self.folder / "level.exr").parameters)
+        self.assertEqual(self.files()["level.exr"], self.files()["flat.exr"])
+
+    def test_what_are_no_levels(self):
+        regions = self.levels(32, 16, [*NOISE, "--scale=8"], strips=2)
+        join = "join", "--texture", "-o", "new.exr"
+        self.assert_refused(["no region is of level 2, 8 x 4 pixels"], *join, *(r for r in regions if "level2" not in r))
+        self.assert_refused(["no region has the pixel 0,8"], *join, *regions[:1], *regions[2:])
+        self.succeed("render", "--size=32x16", "--level=1", *NOISE, "--scale=8", "--time=0.3", "-o", "other.exr")
+        self.assert_refused(["'other.exr' is not level 1 of 'level0.0.exr'"], *join,
+                            *(r for r in regions if "level1" not in r), "other.exr")
+        self.succeed("render", "--size=64x16", "--level=3", *NOISE, "--scale=8", "-o", "other.exr")
+        self.assert_refused(["'other.exr' is no level of 'level0.0.exr'"], *join, *regions, "other.exr")
+        self.succeed("render", "--size=32x16", *NOISE, "--scale=8", "-o", "sharp.exr")
+        self.assert_refused(["'sharp.exr' is not filtered"], *join, "sharp.exr")
+        self.assert_refused(["--half"], "join", "--half", "-o", "new.exr", *regions)
+        self.assert_refused(["level0.0.exr", "is one of the regions"], "join", "--texture", *regions, "-o", regions[0])
+        for level in ("5", "-1", "x"):
+            self.assert_refused([f"--level '{level}'", "from 0 to 4 at this size"], "render", "--size=32x16",
+                                f"--level={level}", "-o", "new.exr")
+        self.assert_refused(["power of two"], "render", "--size=32x17", "--level=1", "-o", "new.exr")
+        self.assert_refused(["--texture and --level"], "render", "--texture", "--level=1", "--size=32x16", "-o", "new.exr")
+
+
 class Attributes(TextureTest):
     def test_those_of_a_texture(self):
         texture = self.texture(256, 128)
@@ -102,7 +152,7 @@ class Refused(TextureTest):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
             "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
-            "exclude each other": ["--size=64x64", "--gradient"],
+            "exclude each other": ["--size=64x64", "--recipe=paper"],
         }.items():
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
         self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", "-o", "new.png")

@@ -16,17 +16,10 @@ constexpr double knee = 0.93687595;
 constexpr double flattening = 0.89289313;
 constexpr double cubic = 0.62342056;
 
-std::uint32_t seed_salt(std::uint32_t seed) {
-    std::uint32_t word = seed * spread;
-    word = (word ^ word >> 16) * 0x21f0aaadu + 0x2545f491u;
+std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
+    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
     word = (word ^ word >> 15) * 0xd35a2d97u;
     return word ^ word >> 15;
-}
-
-std::uint32_t line_word(std::int32_t index, std::uint32_t salt) {
-    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word >> 8 | 0x800001u;
 }
 
 std::uint32_t next_word(std::uint32_t word) {
@@ -59,9 +52,20 @@ double lattice_energy(int taps) {
     return taps == 2 ? 1 : 0.375 * taps;
 }
 
+std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed) {
+    constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
+    const std::uint32_t salt = mix(seed * spread, 0x2545f491u) ^ axes.at(static_cast<std::size_t>(axis));
+    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word >> 8 | 0x800001u;
+}
+
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed) {
-    const std::uint32_t salt = seed_salt(seed);
-    return line_word(column, salt) * line_word(row, salt ^ 0x5bd1e995u);
+    return lattice_line_word(column, 0, seed) * lattice_line_word(row, 1, seed);
+}
+
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
+    return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, spread);
 }
 
 double lattice_amplitude_part(double u) {
@@ -87,7 +91,7 @@ Complex lattice_amplitude(std::uint32_t word) {
 }
 
 Complex lattice_amplitude(std::uint32_t word, double time) {
-    const std::uint32_t second = next_word(word ^ 0x68e31da4u);
+    const std::uint32_t second = next_word(word);
     const double angle = 2 * pi * time;
     return (1 + std::cos(angle)) / 2 * lattice_amplitude(word) +
            (1 - std::cos(angle)) / 2 * lattice_amplitude(second) +
@@ -110,12 +114,13 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
             const double y = place.local_y - static_cast<double>(j);
             const LatticeWindow wx = lattice_window(taps_, x / window_radius);
             const LatticeWindow wy = lattice_window(taps_, y / window_radius);
-            std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
-                                              wrapped(place.cell_y + j, place.period_y), seed_);
             std::array<Complex, 4> amplitudes;
-            for (Complex& amplitude : amplitudes) {
-                amplitude = place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-                word = next_word(word);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const std::uint32_t seed = c ? lattice_lobe_seed(seed_, -static_cast<int>(c)) : seed_;
+                const std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
+                                                        wrapped(place.cell_y + j, place.period_y), seed);
+                amplitudes.at(c) =
+                    place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
             }
             const Complex wave =
                 std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));

@@ -18,8 +18,14 @@ LatticeWindow lattice_window(int taps, double d);
 /// The sum of the squares of the windows along an axis, which depends on no place.
 double lattice_energy(int taps);
 
-/// The word of a node: 24 bits from its column times 24 bits from its row.
+/// The word of the nodes that share an index along an axis (0 x, 1 y, 2 z): odd, of 24 bits.
+std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed);
+
+/// The word of a node: that of its column times that of its row.
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed);
+
+/// The seed of lobe `index` in a sum of independent noises.
+std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
 
 /// A part of an amplitude from a number u in [-1, 1]: what makes the law of a uniform one nearly normal.
 double lattice_amplitude_part(double u);
@@ -30,7 +36,7 @@ double lattice_amplitude_deviation();
 /// The amplitude of a word: parts from all of it, of which the high half counts, and from its low half.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
-/// The same at a moment of an animation of period 1, with two others that are no other noise's.
+/// The same at a moment of an animation of period 1, with two others that follow from the word.
 std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
 /// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.

@@ -15,27 +15,8 @@ using Vector = Lattice3d::Vector;
 
 constexpr double nodes_per_radius = 1.5;
 
-std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
-
-// The word of a line of nodes that are the same along one axis: odd, of 24 bits.
-std::uint32_t line_word(std::int32_t index, std::size_t axis, std::uint32_t seed) {
-    constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
-    const std::uint32_t salt = mix(seed * 0x9e3779b1u, 0x2545f491u) ^ axes[axis];
-    std::uint32_t word = static_cast<std::uint32_t>(index) * 0x9e3779b1u + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word >> 8 | 0x800001u;
-}
-
 std::uint32_t node_word(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return x * (y * z >> 8 | 0x800001u);
-}
-
-std::uint32_t next_word(std::uint32_t word) {
-    return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
 double dot(const Vector& a, const Vector& b) {
@@ -64,10 +45,6 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-std::uint32_t lobe_seed(std::uint32_t seed, std::uint32_t index) {
-    return mix(seed + index * 0x85ebca6bu, 0x9e3779b1u);
-}
-
 // Lobe `index` of a range of `count`, a real number: the middle of its share, from 0 to 1, and its power.
 std::array<double, 2> share(int index, double count) {
     const double power = std::min(count - index, 1.0);
@@ -76,8 +53,8 @@ std::array<double, 2> share(int index, double count) {
 
 } // namespace
 
-Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, int channel, bool animated)
-    : wave_(wave), seed_(seed), channel_(channel), animated_(animated) {}
+Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, bool animated)
+    : wave_(wave), seed_(seed), animated_(animated) {}
 
 std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
     struct Line {
@@ -92,17 +69,15 @@ std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
             auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
             if (const std::int32_t period = place.period[axis])
                 index = (index % period + period) % period;
-            lines[axis].push_back(
-                {line_word(index, axis, seed_), place.local[axis] - static_cast<double>(i)});
+            lines[axis].push_back({lattice_line_word(index, static_cast<int>(axis), seed_),
+                                   place.local[axis] - static_cast<double>(i)});
         }
     }
     std::vector<Node> nodes;
     for (const Line& z : lines[2]) {
         for (const Line& y : lines[1]) {
             for (const Line& x : lines[0]) {
-                std::uint32_t word = node_word(x.word, y.word, z.word);
-                for (int i = 0; i < channel_; ++i)
-                    word = next_word(word);
+                const std::uint32_t word = node_word(x.word, y.word, z.word);
                 // Of variance 1 in each part.
                 const std::complex<double> amplitude =
                     animated_ ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
@@ -199,7 +174,7 @@ std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed) 
         const double across = std::sqrt(1 - height * height);
         waves.push_back({std::sqrt(power),
                          scaled(frequency, {across * std::cos(azimuth), across * std::sin(azimuth), height}),
-                         lobe_seed(seed, static_cast<std::uint32_t>(i))});
+                         lattice_lobe_seed(seed, i)});
     }
     return waves;
 }
@@ -214,9 +189,9 @@ std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, 
     const double length = std::hypot(first, 1 - first);
     std::vector<WeightedWave> waves;
     if (first > 0)
-        waves.push_back({first / length, scaled(frequency, unit(along)), lobe_seed(seed, 0)});
+        waves.push_back({first / length, scaled(frequency, unit(along)), lattice_lobe_seed(seed, 0)});
     if (first < 1)
-        waves.push_back({(1 - first) / length, scaled(frequency, unit(instead)), lobe_seed(seed, 1)});
+        waves.push_back({(1 - first) / length, scaled(frequency, unit(instead)), lattice_lobe_seed(seed, 1)});
     return waves;
 }
 
@@ -226,7 +201,7 @@ std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double f
     const double first = smoothstep(0.25, 0.5, 1 - normal[2] * normal[2]);
     const double length = std::hypot(first, 1 - first);
     std::vector<WeightedWave> waves;
-    const auto add = [&](const Vector& axis, double weight, std::uint32_t first_index) {
+    const auto add = [&](const Vector& axis, double weight, int first_index) {
         if (weight == 0)
             return;
         const Vector along = unit(cross(axis, normal));
@@ -235,7 +210,7 @@ std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double f
             waves.push_back({weight / length * std::sqrt(power),
                              sum(frequency * std::cos(pi * turn), along, frequency * std::sin(pi * turn),
                                  cross(normal, along)),
-                             lobe_seed(seed, first_index + static_cast<std::uint32_t>(i))});
+                             lattice_lobe_seed(seed, first_index + i)});
         }
     };
     add({0, 0, 1}, first, 0);

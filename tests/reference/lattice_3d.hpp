@@ -30,8 +30,8 @@ class Lattice3d {
         double removed = 0;
     };
 
-    /// `wave` in cycles per kernel radius; `channel`, 0 to 3, is one of the four independent noises.
-    Lattice3d(const Vector& wave, std::uint32_t seed, int channel = 0, bool animated = false);
+    /// `wave` in cycles per kernel radius.
+    Lattice3d(const Vector& wave, std::uint32_t seed, bool animated = false);
 
     Field field(const Place& place) const;
 
@@ -49,7 +49,6 @@ class Lattice3d {
 
     Vector wave_;
     std::uint32_t seed_;
-    int channel_;
     bool animated_;
 };
 

@@ -81,13 +81,6 @@ double hann_correlation(double x) {
 
 } // namespace
 
-std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
-    std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
-    word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
-
 // A range is cut into n pieces with a lobe in the middle of each, n the whole part of c. While the rest of c
 // goes from 0.8 to 1 these fade out and n + 1 others fade in.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,

@@ -18,9 +18,6 @@ struct SpectrumLobe {
     std::uint32_t seed = 0;
 };
 
-/// The seed of lobe `index` in a sum of independent noises.
-std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
-
 /// The lobes whose sum has waves within `orientation_spread` radians of the orientation and within the share
 /// `frequency_spread` of the frequency.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,

@@ -54,7 +54,6 @@ struct LatticeAnswer {
     std::uint32_t word;
     std::uint32_t padding;
     float four[4];
-    float field_four[4];
 };
 
 struct LatticeSampler : Probe<LatticeSample, LatticeAnswer> {

@@ -95,10 +95,6 @@ LatticeSample draw_instance(std::mt19937& random) {
     return s;
 }
 
-} // namespace
-
-namespace {
-
 constexpr std::size_t side = 16;
 constexpr std::size_t places = side * side; // of a cell, the first at its corner
 constexpr std::size_t per_place = per_batch / places;

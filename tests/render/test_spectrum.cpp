@@ -63,7 +63,6 @@ struct Answer {
     float padding;
     float placed_slope[2];
     float padding_2[2];
-    float placed_four[4];
     float four_filtered[4];
     float four_removed;
     float padding_3[3];
@@ -209,7 +208,7 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         }
         s.time = draw.uniform(0, 1);
     }
-    Largest spread, lobes, filtered, slope, four;
+    Largest spread, lobes, filtered, slope;
     const auto answers = sampler.answers(count, everything);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
@@ -234,8 +233,6 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         filtered.see(answers[i].placed_filtered[1], of_wave.value.imag(), 1e-4, s);
         slope.see(answers[i].placed_slope[0], of_wave.slope_x.imag(), 3e-3, s);
         slope.see(answers[i].placed_slope[1], of_wave.slope_y.imag(), 3e-3, s);
-        for (std::size_t c = 0; c < 4; ++c)
-            four.see(answers[i].placed_four[c], of_wave.four[c], 1e-4, s);
         if (s.cell[0] < 16 && s.cell[1] < 16) {
             const auto of_lobes = noise::Spectrum(lobes_of(s)).field(place).value;
             lobes.see(answers[i].placed_lobes[0], of_lobes.real(), 2e-4, s);
@@ -245,7 +242,6 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
     spread.check("gabor_field_spread");
     filtered.check("gabor_field_filtered without a footprint");
     slope.check("  its gradient");
-    four.check("  its four noises");
     lobes.check("gabor_field_lobes");
 }
 

@@ -123,3 +123,32 @@ TEST_CASE("an instance that repeats has the mean 0 if its kernel is a sine", "[c
             CHECK(largest > 1e-3);
     }
 }
+
+TEST_CASE("rows measured in pieces are those measured at once, to the last bit", "[criteria]") {
+    const vulkan::Device device;
+    Effort effort = Effort::quick();
+    effort.samples = 1 << 15;
+    effort.windows = 1 << 7;
+    effort.places = 1 << 9;
+    effort.impulses = {2};
+    const Tables stationary = stationarity(device, effort);
+    for (const Row& row :
+         {figure2(device, effort)[0].rows[0], figure4(device, effort)[0].rows[0], stationary[0].rows[0],
+          stationary[1].rows[0], recipe_row(device, {{"", Shape::separable, {1, 0, 0}}, 1, 1.1}, effort)}) {
+        INFO(row.key);
+        const Numbers whole = row.measure.whole(5);
+        std::vector<Numbers> pieces(static_cast<std::size_t>(row.measure.count()));
+        REQUIRE(pieces.size() > 4);
+        const std::vector<std::vector<int>> machines{{1, 4, 5}, {7, 6, 3, 2, 0}};
+        for (const std::vector<int>& which : machines) {
+            const std::vector<Numbers> measured = row.measure.pieces(5, which);
+            for (std::size_t i = 0; i < which.size(); ++i)
+                pieces[static_cast<std::size_t>(which[i])] = measured[i];
+        }
+        CHECK(row.measure.combine(pieces) == whole);
+        CHECK(std::ranges::all_of(whole, [](double number) { return std::isfinite(number); }));
+        std::swap(pieces[0], pieces[1]);
+        pieces[2] = pieces[3];
+        CHECK(row.measure.combine(pieces) != whole);
+    }
+}

@@ -1,24 +1,46 @@
 """`gabor study` and `tools/plot` from outside."""
 
 import csv
-import os
 import pathlib
 import re
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
-from program import ProgramTest, start  # noqa: E402
+from program import ProgramTest, gabor, start  # noqa: E402
 
 PLOT = pathlib.Path(__file__).parents[2] / "tools" / "plot"
 POINTS = {"poisson", "stratified", "jittered", "jittered_hex", "sobol", "scrambled_sobol"}
 
 
+def interrupt(how, folder, journal, *arguments):
+    """Starts the program and ends it once its journal has some rows. Returns its status, and what it had written."""
+    process = start(*arguments, cwd=folder)
+    path = folder / journal
+    while process.poll() is None and (not path.exists() or path.read_text().count("\n") < 4):
+        time.sleep(0.01)
+    process.send_signal(how)
+    process.communicate()
+    return process.returncode, path.read_text()
+
+
 class StudyTest(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        """The study of the law, by a run that is interrupted and goes on."""
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.law = pathlib.Path(folder.name)
+        cls.interrupted, cls.kept = interrupt(signal.SIGINT, cls.law, "study.part", "study", "law", "--quick", "-o", ".")
+        cls.files_of_interrupted = {path.name for path in cls.law.iterdir()}
+        result = gabor("study", "law", "--quick", "-o", ".", cwd=cls.law)
+        assert (result.returncode, result.stderr) == (0, ""), result
+
     def table(self, name):
         with open(self.folder / f"{name}.csv", newline="") as file:
             return list(csv.DictReader(file))
@@ -45,8 +67,18 @@ class StudyTest(ProgramTest):
         for name in ("figure1.png", "figure6.png"):
             self.assertGreater((self.folder / name).stat().st_size, 10000)
 
+        # Its one row is measured in pieces by two parts; only times are never the same.
+        for part in (1, 2):
+            self.succeed("study", "figure6", "--quick", "-o", "parts", f"--part={part}/2")
+            self.assertIn(" piece ", (self.folder / f"parts/study.{part}-of-2.rows").read_text())
+        self.succeed("merge", "parts/study.1-of-2.rows", "parts/study.2-of-2.rows", "-o", "merged")
+        one_run, merged = ({name: value for name, value in self.table(table)[0].items()
+                            if not name.startswith(("seconds", "time"))} for table in ("figure6", "merged/figure6"))
+        self.assertEqual(len(merged), 10)
+        self.assertEqual(merged, one_run)
+
     def test_the_law_at_places_and_of_pairs(self):
-        self.succeed("study", "law", "--quick", "-o", ".")
+        shutil.copytree(self.law, self.folder, dirs_exist_ok=True)
         noises = {"seminal", "advice", "paper", "one", "pure", "lattice_2", "lattice_3", "lattice_4"}
         counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9, "law_spectra": 1}
         for name, count in counts.items():
@@ -75,27 +107,23 @@ class StudyTest(ProgramTest):
         for name in counts:
             self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000)
 
-    def test_an_interrupted_study_goes_on_where_it_was(self):
-        self.succeed("study", "figure4", "--quick", "-o", "whole")
-        process = start("study", "figure4", "--quick", "-o", "broken", cwd=self.folder)
-        part = self.folder / "broken" / "study.part"
-        while not part.exists() or part.read_text().count("\n") < 4:
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        process.communicate()
-        self.assertEqual(process.returncode, -signal.SIGINT)
-        self.assertFalse((self.folder / "broken" / "figure4.csv").exists())
-        kept = part.read_text()
-        self.succeed("study", "figure4", "--quick", "-o", "broken")
-        files = self.files()
-        self.assertGreater(kept.count("\n"), 3)
-        self.assertEqual(files[os.path.join("broken", "figure4.csv")], files[os.path.join("whole", "figure4.csv")])
-        self.assertNotIn(os.path.join("broken", "study.part"), files)
+    def test_an_interrupted_study_keeps_its_rows(self):
+        self.assertEqual(self.interrupted, -signal.SIGINT)
+        self.assertEqual(self.files_of_interrupted, {"study.part"})
+        self.assertGreater(self.kept.count("\n"), 3)
+        self.assertFalse((self.law / "study.part").exists())
 
     def test_parts_merge_into_the_tables_of_one_run(self):
+        """Parts, of which one was killed and went on, as one run, which was interrupted and went on."""
+        law_part = "study", "law", "--quick", "-o", "law.parts", "--part=3/3"
+        _, kept = interrupt(signal.SIGKILL, self.folder, "law.parts/study.3-of-3.part", *law_part)
+        self.succeed(*law_part)
+        self.assertFalse((self.folder / "law.parts/study.3-of-3.part").exists())
+        self.assertLess(set(kept.splitlines()[:3]), set((self.folder / "law.parts/study.3-of-3.rows").read_text().splitlines()))
         # law has tables whose last columns need all rows of themselves and of another; figure1 rows that cost nothing.
+        shutil.copytree(self.law, self.folder / "law.whole")
+        self.succeed("study", "figure1", "--quick", "-o", "figure1.whole")
         for name, count in (("law", 3), ("figure1", 7)):
-            self.succeed("study", name, "--quick", "-o", f"{name}.whole")
             for part in range(count, 0, -1):
                 self.succeed("study", name, "--quick", "-o", f"{name}.parts", f"--part={part}/{count}")
             parts = [f"{name}.parts/study.{part}-of-{count}.rows" for part in range(1, count + 1)]
@@ -121,21 +149,6 @@ class StudyTest(ProgramTest):
         self.assert_refused(["another"], "merge", *parts, "-o", "new")
         part.write_text("\n".join((self.folder / "again.rows").read_text().splitlines()[:-1]) + "\n")
         self.assert_refused(["no part has the row"], "merge", *parts, "-o", "figure1.merged")
-
-    def test_an_interrupted_part_goes_on_where_it_was(self):
-        self.succeed("study", "figure4", "--quick", "-o", "whole", "--part=2/2")
-        process = start("study", "figure4", "--quick", "-o", "broken", "--part=2/2", cwd=self.folder)
-        part = self.folder / "broken" / "study.2-of-2.part"
-        while not part.exists() or part.read_text().count("\n") < 4:
-            time.sleep(0.01)
-        process.kill()
-        process.communicate()
-        kept = part.read_text()
-        self.succeed("study", "figure4", "--quick", "-o", "broken", "--part=2/2")
-        self.assertFalse(part.exists())
-        made = {folder: (self.folder / folder / "study.2-of-2.rows").read_text() for folder in ("broken", "whole")}
-        self.assertEqual(sorted(made["broken"].splitlines()), sorted(made["whole"].splitlines()))
-        self.assertLess(set(kept.splitlines()[:3]), set(made["broken"].splitlines()))
 
     def test_wrong_requests(self):
         for part in ("0/4", "5/4", "1/0", "-1/4", "1", "1/", "/4", "1/4x", "a/b", "1/10000"):

@@ -94,6 +94,65 @@ TEST_CASE("an interrupted table goes on where it was, and ends with the same bit
 
     // Another study in the same folder begins anew.
     Journal other(broken.path(), "another study");
-    CHECK_FALSE(other.find(table, table.rows[0]));
+    CHECK_FALSE(other.find(table, table.rows[0]).has_value());
     CHECK_THROWS_AS(Journal(broken / "nowhere", "study"), RequestError);
+}
+
+TEST_CASE("a row's pieces, measured by several parts, become the row that one run measures", "[table]") {
+    std::vector<int> measured;
+    // What is rounded differs with the order in which it is added.
+    const Measurement in_four(
+        4,
+        [&](std::uint32_t seed, std::span<const int> pieces) {
+            std::vector<Numbers> results;
+            for (const int piece : pieces) {
+                measured.push_back(piece);
+                results.push_back({std::ldexp(1.0 / (seed % 1000 + 1), -20 * piece), std::sqrt(piece)});
+            }
+            return results;
+        },
+        [](std::span<const Numbers> pieces) {
+            Numbers total{0, 0};
+            for (const Numbers& piece : pieces)
+                for (std::size_t i = 0; i < total.size(); ++i)
+                    total[i] += piece.at(i);
+            return total;
+        });
+    const auto whole_row = [](std::uint32_t seed) -> Numbers { return {seed / 3.0, 1}; };
+    const std::vector<Table> tables{
+        {"numbers", "name,a,b", {{"large", 100, in_four}, {"small", 10, in_four}, {"one", 40, whole_row}}}};
+    const ScratchFolder one_run;
+    Journal whole(one_run.path(), "study");
+    write_table(tables[0], one_run.path(), whole, [](double) {});
+    REQUIRE(measured.size() == 8);
+
+    // With more parts more rows are cut: those that take more than half of a part's share.
+    for (const auto& [count, busy] : {std::pair(1, 1), {2, 2}, {3, 3}, {16, 8}}) {
+        const ScratchFolder parts;
+        std::map<std::string, Numbers> rows;
+        measured.clear();
+        double cost = 0;
+        int with_pieces = 0;
+        for (int index = 1; index <= count; ++index) {
+            Journal journal(parts.path(), "study");
+            cost += cost_of_part(tables, {index, count}, journal);
+            double advanced = 0;
+            const std::size_t before = measured.size();
+            measure_part(tables, {index, count}, journal, [&](double by) { advanced += by; });
+            with_pieces += measured.size() > before;
+            CHECK(cost_of_part(tables, {index, count}, journal) == 0);
+            measure_part(tables, {index, count}, journal, [](double) { FAIL("measured twice"); });
+            CHECK(missing_row(tables, journal).empty() == (count == 1));
+            journal.complete();
+            rows.merge(read_record(parts / "study.rows").value().rows);
+        }
+        INFO(count << " parts");
+        CHECK(cost == Approx(150));
+        CHECK(measured.size() == 8);
+        CHECK(with_pieces == busy);
+        Journal merged(std::move(rows));
+        CHECK(missing_row(tables, merged).empty());
+        write_table(tables[0], parts.path(), merged, [](double) { FAIL("merging measures nothing"); });
+        CHECK(read_file(parts / "numbers.csv") == read_file(one_run / "numbers.csv"));
+    }
 }

@@ -2,16 +2,18 @@
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
 //
-// The nodes c_ij of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent and
-// normal, and each sends out a wave under a window that ends one unit from it along x and y, the kernel radius:
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)),   F = frequency (cos o, sin o)
-// The window is Hann's, h(x) = (1 + cos pi x) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2,
-// and as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
+// The nodes (x_i, y_j) of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent
+// and normal, and each sends out a wave under a window that ends one unit, the kernel radius, from it along x and y:
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2;
+// as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
 // and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
 // derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. After [TNVT19] Tavernier,
-// Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019, whose last section asks for it.
+// phase counts from its own node, so frequency and orientation may vary from place to place. From node to node it turns
+// by u = 2 pi F_x / R and v = 2 pi F_y / R; counted from node (0, 0), which is next to p, both axes separate:
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -33,8 +35,7 @@
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
-// One well-mixed word for each word, another sequence for each salt: two rounds of shift and multiply (constants from
-// the hash-prospector project).
+// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
 uint gabor_impl_mix(uint word, uint salt)
 {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
@@ -48,16 +49,15 @@ uint gabor_lobe_seed(uint seed, int index)
     return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
-// The salt of the columns; that of the rows is its xor with a constant: with one salt for both, nodes on the diagonal
-// would have squares for words.
 #define GABOR_IMPL_ROWS 0x5bd1e995u
+// The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
 uint gabor_impl_salt(uint seed)
 {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or a row of nodes: odd and of 24 bits, the highest set, so that it takes all products all over
-// 32 bits; GPUs multiply 24 bits at a quarter of the cost. It has 2^22 values: of 4096 columns two pairs are alike.
+// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
+// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
 uint gabor_impl_line_word(int index, uint salt)
 {
     uint word = uint(index) * 0x9e3779b1u + salt;
@@ -65,136 +65,86 @@ uint gabor_impl_line_word(int index, uint salt)
     return (word >> 8u) | 0x800001u;
 }
 
-uint gabor_impl_node_word(uint column, uint row)
-{
-    return column * row;
-}
-
-// Another word of the same node.
-uint gabor_impl_next_word(uint word)
-{
-    return (word ^ (word >> 15u)) * 0xd35a2d97u;
-}
-
+#define GABOR_IMPL_DEVIATION 1.4599553e27 // of a part of an amplitude
 // The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The cvm [TNVT19] of the noise is 0.03 at the worst place, a node, where its amplitude has 63 % of the
-// power, and 0.001 on average. The deviation of a part in units of 2^-93 / 0.623:
-#define GABOR_IMPL_DEVIATION 1.4599553e27
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
+// there, and 0.001 on average.
 float2 gabor_impl_amplitude(uint word)
 {
     float2 u = float2(float(int(word)), float(int(word << 16u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
-// The same at the time with this cosine and sine, if animated: a sum of three amplitudes, of the word and of two that no
-// other noise of the node has. Its law is theirs at every time, and its correlation with itself falls with the time
-// between as (1 + cos) / 2.
-float2 gabor_impl_amplitude_at(uint word, bool animated, float2 time)
-{
-    float2 a = gabor_impl_amplitude(word);
-    if (animated) {
-        uint second = gabor_impl_next_word(word ^ 0x68e31da4u);
-        float2 b = gabor_impl_amplitude(second);
-        float2 c = gabor_impl_amplitude(gabor_impl_next_word(second));
-        a = 0.5 * (a + b + time.x * (a - b)) + 0.70710678 * time.y * c;
-    }
-    return a;
-}
-
-// ---- Waves ---------------------------------------------------------------------------------------------------------
-
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
-float2 gabor_impl_wave(float t)
-{
-    t -= floor(t + 0.5);
-    float y = abs(t) - 0.25;
-    float s = y * y;
-    float r = s * s;
-    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
-    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
-    return float2(y * cosine, t < 0.0 ? -sine : sine);
-}
+// ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // Product of complex numbers.
 float2 gabor_impl_product(float2 a, float2 b)
 {
-    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+    return a.x * b + a.y * float2(-b.y, b.x);
 }
 
-// ---- Windows -------------------------------------------------------------------------------------------------------
-
-// The windows of the GABOR_TAPS nodes along an axis that reach a point, and their derivatives per kernel radius.
-// GABOR_IMPL_ENERGY is the sum of the squares of the windows.
-struct GaborWindows {
-    float4 value;
-    float4 slope;
-};
-
-GaborWindows GaborWindows_of(float4 value, float4 slope)
+// Adds to two sums the pair of complex numbers times z.
+void gabor_impl_add(inout float4 sums, float4 pair, float2 z)
 {
-    GaborWindows made;
-    made.value = value;
-    made.slope = slope;
-    return made;
+    sums = sums + z.x * pair + z.y * float4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
+// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: minus the square of (c, s), cosine
+// and sine of pi (t - 1/2), which are minimax polynomials where t is reduced to [0, 1].
+float2 gabor_impl_wave(float t)
+{
+    t = frac(t) - 0.5;
+    float x = t * t;
+    float y = x * x;
+    float c = (1.0 - 4.9347955 * x) + y * ((4.0584513 - 1.3320939 * x) + y * 0.22008065);
+    float s = t * ((3.1415926 - 5.1677069 * x) + y * ((2.5500314 - 0.59804517 * x) + y * 0.07722013));
+    return float2(2.0 * s * s - 1.0, -2.0 * s * c);
+}
+
+// The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
+// kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
+void gabor_impl_windows(float x, out float4 value, out float4 slope)
+{
 #if GABOR_TAPS == 2
-// The squares of two shifts of Hann's window do not sum to a constant. Those of 1 - s and s over the root of the sum of
-// their squares, with s = x^2 (3 - 2 x), do; but the variances of their derivatives vary.
-//   x   offset from the first node, in [0, 1) node spacings
-#define GABOR_IMPL_ENERGY 1.0
-GaborWindows gabor_impl_windows(float x)
-{
-    float s = x * x * (3.0 - 2.0 * x);
-    float2 pair = float2(1.0 - s, s);
-    float scale = rsqrt(dot(pair, pair));
-    float2 slope = (6.0 * x * (1.0 - x) * scale * scale * scale) * pair.yx;
-    return GaborWindows_of(float4(scale * pair, 0.0, 0.0), float4(-slope.x, slope.y, 0.0, 0.0));
-}
+    // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
+    // but the variances of their derivatives vary.
+    float t = x + 1.0;
+    float s = t * t * (3.0 - 2.0 * t);
+    float scale = rsqrt(1.0 - 2.0 * s * (1.0 - s));
+    value = scale * float4(1.0 - s, s, 0.0, 0.0);
+    slope = 6.0 * t * (1.0 - t) * scale * scale * scale * float4(-s, 1.0 - s, 0.0, 0.0);
 #elif GABOR_TAPS == 3
-//   x   offset from the second node, in [-1/2, 1/2) node spacings
-#define GABOR_IMPL_ENERGY 1.125
-GaborWindows gabor_impl_windows(float x)
-{
-    float s = x * x;
-    float c = 0.5 + s * (-1.0966099 + s * (0.40054826 - s * 0.05644487));              // cos(2 pi x / 3) / 2
-    float b = x * (0.90689956 + s * (-0.66301124 + s * (0.14532053 - s * 0.01467483))); // sqrt(3)/4 sin(2 pi x / 3)
+    float y = x * x;
+    float c = 0.5 - y * (1.0966099 - y * (0.40054826 - y * 0.05644487)); // cos(2/3 pi x) / 2
+    float s = x * (0.90689956 - y * (0.66301124 - y * (0.14532053 - y * 0.01467483))); // sqrt(3)/4 sin(2/3 pi x)
     float a = 0.5 - 0.5 * c;
-    float slope = 1.8137994 * b; // pi/4 sin(2 pi x / 3)
-    return GaborWindows_of(float4(a - b, 0.5 + c, a + b, 0.0),
-                        float4(slope - 2.7206991 * c, -2.0 * slope, slope + 2.7206991 * c, 0.0));
-}
+    float b = 1.8137994 * s;
+    value = float4(a - s, 0.5 + c, a + s, 0.0);
+    slope = float4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-//   x   offset from the second node, in [0, 1) node spacings
-#define GABOR_IMPL_ENERGY 1.5
-GaborWindows gabor_impl_windows(float x)
-{
-    x -= 0.5;
-    float s = x * x;
-    float cosine = 0.35355338 + s * (-0.43617776 + s * (0.089660662 - s * 0.0072154454));
-    float sine = x * (0.55536036 + s * (-0.22838239 + s * (0.028169686 - s * 0.0016236194)));
-    float2 c = float2(cosine - sine, cosine + sine); // half of cos and sin of pi/4 + pi/2 x
-    return GaborWindows_of(0.5 + float4(-c.y, c.x, c.y, -c.x), 3.1415927 * float4(-c.x, -c.y, c.x, c.y));
-}
+    float z = x - 0.5;
+    float y = z * z; // cosine and sine of pi/2 z, over the root of 8; c and s: halves of those of pi/2 x
+    float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
+    float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
+    float c = cosine - sine;
+    float s = cosine + sine;
+    value = 0.5 + float4(-s, c, s, -c);
+    slope = 3.1415927 * float4(-c, -s, c, s);
 #endif
+}
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-// A wave vector and all that the noise needs of it: make it once where frequency and orientation do not vary.
-struct GaborKernel {
-    float2 wave;   // F, cycles per kernel radius
-    float2 step_x; // e^(2 pi i F.x / R): what a wave turns from one node to the next along x
-    float2 step_y; // along y
+struct GaborKernel { // see gabor_kernel
+    float2 wave; // F, cycles per kernel radius
 };
 
-GaborKernel GaborKernel_of(float2 wave, float2 step_x, float2 step_y)
+GaborKernel GaborKernel_of(float2 wave)
 {
     GaborKernel made;
     made.wave = wave;
-    made.step_x = step_x;
-    made.step_y = step_y;
     return made;
 }
 
@@ -226,16 +176,14 @@ struct GaborField {
     float2 value;
     float2 slope_x;
     float2 slope_y;
-    float4 four; // four independent noises, the first the noise itself
 };
 
-GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y, float4 four)
+GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 {
     GaborField made;
     made.value = value;
     made.slope_x = slope_x;
     made.slope_y = slope_y;
-    made.four = four;
     return made;
 }
 
@@ -248,156 +196,105 @@ int gabor_impl_wrap(int index, int period)
     return within < 0 ? within + period : within;
 }
 
-// The nodes of an axis that reach a point: their words, and what their amplitudes are multiplied with along it, h e and
-// h' e with e = exp(2 pi i F (x - x_i)), relative to the second node (for two taps, to the first).
+// The nodes along an axis that reach a point.
 struct GaborAxis {
-    uint4 word;
-    float4 real;
-    float4 imaginary;
-    float4 slope_real;
-    float4 slope_imaginary;
+    float offset; // of the point from node 0, in node spacings
+    float turns;  // of the wave from a node to the next
+    uint word[4];
+    float4 node[4]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
 };
 
-GaborAxis GaborAxis_of(uint4 word, float4 real, float4 imaginary, float4 slope_real, float4 slope_imaginary)
+// With `wave` cycles and `radius` nodes per kernel radius.
+GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius)
 {
-    GaborAxis made;
-    made.word = word;
-    made.real = real;
-    made.imaginary = imaginary;
-    made.slope_real = slope_real;
-    made.slope_imaginary = slope_imaginary;
-    return made;
+    GaborAxis axis;
+    float zero = floor(local + (2.0 - GABOR_RADIUS));
+    axis.offset = local - zero;
+    axis.turns = wave / radius;
+    float4 value;
+    float4 slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    float2 turn = gabor_impl_wave(axis.turns);
+    float2 back = float2(turn.x, -turn.y);
+    float2 twice = gabor_impl_product(back, back);
+    axis.node[0] = float4(value.x * turn, slope.x * turn);
+    axis.node[1] = float4(value.y, 0.0, slope.y, 0.0);
+    axis.node[2] = float4(value.z * back, slope.z * back);
+    axis.node[3] = float4(value.w * twice, slope.w * twice);
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
+    return axis;
 }
 
-//   step             e^(2 pi i F / R): what the wave turns from one node to the next
-//   real, imaginary  windows: the latter are there after a filter
-GaborAxis gabor_impl_axis(int first, int period, uint salt, float2 step, GaborWindows real, GaborWindows imaginary)
+// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
+// squares sum to 1 and which at time 0 are 1, 0, 0.
+float2 gabor_impl_amplitude_at(uint word, bool animated, float time)
 {
-#if GABOR_TAPS == 2
-    float4 cosine = float4(1.0, step.x, 0.0, 0.0);
-    float4 sine = float4(0.0, -step.y, 0.0, 0.0);
-#else
-    float2 two = gabor_impl_product(step, step);
-    float4 cosine = float4(step.x, 1.0, step.x, two.x);
-    float4 sine = float4(step.y, 0.0, -step.y, -two.y);
-#endif
-    uint4 word = uint4(gabor_impl_line_word(gabor_impl_wrap(first, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt),
-                       gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt));
-    return GaborAxis_of(word, real.value * cosine - imaginary.value * sine, real.value * sine + imaginary.value * cosine,
-                     real.slope * cosine - imaginary.slope * sine, real.slope * sine + imaginary.slope * cosine);
+    float2 amplitude = gabor_impl_amplitude(word);
+    if (!animated)
+        return amplitude;
+    uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    float2 turn = gabor_impl_wave(time);
+    return (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
+         + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
 
-// Sums of amplitudes times windows and waves, of four noises, with the windows' derivatives too: along x, along y (of the
-// first noise), and along both.
-struct GaborSum {
-    float4 real;
-    float4 imaginary;
-    float4 slope_real;
-    float4 slope_imaginary;
-    float2 slope_y;
-    float4 mixed_real;
-    float4 mixed_imaginary;
-};
-
-GaborSum GaborSum_of(float4 real, float4 imaginary, float4 slope_real, float4 slope_imaginary, float2 slope_y, float4 mixed_real, float4 mixed_imaginary)
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+void gabor_impl_add_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time)
 {
-    GaborSum made;
-    made.real = real;
-    made.imaginary = imaginary;
-    made.slope_real = slope_real;
-    made.slope_imaginary = slope_imaginary;
-    made.slope_y = slope_y;
-    made.mixed_real = mixed_real;
-    made.mixed_imaginary = mixed_imaginary;
-    return made;
-}
-
-GaborSum gabor_impl_no_sum()
-{
-    return GaborSum_of((float4)(0.0), (float4)(0.0), (float4)(0.0), (float4)(0.0), (float2)(0.0), (float4)(0.0), (float4)(0.0));
-}
-
-// Adds node k of a row. Loops over nodes and rows would be shorter, but some compilers do not unroll them.
-//   time  cosine and sine of time
-void gabor_impl_add_node(inout GaborSum row, GaborAxis columns, int k, uint row_word, bool animated, float2 time)
-{
-    uint word = gabor_impl_node_word(columns.word[k], row_word);
-    uint second = gabor_impl_next_word(word);
-    uint third = gabor_impl_next_word(second);
-    float2 a = gabor_impl_amplitude_at(word, animated, time);
-    float2 b = gabor_impl_amplitude_at(second, animated, time);
-    float2 c = gabor_impl_amplitude_at(third, animated, time);
-    float2 d = gabor_impl_amplitude_at(gabor_impl_next_word(third), animated, time);
-    float4 real = float4(a.x, b.x, c.x, d.x);
-    float4 imaginary = float4(a.y, b.y, c.y, d.y);
-    row.real += columns.real[k] * real - columns.imaginary[k] * imaginary;
-    row.imaginary += columns.real[k] * imaginary + columns.imaginary[k] * real;
-    row.slope_real += columns.slope_real[k] * real - columns.slope_imaginary[k] * imaginary;
-    row.slope_imaginary += columns.slope_real[k] * imaginary + columns.slope_imaginary[k] * real;
-}
-
-// Adds row k.
-void gabor_impl_add_row(inout GaborSum sum, GaborAxis columns, GaborAxis rows, int k, bool animated, float2 time)
-{
-    GaborSum row = gabor_impl_no_sum();
-    gabor_impl_add_node(row, columns, 0, rows.word[k], animated, time);
-    gabor_impl_add_node(row, columns, 1, rows.word[k], animated, time);
+    float4 row = (float4)(0.0);
+    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_node(row, columns, 2, rows.word[k], animated, time);
+        gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_node(row, columns, 3, rows.word[k], animated, time);
-    float2 factor = float2(rows.real[k], rows.imaginary[k]);
-    if (factor.x > -2.0) { // always, but at a branch compilers for CPUs keep rows, and so registers, in order
-        sum.real += factor.x * row.real - factor.y * row.imaginary;
-        sum.imaginary += factor.x * row.imaginary + factor.y * row.real;
-        sum.slope_real += factor.x * row.slope_real - factor.y * row.slope_imaginary;
-        sum.slope_imaginary += factor.x * row.slope_imaginary + factor.y * row.slope_real;
-        float2 slope = float2(rows.slope_real[k], rows.slope_imaginary[k]);
-        sum.slope_y += gabor_impl_product(float2(row.real.x, row.imaginary.x), slope);
-        sum.mixed_real += slope.x * row.slope_real - slope.y * row.slope_imaginary;
-        sum.mixed_imaginary += slope.x * row.slope_imaginary + slope.y * row.slope_real;
+        gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
+        gabor_impl_add(sum, row, y.node[j].xy);
+        gabor_impl_add(slope, row, y.node[j].zw);
     }
 }
 
-// The sum over all nodes.
-GaborSum gabor_impl_sum(GaborAxis columns, GaborAxis rows, bool animated, float time)
+void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out float4 sum, out float4 slope)
 {
-    float2 turn = gabor_impl_wave(time);
-    GaborSum sum = gabor_impl_no_sum();
-    gabor_impl_add_row(sum, columns, rows, 0, animated, turn);
-    gabor_impl_add_row(sum, columns, rows, 1, animated, turn);
+    sum = slope = (float4)(0.0);
+    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
     if (GABOR_TAPS > 2)
-        gabor_impl_add_row(sum, columns, rows, 2, animated, turn);
+        gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
     if (GABOR_TAPS > 3)
-        gabor_impl_add_row(sum, columns, rows, 3, animated, turn);
-    return sum;
+        gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+}
+
+// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
+// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+GaborField gabor_impl_field(float4 sum, float4 slope, float2 turn, float2 wave, float2 stretch)
+{
+    turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    float2 value = gabor_impl_product(sum.xy, turn);
+    float2 turned = 6.2831853 * float2(-value.y, value.x);
+    return GaborField_of(value, stretch.x * gabor_impl_product(sum.zw, turn) + wave.x * turned,
+                      stretch.y * gabor_impl_product(slope.xy, turn) + wave.y * turned);
 }
 
 // The noise at a place: what the functions below call.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 {
-    float2 first = floor(place.local - GABOR_RADIUS) + 1.0;
-    float2 offset = place.local - first - (GABOR_TAPS == 2 ? 0.0 : 1.0);
-    int2 node = place.cell + (int2)(first);
+    float2 wave = kernel_.wave;
     uint salt = gabor_impl_salt(seed);
-    GaborWindows none = GaborWindows_of((float4)(0.0), (float4)(0.0));
-    GaborAxis columns = gabor_impl_axis(node.x, place.period.x, salt, kernel_.step_x,
-                                        gabor_impl_windows(offset.x), none);
-    GaborAxis rows = gabor_impl_axis(node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, kernel_.step_y,
-                                     gabor_impl_windows(offset.y), none);
-    float2 base = gabor_impl_wave(dot(kernel_.wave, offset * (1.0 / place.radius)));
-    GaborSum sum = gabor_impl_sum(columns, rows, place.animated, place.time);
-
-    // E[n^2] is half of E|A|^2 times the sums of squared windows along x and y; exp' = 2 pi i F exp.
-    base *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 value = gabor_impl_product(float2(sum.real.x, sum.imaginary.x), base);
-    float2 turned = 6.2831853 * float2(-value.y, value.x);
-    float2 stretch = place.radius / GABOR_RADIUS;
-    return GaborField_of(value, stretch.x * gabor_impl_product(float2(sum.slope_real.x, sum.slope_imaginary.x), base) + kernel_.wave.x * turned,
-                      stretch.y * gabor_impl_product(sum.slope_y, base) + kernel_.wave.y * turned,
-                      base.x * sum.imaginary + base.y * sum.real);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    salt ^= GABOR_IMPL_ROWS;
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
+    float4 sum;
+    float4 slope;
+    gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
@@ -414,30 +311,17 @@ GaborPlace gabor_place_tiled(float2 p, float2 period)
 {
     float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), (float2)(float(GABOR_TAPS)));
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
-    if (period.x > 0.0) {
-        place.period.x = int(nodes.x);
-        place.radius.x = nodes.x / period.x;
-    }
-    if (period.y > 0.0) {
-        place.period.y = int(nodes.y);
-        place.radius.y = nodes.y / period.y;
-    }
+    place.radius = float2(period.x > 0.0 ? nodes.x / period.x : GABOR_RADIUS,
+                        period.y > 0.0 ? nodes.y / period.y : GABOR_RADIUS);
+    place.period = int2(period.x > 0.0 ? int(nodes.x) : 0, period.y > 0.0 ? int(nodes.y) : 0);
     place.local = p * place.radius;
     return place;
-}
-
-// A kernel's wave where there are other than GABOR_RADIUS nodes per kernel radius, to fit a period.
-GaborKernel gabor_kernel_stretched(GaborKernel kernel_, float2 radius)
-{
-    float2 step = kernel_.wave / radius;
-    return GaborKernel_of(kernel_.wave, gabor_impl_wave(step.x), gabor_impl_wave(step.y));
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 GaborKernel gabor_kernel(float frequency, float orientation)
 {
-    float2 wave = min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation);
-    return gabor_kernel_stretched(GaborKernel_of(wave, (float2)(0.0), (float2)(0.0)), (float2)(GABOR_RADIUS));
+    return GaborKernel_of(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation));
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
@@ -475,10 +359,14 @@ float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint se
     return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise.
+// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
+// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
 float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
 {
-    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).four;
+    return float4(gabor_noise(p, frequency, orientation, seed),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
@@ -497,8 +385,7 @@ float2 gabor_phasor(float2 value)
 float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 {
     GaborPlace place = gabor_place_tiled(p, max(period, (float2)(0.0009765625)));
-    GaborKernel kernel_ = gabor_kernel_stretched(gabor_kernel(frequency, orientation), place.radius);
-    return gabor_field(place, kernel_, seed).value.y;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is

@@ -32,13 +32,13 @@ def with_levels(texture, folder):
 def drawn(texture):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     tree = plane(4000, (0, 0, 0))
-    bpy.ops.object.camera_add(location=(0, 0, 1), rotation=(math.radians(80), 0, 0))
+    bpy.ops.object.camera_add(location=(0, 0, 1), rotation=(math.radians(73), 0, 0))
     bpy.context.scene.camera = bpy.context.object
     with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
         shader = pathlib.Path(__file__).with_name("texture.osl")
         node = script_node(tree, shader, folder, File=str(with_levels(texture, folder)), Tile=TILE)
         lit_by(tree, node.outputs["Value"])
-        return render(SIDE, SIDE, 16, folder)[::-1, :, 0]
+        return render(SIDE, SIDE, 32, folder)[::-1, :, 0]
 
 
 np.save(picture, [drawn(texture) for texture in textures])

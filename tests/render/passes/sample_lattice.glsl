@@ -36,7 +36,6 @@ struct Answer {
     uint word;
     uint padding;
     vec4 four; // gabor_noise_four
-    vec4 field_four;
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
@@ -74,16 +73,12 @@ void main()
         return;
 
     GaborPlace place = GaborPlace(s.cell, s.local, s.radius, s.period, s.animated != 0, s.time);
-    kernel.step_x = gabor_impl_wave(kernel.wave.x / s.radius.x);
-    kernel.step_y = gabor_impl_wave(kernel.wave.y / s.radius.y);
     GaborField field = gabor_field(place, kernel, s.seed);
     answers[i].value = field.value;
     answers[i].slope_x = field.slope_x;
     answers[i].slope_y = field.slope_y;
-    answers[i].field_four = field.four;
     answers[i].noise = gabor_noise(p, s.frequency, s.orientation, s.seed);
     answers[i].unorm = gabor_unorm(field.value.y);
     uint salt = gabor_impl_salt(s.seed);
-    answers[i].word = gabor_impl_node_word(gabor_impl_line_word(s.cell.x, salt),
-                                           gabor_impl_line_word(s.cell.y, salt ^ GABOR_IMPL_ROWS));
+    answers[i].word = gabor_impl_line_word(s.cell.x, salt) * gabor_impl_line_word(s.cell.y, salt ^ GABOR_IMPL_ROWS);
 }

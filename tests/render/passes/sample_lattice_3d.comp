@@ -60,7 +60,7 @@ void main()
     vec3 wave = gabor_wave_3d(f, direction);
     GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
                                       ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
-                                      filtered != 0, vector(s.dx), vector(s.dy), 0);
+                                      filtered != 0, vector(s.dx), vector(s.dy));
     GaborField3d field = GaborField3d(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
     vec4 answer = vec4(0.0);
     switch (entry) {

@@ -44,7 +44,6 @@ struct Answer {
     float padding;
     vec2 placed_slope;
     vec2 padding_2;
-    vec4 placed_four;
     vec4 four_filtered;
     float four_removed;
 };
@@ -97,12 +96,11 @@ void main()
         answers[i].placed_spread = gabor_field_spread(place, s.frequency, s.orientation, s.frequency_spread,
                                                       s.orientation_spread, s.seed).value;
         answers[i].placed_lobes = gabor_field_lobes(place, lobes, s.seed).value;
-        GaborKernel kernel = gabor_kernel_stretched(gabor_kernel(s.frequency, s.orientation), place.radius);
+        GaborKernel kernel = gabor_kernel(s.frequency, s.orientation);
         float removed;
         GaborField field = gabor_field_filtered(place, kernel, gabor_footprint(s.dx, s.dy), s.seed, removed);
         answers[i].placed_filtered = vec3(field.value, removed);
         answers[i].placed_slope = vec2(field.slope_x.y, field.slope_y.y);
-        answers[i].placed_four = field.four;
         answers[i].four_filtered =
             gabor_noise_four_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed, answers[i].four_removed);
     }

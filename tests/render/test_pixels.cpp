@@ -1,0 +1,124 @@
+// Whole blocks and single pixels are two ways to the same picture: passes/bake.comp and passes/pixels.comp.
+
+#include "render/bake.hpp"
+#include "render/parameters.hpp"
+#include "render/pixels.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace gabor;
+
+namespace {
+
+std::vector<float> filled(const vulkan::Device& device, const render::RegionRenderer& renderer,
+                          const render::Request& request, const image::Window& region) {
+    std::vector<float> values;
+    render::render_region(device, renderer, request, region, [&](std::span<const float> rows) {
+        values.insert(values.end(), rows.begin(), rows.end());
+    });
+    return values;
+}
+
+// The same with its phasor, which only single pixels have.
+render::Request with_phasor(render::Request request) {
+    request.phasor = true;
+    return request;
+}
+
+// Compares a region, and the phasor of its pixels with their values. `pass`: of the request with its phasor.
+void check_blocks_are_pixels(const vulkan::Device& device, const render::Request& request,
+                             const image::Window& region, std::shared_ptr<const vulkan::Pass> pass) {
+    render::check(request);
+    REQUIRE(render::Bake::can_fill(request));
+    const render::Request phasor = with_phasor(request);
+    const std::vector<float> blocks = filled(device, render::Bake(device, request, region), request, region);
+    const std::vector<float> pixels =
+        filled(device, render::Pixels(device, phasor, region, std::move(pass)), phasor, region);
+    const std::vector<std::string> names = render::channels(request);
+    const std::size_t all = names.size() + 2; // phase and intensity
+    const auto count = static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height);
+    REQUIRE(blocks.size() == count * names.size());
+    REQUIRE(pixels.size() == count * all);
+    std::vector<double> largest(names.size());
+    double of_phasor = 0;
+    float lowest = blocks.front();
+    float highest = blocks.front();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t c = 0; c < names.size(); ++c) {
+            const double difference = std::abs(double{pixels[i * all + c]} - blocks[i * names.size() + c]);
+            if (!(difference <= largest[c]))
+                largest[c] = difference;
+        }
+        const double turn = 2 * std::numbers::pi * pixels[i * all + names.size()];
+        const double difference =
+            std::abs(pixels[i * all + names.size() + 1] * std::sin(turn) - pixels[i * all]);
+        if (!(difference <= of_phasor))
+            of_phasor = difference;
+        lowest = std::min(lowest, blocks[i * names.size()]);
+        highest = std::max(highest, blocks[i * names.size()]);
+    }
+    INFO(request.recipe.name << ", scale " << request.scale << ", region " << region.x << "," << region.y);
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        INFO(names[c] << " differs by " << largest[c]);
+        CHECK(largest[c] < (names[c].starts_with("gradient") ? 1e-3 : 4e-5));
+    }
+    CHECK(of_phasor < 1e-4);
+    CHECK(highest - lowest > 0.1f);
+}
+
+} // namespace
+
+TEST_CASE("pixel by pixel it is the noise of the blocks", "[pixels]") {
+    const vulkan::Device device;
+    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one", "pure", "paper"}) {
+        for (const bool tileable : {false, true}) {
+            const render::Request request{.width = 300,
+                                          .height = 200,
+                                          .scale = 20,
+                                          .recipe = noise::find_recipe(recipe),
+                                          .lobes = {{4, 25}},
+                                          .time = 0.2,
+                                          .view = render::Plane{.tileable = tileable},
+                                          .quadrature = true,
+                                          .gradient = true};
+            check_blocks_are_pixels(device, request, {0, 0, 300, 200},
+                                    render::Pixels::make_pass(device, with_phasor(request)));
+        }
+    }
+}
+
+TEST_CASE("blocks are pixels on both sides of a cell at large scales", "[pixels]") {
+    const vulkan::Device device;
+    for (const auto& [recipe, cells_per_radius] : {std::pair("lattice", 1.5),
+                                                   {"lattice-2", 1.0},
+                                                   {"lattice-4", 2.0},
+                                                   {"one", 1.0},
+                                                   {"paper", 1.0},
+                                                   {"pure", 1.5}}) {
+        render::Request request{
+            .width = 16384, .height = 16384, .recipe = noise::find_recipe(recipe), .lobes = {{6, 25}}};
+        const auto pass = render::Pixels::make_pass(device, with_phasor(request));
+        for (const double scale : {999.5, 1507.0, 4096.0}) {
+            request.scale = scale;
+            const double cell = scale / cells_per_radius;
+            check_blocks_are_pixels(device, request,
+                                    {static_cast<int>(2 * cell) - 40, static_cast<int>(cell) - 21, 83, 61},
+                                    pass);
+        }
+    }
+}
+
+TEST_CASE("blocks are pixels in every corner of the largest picture", "[pixels]") {
+    const vulkan::Device device;
+    const render::Request request{.width = 65536, .height = 65536, .scale = 7.7, .lobes = {{2, 25}}};
+    const auto pass = render::Pixels::make_pass(device, with_phasor(request));
+    for (const int x : {0, 65536 - 37})
+        for (const int y : {0, 65536 - 45})
+            check_blocks_are_pixels(device, request, {x, y, 37, 45}, pass);
+}
