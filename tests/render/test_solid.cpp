@@ -150,7 +150,7 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     double value = 0;
     Vector3 slope{};
     for (const noise::WeightedWave& w : waves) {
-        const Lattice3d one(w.wave, w.seed, 0, request.time != 0);
+        const Lattice3d one(w.wave, w.seed, request.time != 0);
         const Lattice3d::Field field = request.filter ? one.filtered(place, dx, dy) : one.field(place);
         value += w.weight * field.value.imag();
         for (std::size_t axis = 0; axis < 3; ++axis)
