@@ -404,16 +404,16 @@ GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: minus the square of (c, s), cosine
-// and sine of pi (t - 1/2), which are minimax polynomials where t is reduced to [0, 1].
+// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
+// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
 {
-    t = gabor_cpp_fract(t) - 0.5f;
+    t -= gabor_cpp_floor(t + 0.5f);
     float x = t * t;
     float y = x * x;
     float c = (1.0f - 4.9347955f * x) + y * ((4.0584513f - 1.3320939f * x) + y * 0.22008065f);
     float s = t * ((3.1415926f - 5.1677069f * x) + y * ((2.5500314f - 0.59804517f * x) + y * 0.07722013f));
-    return gabor_vec2(2.0f * s * s - 1.0f, -2.0f * s * c);
+    return gabor_vec2(1.0f - 2.0f * s * s, 2.0f * s * c);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
@@ -439,7 +439,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
 #else
     float z = x - 0.5f;
-    float y = z * z; // cosine and sine of pi/2 z, over the root of 8; c and s: halves of those of pi/2 x
+    float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
     float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
     float c = cosine - sine;

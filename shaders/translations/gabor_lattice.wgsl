@@ -88,8 +88,8 @@ fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>)
     return;
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: minus the square of (c, s), cosine
-// and sine of pi (t - 1/2), which are minimax polynomials where t is reduced to [0, 1].
+// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
+// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_1: f32;
     var x: f32;
@@ -99,29 +99,30 @@ fn gabor_impl_wave(t: f32) -> vec2<f32> {
 
     t_1 = t;
     let _e2 = t_1;
-    t_1 = (fract(_e2) - 0.5f);
-    let _e6 = t_1;
-    let _e7 = t_1;
-    x = (_e6 * _e7);
-    let _e10 = x;
-    let _e11 = x;
-    y = (_e10 * _e11);
-    let _e16 = x;
-    let _e19 = y;
-    let _e22 = x;
-    let _e25 = y;
-    c = ((1f - (4.9347954f * _e16)) + (_e19 * ((4.058451f - (1.332094f * _e22)) + (_e25 * 0.22008064f))));
-    let _e32 = t_1;
-    let _e35 = x;
-    let _e38 = y;
-    let _e41 = x;
-    let _e44 = y;
-    s = (_e32 * ((3.1415925f - (5.167707f * _e35)) + (_e38 * ((2.5500314f - (0.5980452f * _e41)) + (_e44 * 0.07722013f)))));
-    let _e53 = s;
-    let _e55 = s;
-    let _e61 = s;
-    let _e63 = c;
-    return vec2<f32>((((2f * _e53) * _e55) - 1f), ((-2f * _e61) * _e63));
+    let _e3 = t_1;
+    t_1 = (_e2 - floor((_e3 + 0.5f)));
+    let _e8 = t_1;
+    let _e9 = t_1;
+    x = (_e8 * _e9);
+    let _e12 = x;
+    let _e13 = x;
+    y = (_e12 * _e13);
+    let _e18 = x;
+    let _e21 = y;
+    let _e24 = x;
+    let _e27 = y;
+    c = ((1f - (4.9347954f * _e18)) + (_e21 * ((4.058451f - (1.332094f * _e24)) + (_e27 * 0.22008064f))));
+    let _e34 = t_1;
+    let _e37 = x;
+    let _e40 = y;
+    let _e43 = x;
+    let _e46 = y;
+    s = (_e34 * ((3.1415925f - (5.167707f * _e37)) + (_e40 * ((2.5500314f - (0.5980452f * _e43)) + (_e46 * 0.07722013f)))));
+    let _e56 = s;
+    let _e58 = s;
+    let _e62 = s;
+    let _e64 = c;
+    return vec2<f32>((1f - ((2f * _e56) * _e58)), ((2f * _e62) * _e64));
 }
 
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {

@@ -101,22 +101,29 @@ uint gabor_impl_slice_word(uint row, uint slice)
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// Slice by slice, each a sum as in the plane.
+// Adds slice k of nodes, a sum as in the plane: to `sum` the noise, in zw with the derivatives of windows along x, to
+// `slopes` with those along y, in zw along z.
+void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxes3d n, int k, GaborPlace3d place)
+{
+    GaborAxis rows = n.y;
+    rows.word[0] = gabor_impl_slice_word(n.y.word[0], n.z.word[k]);
+    rows.word[1] = gabor_impl_slice_word(n.y.word[1], n.z.word[k]);
+    rows.word[2] = gabor_impl_slice_word(n.y.word[2], n.z.word[k]);
+    float4 slice;
+    float4 slope;
+    gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
+    gabor_impl_add(sum, slice, n.z.node[k].xy);
+    slopes += float4(gabor_impl_product(slope.xy, n.z.node[k].xy), gabor_impl_product(slice.xy, n.z.node[k].zw));
+}
+
 GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
 {
     GaborAxes3d n = gabor_impl_axes(place, wave, seed);
-    float4 sum = (float4)(0.0);    // and in zw with the derivatives of windows along x
-    float4 slopes = (float4)(0.0); // with those along y; in zw along z
-    for (int k = 0; k < 3; ++k) {
-        GaborAxis rows = n.y;
-        for (int j = 0; j < 3; ++j)
-            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
-        float4 slice;
-        float4 slope;
-        gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
-        gabor_impl_add(sum, slice, n.z.node[k].xy);
-        slopes += float4(gabor_impl_product(slope.xy, n.z.node[k].xy), gabor_impl_product(slice.xy, n.z.node[k].zw));
-    }
+    float4 sum = (float4)(0.0);
+    float4 slopes = (float4)(0.0);
+    gabor_impl_add_slice(sum, slopes, n, 0, place);
+    gabor_impl_add_slice(sum, slopes, n, 1, place);
+    gabor_impl_add_slice(sum, slopes, n, 2, place);
     float2 value = gabor_impl_product(sum.xy, n.base);
     float2 turned = 6.2831853 * float2(-value.y, value.x);
     float3 stretch = place.radius / GABOR_RADIUS;

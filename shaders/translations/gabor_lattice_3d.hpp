@@ -75,22 +75,29 @@ GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// Slice by slice, each a sum as in the plane.
+// Adds slice k of nodes, a sum as in the plane: to `sum` the noise, in zw with the derivatives of windows along x, to
+// `slopes` with those along y, in zw along z.
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxes3d n, int k, GaborPlace3d place)
+{
+    GaborAxis rows = n.y;
+    rows.word[0] = gabor_impl_slice_word(n.y.word[0], n.z.word[k]);
+    rows.word[1] = gabor_impl_slice_word(n.y.word[1], n.z.word[k]);
+    rows.word[2] = gabor_impl_slice_word(n.y.word[2], n.z.word[k]);
+    gabor_vec4 slice;
+    gabor_vec4 slope;
+    gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
+    gabor_impl_add(sum, slice, n.z.node[k].xy());
+    slopes += gabor_vec4(gabor_impl_product(slope.xy(), n.z.node[k].xy()), gabor_impl_product(slice.xy(), n.z.node[k].zw()));
+}
+
 GABOR_INLINE GaborField3d gabor_impl_windowed(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
 {
     GaborAxes3d n = gabor_impl_axes(place, wave, seed);
-    gabor_vec4 sum = gabor_vec4(0.0f);    // and in zw with the derivatives of windows along x
-    gabor_vec4 slopes = gabor_vec4(0.0f); // with those along y; in zw along z
-    for (int k = 0; k < 3; ++k) {
-        GaborAxis rows = n.y;
-        for (int j = 0; j < 3; ++j)
-            rows.word[j] = gabor_impl_slice_word(n.y.word[j], n.z.word[k]);
-        gabor_vec4 slice;
-        gabor_vec4 slope;
-        gabor_impl_sum(n.x, rows, place.animated, place.time, slice, slope);
-        gabor_impl_add(sum, slice, n.z.node[k].xy());
-        slopes += gabor_vec4(gabor_impl_product(slope.xy(), n.z.node[k].xy()), gabor_impl_product(slice.xy(), n.z.node[k].zw()));
-    }
+    gabor_vec4 sum = gabor_vec4(0.0f);
+    gabor_vec4 slopes = gabor_vec4(0.0f);
+    gabor_impl_add_slice(sum, slopes, n, 0, place);
+    gabor_impl_add_slice(sum, slopes, n, 1, place);
+    gabor_impl_add_slice(sum, slopes, n, 2, place);
     gabor_vec2 value = gabor_impl_product(sum.xy(), n.base);
     gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;

@@ -91,96 +91,74 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
-// Slice by slice, each a sum as in the plane.
-fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
-    var n_1: GaborAxes3d;
-    var sum_4: vec4<f32> = vec4(0f);
-    var slopes: vec4<f32> = vec4(0f);
-    var k: i32 = 0i;
+// Adds slice k of nodes, a sum as in the plane: to `sum` the noise, in zw with the derivatives of windows along x, to
+// `slopes` with those along y, in zw along z.
+fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, n: GaborAxes3d, k: i32, place: GaborPlace3d) {
     var rows: GaborAxis;
-    var j_1: i32;
     var slice_1: vec4<f32>;
     var slope_6: vec4<f32>;
+
+    rows = n.y;
+    let _e17 = gabor_impl_slice_word(n.y.word[0], n.z.word[k]);
+    rows.word[0i] = _e17;
+    let _e28 = gabor_impl_slice_word(n.y.word[1], n.z.word[k]);
+    rows.word[1i] = _e28;
+    let _e39 = gabor_impl_slice_word(n.y.word[2], n.z.word[k]);
+    rows.word[2i] = _e39;
+    let _e43 = rows;
+    gabor_impl_sum(n.x, _e43, place.animated, place.time, (&slice_1), (&slope_6));
+    let _e51 = slice_1;
+    gabor_impl_add(sum, _e51, n.z.node[k].xy);
+    let _e57 = (*slopes);
+    let _e58 = slope_6;
+    let _e64 = gabor_impl_product(_e58.xy, n.z.node[k].xy);
+    let _e65 = slice_1;
+    let _e71 = gabor_impl_product(_e65.xy, n.z.node[k].zw);
+    (*slopes) = (_e57 + vec4<f32>(_e64.x, _e64.y, _e71.x, _e71.y));
+    return;
+}
+
+fn gabor_impl_windowed(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
+    var n_2: GaborAxes3d;
+    var sum_5: vec4<f32> = vec4(0f);
+    var slopes_1: vec4<f32> = vec4(0f);
     var value_4: vec2<f32>;
     var turned_1: vec2<f32>;
     var stretch_1: vec3<f32>;
 
     let _e3 = gabor_impl_axes(place, wave, seed);
-    n_1 = _e3;
-    loop {
-        let _e13 = k;
-        if !((_e13 < 3i)) {
-            break;
-        }
-        {
-            let _e20 = n_1;
-            rows = _e20.y;
-            j_1 = 0i;
-            loop {
-                let _e25 = j_1;
-                if !((_e25 < 3i)) {
-                    break;
-                }
-                let _e32 = j_1;
-                let _e35 = j_1;
-                let _e39 = n_1.y.word[_e35];
-                let _e40 = k;
-                let _e44 = n_1.z.word[_e40];
-                let _e45 = gabor_impl_slice_word(_e39, _e44);
-                rows.word[_e32] = _e45;
-                continuing {
-                    let _e29 = j_1;
-                    j_1 = (_e29 + 1i);
-                }
-            }
-            let _e48 = n_1;
-            let _e50 = rows;
-            gabor_impl_sum(_e48.x, _e50, place.animated, place.time, (&slice_1), (&slope_6));
-            let _e58 = slice_1;
-            let _e59 = k;
-            let _e63 = n_1.z.node[_e59];
-            gabor_impl_add((&sum_4), _e58, _e63.xy);
-            let _e66 = slopes;
-            let _e67 = slope_6;
-            let _e69 = k;
-            let _e73 = n_1.z.node[_e69];
-            let _e75 = gabor_impl_product(_e67.xy, _e73.xy);
-            let _e76 = slice_1;
-            let _e78 = k;
-            let _e82 = n_1.z.node[_e78];
-            let _e84 = gabor_impl_product(_e76.xy, _e82.zw);
-            slopes = (_e66 + vec4<f32>(_e75.x, _e75.y, _e84.x, _e84.y));
-        }
-        continuing {
-            let _e17 = k;
-            k = (_e17 + 1i);
-        }
-    }
-    let _e91 = sum_4;
-    let _e93 = n_1;
-    let _e95 = gabor_impl_product(_e91.xy, _e93.base);
-    value_4 = _e95;
-    let _e98 = value_4;
-    let _e101 = value_4;
-    turned_1 = (6.2831855f * vec2<f32>(-(_e98.y), _e101.x));
+    n_2 = _e3;
+    let _e13 = n_2;
+    gabor_impl_add_slice((&sum_5), (&slopes_1), _e13, 0i, place);
+    let _e19 = n_2;
+    gabor_impl_add_slice((&sum_5), (&slopes_1), _e19, 1i, place);
+    let _e25 = n_2;
+    gabor_impl_add_slice((&sum_5), (&slopes_1), _e25, 2i, place);
+    let _e29 = sum_5;
+    let _e31 = n_2;
+    let _e33 = gabor_impl_product(_e29.xy, _e31.base);
+    value_4 = _e33;
+    let _e36 = value_4;
+    let _e39 = value_4;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e36.y), _e39.x));
     stretch_1 = (place.radius / vec3(1.5f));
-    let _e114 = value_4;
-    let _e115 = stretch_1;
-    let _e117 = sum_4;
-    let _e119 = n_1;
-    let _e121 = gabor_impl_product(_e117.zw, _e119.base);
-    let _e124 = turned_1;
-    let _e127 = stretch_1;
-    let _e129 = slopes;
-    let _e131 = n_1;
-    let _e133 = gabor_impl_product(_e129.xy, _e131.base);
-    let _e136 = turned_1;
-    let _e139 = stretch_1;
-    let _e141 = slopes;
-    let _e143 = n_1;
-    let _e145 = gabor_impl_product(_e141.zw, _e143.base);
-    let _e148 = turned_1;
-    return GaborField3d(_e114, ((_e115.x * _e121) + (wave.x * _e124)), ((_e127.y * _e133) + (wave.y * _e136)), ((_e139.z * _e145) + (wave.z * _e148)), 0f);
+    let _e52 = value_4;
+    let _e53 = stretch_1;
+    let _e55 = sum_5;
+    let _e57 = n_2;
+    let _e59 = gabor_impl_product(_e55.zw, _e57.base);
+    let _e62 = turned_1;
+    let _e65 = stretch_1;
+    let _e67 = slopes_1;
+    let _e69 = n_2;
+    let _e71 = gabor_impl_product(_e67.xy, _e69.base);
+    let _e74 = turned_1;
+    let _e77 = stretch_1;
+    let _e79 = slopes_1;
+    let _e81 = n_2;
+    let _e83 = gabor_impl_product(_e79.zw, _e81.base);
+    let _e86 = turned_1;
+    return GaborField3d(_e52, ((_e53.x * _e59) + (wave.x * _e62)), ((_e65.y * _e71) + (wave.y * _e74)), ((_e77.z * _e83) + (wave.z * _e86)), 0f);
 }
 
 // Three times three complex numbers.
@@ -196,18 +174,18 @@ fn gabor_impl_matrix_product(m: GaborMatrix, n: GaborMatrix) -> GaborMatrix {
 // The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
 fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMatrix, y: GaborMatrix) -> GaborMatrix {
     var m_1: GaborMatrix;
-    var j_2: i32 = 0i;
+    var j_1: i32 = 0i;
     var row_2: u32;
     var i: i32;
     var amplitude_1: vec2<f32>;
 
     loop {
-        let _e8 = j_2;
+        let _e8 = j_1;
         if !((_e8 < 3i)) {
             break;
         }
         {
-            let _e15 = j_2;
+            let _e15 = j_1;
             let _e19 = gabor_impl_slice_word(n.y.word[_e15], slice);
             row_2 = _e19;
             i = 0i;
@@ -222,11 +200,11 @@ fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMat
                     let _e38 = gabor_impl_amplitude_at((n.x.word[_e30] * _e34), place.animated, place.time);
                     amplitude_1 = _e38;
                     let _e40 = i;
-                    let _e41 = j_2;
+                    let _e41 = j_1;
                     let _e45 = amplitude_1;
                     m_1.real[_e41][_e40] = _e45.x;
                     let _e47 = i;
-                    let _e48 = j_2;
+                    let _e48 = j_1;
                     let _e52 = amplitude_1;
                     m_1.imaginary[_e48][_e47] = _e52.y;
                 }
@@ -237,8 +215,8 @@ fn gabor_impl_slice(n: GaborAxes3d, slice: u32, place: GaborPlace3d, x: GaborMat
             }
         }
         continuing {
-            let _e12 = j_2;
-            j_2 = (_e12 + 1i);
+            let _e12 = j_1;
+            j_1 = (_e12 + 1i);
         }
     }
     let _e54 = m_1;
@@ -319,14 +297,14 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var dy: vec3<f32>;
     var stretch_2: vec3<f32>;
     var deviation_1: vec3<f32>;
-    var n_4: GaborAxes3d;
+    var n_5: GaborAxes3d;
     var x_6: GaborMatrix;
     var y_6: GaborMatrix;
     var z_1: GaborMatrix;
     var first_1: GaborMatrix;
     var second_1: GaborMatrix;
     var third_1: GaborMatrix;
-    var sum_5: vec2<f32> = vec2(0f);
+    var sum_6: vec2<f32> = vec2(0f);
     var slope_x: vec2<f32> = vec2(0f);
     var slope_y: vec2<f32> = vec2(0f);
     var slope_z: vec2<f32> = vec2(0f);
@@ -354,36 +332,36 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e34 = dy;
     deviation_1 = ((0.5f * _e28) * sqrt(((_e30 * _e31) + (_e33 * _e34))));
     let _e40 = gabor_impl_axes(place, wave, seed);
-    n_4 = _e40;
-    let _e42 = n_4;
+    n_5 = _e40;
+    let _e42 = n_5;
     let _e44 = deviation_1;
     let _e46 = gabor_impl_waves(_e42.x, _e44.x);
     x_6 = _e46;
-    let _e48 = n_4;
+    let _e48 = n_5;
     let _e50 = deviation_1;
     let _e52 = gabor_impl_waves(_e48.y, _e50.y);
     y_6 = _e52;
-    let _e54 = n_4;
+    let _e54 = n_5;
     let _e56 = deviation_1;
     let _e58 = gabor_impl_waves(_e54.z, _e56.z);
     z_1 = _e58;
     let _e60 = x_6;
     let _e63 = x_6;
     x_6 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
-    let _e67 = n_4;
-    let _e72 = n_4.z.word[0];
+    let _e67 = n_5;
+    let _e72 = n_5.z.word[0];
     let _e73 = x_6;
     let _e74 = y_6;
     let _e75 = gabor_impl_slice(_e67, _e72, place, _e73, _e74);
     first_1 = _e75;
-    let _e77 = n_4;
-    let _e82 = n_4.z.word[1];
+    let _e77 = n_5;
+    let _e82 = n_5.z.word[1];
     let _e83 = x_6;
     let _e84 = y_6;
     let _e85 = gabor_impl_slice(_e77, _e82, place, _e83, _e84);
     second_1 = _e85;
-    let _e87 = n_4;
-    let _e92 = n_4.z.word[2];
+    let _e87 = n_5;
+    let _e92 = n_5.z.word[2];
     let _e93 = x_6;
     let _e94 = y_6;
     let _e95 = gabor_impl_slice(_e87, _e92, place, _e93, _e94);
@@ -449,9 +427,9 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                             let _e242 = c_3;
                             let _e246 = m_2.imaginary[_e242][_e241];
                             value_5 = (_e234 * vec2<f32>(_e240, _e246));
-                            let _e250 = sum_5;
+                            let _e250 = sum_6;
                             let _e251 = value_5;
-                            sum_5 = (_e250 + _e251);
+                            sum_6 = (_e250 + _e251);
                             let _e253 = slope_x;
                             let _e254 = k_1;
                             let _e256 = value_5;
@@ -507,10 +485,10 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e325 = determinant_;
     fade = inverseSqrt(sqrt(max(((1f + (_e320 * _e321)) + (_e324 * (_e325 - 2f))), 1f)));
     let _e335 = fade;
-    let _e336 = n_4;
+    let _e336 = n_5;
     base = (_e335 * _e336.base);
     let _e340 = base;
-    let _e341 = sum_5;
+    let _e341 = sum_6;
     let _e342 = gabor_impl_product(_e340, _e341);
     let _e343 = base;
     let _e345 = slope_x;
@@ -588,7 +566,7 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, wa
 // power, so that all is continuous in frequency.
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_7: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_8: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var i_1: i32 = 0i;
     var share: f32;
     var z_2: f32;
@@ -621,14 +599,14 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
             let _e70 = gabor_wave_3d(frequency, _e69);
             let _e71 = i_1;
             let _e72 = share;
-            gabor_impl_add_term((&sum_7), place, _e70, seed, _e71, _e72);
+            gabor_impl_add_term((&sum_8), place, _e70, seed, _e71, _e72);
         }
         continuing {
             let _e30 = i_1;
             i_1 = (_e30 + 1i);
         }
     }
-    let _e74 = sum_7;
+    let _e74 = sum_8;
     return _e74;
 }
 
@@ -653,7 +631,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     var local_14: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_8: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_9: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
 
     normal_1 = normal;
     direction_3 = direction;
@@ -691,16 +669,16 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
         let _e65 = direction_3;
         let _e66 = gabor_wave_3d(frequency, _e65);
         let _e68 = power_1;
-        gabor_impl_add_term((&sum_8), place, _e66, seed, 0i, _e68);
+        gabor_impl_add_term((&sum_9), place, _e66, seed, 0i, _e68);
     }
     let _e70 = power_1;
     if (_e70 < 1f) {
         let _e74 = other;
         let _e75 = gabor_wave_3d(frequency, _e74);
         let _e78 = power_1;
-        gabor_impl_add_term((&sum_8), place, _e75, seed, 1i, (1f - _e78));
+        gabor_impl_add_term((&sum_9), place, _e75, seed, 1i, (1f - _e78));
     }
-    let _e81 = sum_8;
+    let _e81 = sum_9;
     return _e81;
 }
 
@@ -709,7 +687,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_9: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
+    var sum_10: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var axis_2: i32 = 0i;
     var local_15: vec3<f32>;
     var along: vec3<f32>;
@@ -773,7 +751,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     let _e115 = i_2;
                     let _e117 = power_2;
                     let _e118 = share_2;
-                    gabor_impl_add_term((&sum_9), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
+                    gabor_impl_add_term((&sum_10), place, _e111, seed, ((256i * _e113) + _e115), (_e117 * _e118));
                 }
                 continuing {
                     let _e73 = i_2;
@@ -788,7 +766,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             axis_2 = (_e41 + 1i);
         }
     }
-    let _e124 = sum_9;
+    let _e124 = sum_10;
     return _e124;
 }
 
@@ -814,12 +792,12 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
 // normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var place_13: GaborPlace3d;
+    var place_14: GaborPlace3d;
     var field_1: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_13 = _e11;
-    let _e13 = place_13;
+    place_14 = _e11;
+    let _e13 = place_14;
     let _e14 = gabor_wave_3d(frequency, direction);
     let _e15 = gabor_field_3d(_e13, _e14, seed);
     field_1 = _e15;
@@ -846,7 +824,7 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_5: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_14: GaborPlace3d;
+    var place_15: GaborPlace3d;
 
     period_5 = period;
     let _e6 = period_5;
@@ -858,13 +836,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e32 = nodes_1;
     let _e33 = period_5;
     let _e36 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e26)) * _e29)) * (_e32 / _e33)));
-    place_14 = _e36;
+    place_15 = _e36;
     let _e39 = nodes_1;
     let _e40 = period_5;
-    place_14.radius = (_e39 / _e40);
+    place_15.radius = (_e39 / _e40);
     let _e43 = nodes_1;
-    place_14.period = vec3<i32>(_e43);
-    let _e45 = place_14;
+    place_15.period = vec3<i32>(_e43);
+    let _e45 = place_15;
     let _e46 = gabor_wave_3d(frequency, direction);
     let _e47 = gabor_field_3d(_e45, _e46, seed);
     return _e47.value.y;
@@ -872,13 +850,13 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_15: GaborPlace3d;
+    var place_16: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_15 = _e12;
-    place_15.animated = true;
-    place_15.time = time;
-    let _e17 = place_15;
+    place_16 = _e12;
+    place_16.animated = true;
+    place_16.time = time;
+    let _e17 = place_16;
     let _e18 = gabor_wave_3d(frequency, direction);
     let _e19 = gabor_field_3d(_e17, _e18, seed);
     return _e19.value.y;
@@ -889,15 +867,15 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 // The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var place_16: GaborPlace3d;
+    var place_17: GaborPlace3d;
     var field_2: GaborField3d;
 
     let _e13 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_16 = _e13;
-    place_16.filtered = true;
-    place_16.dx = dx;
-    place_16.dy = dy;
-    let _e19 = place_16;
+    place_17 = _e13;
+    place_17.filtered = true;
+    place_17.dx = dx;
+    place_17.dy = dy;
+    let _e19 = place_17;
     let _e20 = gabor_wave_3d(frequency, direction);
     let _e21 = gabor_field_3d(_e19, _e20, seed);
     field_2 = _e21;

@@ -119,7 +119,7 @@ void main()
         for dialect in DIALECTS:
             text = f"#version {dialect}\n" + "precision highp float;\n" * dialect.endswith("es") + drop_ins + glsl + main
             path = self.folder / "shader.frag"
-            path.write_text(text if dialect != "450" else text.replace("out vec4", "layout(location = 0) out vec4"))
+            path.write_text(text if dialect != "450" else text.replace("\nout vec4", "\nlayout(location = 0) out vec4"))
             subprocess.run([os.environ["GLSLANG_VALIDATOR"], "--quiet", path], check=True)
 
         context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")

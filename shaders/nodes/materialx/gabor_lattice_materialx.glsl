@@ -103,16 +103,16 @@ void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z)
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: minus the square of (c, s), cosine
-// and sine of pi (t - 1/2), which are minimax polynomials where t is reduced to [0, 1].
+// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
+// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
 vec2 gabor_impl_wave(float t)
 {
-    t = fract(t) - 0.5;
+    t -= floor(t + 0.5);
     float x = t * t;
     float y = x * x;
     float c = (1.0 - 4.9347955 * x) + y * ((4.0584513 - 1.3320939 * x) + y * 0.22008065);
     float s = t * ((3.1415926 - 5.1677069 * x) + y * ((2.5500314 - 0.59804517 * x) + y * 0.07722013));
-    return vec2(2.0 * s * s - 1.0, -2.0 * s * c);
+    return vec2(1.0 - 2.0 * s * s, 2.0 * s * c);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
@@ -138,7 +138,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope)
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
     float z = x - 0.5;
-    float y = z * z; // cosine and sine of pi/2 z, over the root of 8; c and s: halves of those of pi/2 x
+    float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine;
