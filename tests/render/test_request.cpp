@@ -209,9 +209,7 @@ TEST_CASE("what excludes gives way, or is refused", "[request]") {
         const char* second;
         const char* second_value;
     };
-    for (const Pair& pair : {Pair{of_view("flat"), "filter", "true", "gradient", "true"},
-                             Pair{of_view("flat"), "filter", "true", "values", "3"},
-                             Pair{of_view("flat"), "paint", "a.exr", "lobes", "[{}, {}]"},
+    for (const Pair& pair : {Pair{of_view("flat"), "paint", "a.exr", "lobes", "[{}, {}]"},
                              Pair{of_view("flat"), "paint", "a.exr", "view", "horizon"},
                              Pair{of_view("flat"), "filter", "true", "recipe", "lattice-2"},
                              Pair{of_view("flat"), "values", "2", "recipe", "one"},
