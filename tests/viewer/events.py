@@ -28,7 +28,8 @@ class EventsTest(ViewerTest):
         return b'"viewer"' in (self.read(self.preset) or b"")
 
     def find_window(self):
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Gabor noise$"],
+        found = subprocess.run(["xdotool", "search", "--all", "--onlyvisible", "--pid", str(self.process.pid),
+                                "--name", "^Gabor noise$"],
                                env=self.environment(), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         return found.stdout.strip()
 
@@ -36,8 +37,10 @@ class EventsTest(ViewerTest):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
 
     def keys(self, *names):
-        """The viewer takes them one after the other, however fast they come."""
-        self.xdotool("key", "--delay", 20, *names)
+        """As a hand presses them."""
+        for name in names:
+            self.xdotool("key", name)
+            time.sleep(0.3)
 
     def wait_for(self, condition):
         deadline = time.monotonic() + 60
