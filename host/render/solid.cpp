@@ -28,13 +28,17 @@ double sphere_radius(const Request& request) {
     return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
 
+bool along_surface(const Request& request) {
+    const Body* body = std::get_if<Body>(&request.view);
+    return body && !body->solid;
+}
+
 std::vector<std::uint32_t> solid_constants(const Request& request) {
     const Body* body = std::get_if<Body>(&request.view);
-    const bool along_surface = body && !body->solid;
     return {body ? static_cast<std::uint32_t>(body->shape) + 1 : 0,
             std::ranges::any_of(request.lobes, is_isotropic),
             !std::ranges::all_of(request.lobes, is_isotropic),
-            along_surface,
+            along_surface(request),
             request.filter,
             static_cast<std::uint32_t>(request.values),
             request.quadrature,

@@ -6,6 +6,9 @@
 
 namespace gabor::render {
 
+/// Whether the waves run along a body's surface, and not through it.
+bool along_surface(const Request& request);
+
 /// The specialization constants of passes/solid.comp, but for the last one.
 std::vector<std::uint32_t> solid_constants(const Request& request);
 

@@ -1,6 +1,7 @@
 #include "viewer/file_dialog.hpp"
 
 #include "viewer/panels.hpp"
+#include "viewer/photograph.hpp"
 #include "viewer/session.hpp"
 
 #include <imgui.h>
@@ -13,14 +14,26 @@ namespace gabor::viewer {
 
 namespace {
 
-const std::vector<std::string> photographs{".png", ".jpg", ".jpeg", ".exr"};
-
 void ask(Session& session, FileDialog dialog, const std::filesystem::path& beside) {
     std::error_code unknown;
     dialog.folder = std::filesystem::absolute(beside, unknown).parent_path();
     if (!std::filesystem::is_directory(dialog.folder, unknown))
         dialog.folder = std::filesystem::current_path(unknown);
     session.dialog = std::move(dialog);
+}
+
+// Files with these endings, photographs, and EXRs, which may be either.
+void ask_to_open(Session& session, const char* title, std::vector<std::string> endings,
+                 const std::filesystem::path& beside) {
+    endings.emplace_back(".exr");
+    endings.insert(endings.end(), photograph_endings.begin(), photograph_endings.end());
+    ask(session,
+        {.title = title,
+         .action = "Open",
+         .endings = std::move(endings),
+         .take = [&session](const std::string& path) { open_file(session, path); },
+         .recent = true},
+        beside);
 }
 
 // Reads the folder anew. One that cannot be read is empty, and a line says so.
@@ -77,27 +90,12 @@ Choice recent_files(const Session& session, const FileDialog& dialog) {
 } // namespace
 
 void ask_for_file(Session& session) {
-    ask(session,
-        {.title = "Open",
-         .action = "Open",
-         .endings = {".json", ".exr", ".png", ".jpg", ".jpeg"},
-         .folder = {},
-         .name = {},
-         .take = [&session](const std::string& path) { open_file(session, path); },
-         .recent = true},
-        session.preset_path);
+    ask_to_open(session, "Open", {".json"}, session.preset_path);
 }
 
 void ask_for_photograph(Session& session) {
-    ask(session,
-        {.title = "Fit a noise to a photograph",
-         .action = "Open",
-         .endings = photographs,
-         .folder = {},
-         .name = {},
-         .take = [&session](const std::string& path) { open_file(session, path); },
-         .recent = true},
-        session.fitter.path().empty() ? session.preset_path : session.fitter.path());
+    ask_to_open(session, "Fit a noise to a photograph", {},
+                session.fitter.path().empty() ? session.preset_path : session.fitter.path());
 }
 
 void ask_for_paint(Session& session) {
@@ -105,8 +103,6 @@ void ask_for_paint(Session& session) {
         {.title = "Paint with an EXR of frequency and orientation",
          .action = "Open",
          .endings = {".exr"},
-         .folder = {},
-         .name = {},
          .take =
              [&session](const std::string& path) {
                  attempt(session, [&] { set_parameter(session.document(), "paint", path); });
@@ -119,7 +115,6 @@ void ask_where_to_save(Session& session) {
         {.title = "Save the parameters",
          .action = "Save",
          .endings = {".json"},
-         .folder = {},
          .name = std::filesystem::path(session.preset_path).filename().string(),
          .take =
              [&session](const std::string& path) {
@@ -134,7 +129,6 @@ void ask_where_to_export(Session& session) {
         {.title = "Export the picture",
          .action = "Export",
          .endings = {".exr"},
-         .folder = {},
          .name = std::filesystem::path(session.export_target.path).filename().string(),
          .take =
              [&session](const std::string& path) {

@@ -14,8 +14,8 @@ struct FileDialog {
     std::string title;
     std::string action;               ///< on its button
     std::vector<std::string> endings; ///< of the files that are listed, in small letters
-    std::filesystem::path folder;
-    std::string name;                             ///< in the field
+    std::filesystem::path folder = {};
+    std::string name = {};                        ///< in the field
     std::function<void(const std::string&)> take; ///< what is done with the path
     bool recent = false;                          ///< lists what was opened or saved lately too
 

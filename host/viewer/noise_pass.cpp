@@ -19,15 +19,11 @@ constexpr double least_baked_cell = 8;  ///< pixels: blocks are of one cell
 // Nodes of the lattice in space that a pixel visits: 27 for each of the directions that make up a noise, as
 // gabor_lattice_3d.glsl has them.
 double visited_in_space(const render::Request& request) {
-    const auto* body = std::get_if<render::Body>(&request.view);
-    const bool on_surface = body && !body->solid;
+    if (!render::along_surface(request))
+        return 27.0 * static_cast<double>(noise::directed_waves_in_space(request.lobes, request.seed).size());
     double directions = 0;
-    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed)) {
-        const double frequency = wave.frequency * wave.radius;
-        directions += !wave.isotropic ? 1
-                      : on_surface    ? std::ceil(2 + 4.5 * std::min(frequency, 32.0))
-                                      : std::ceil(8 + 8 * std::min(frequency * frequency, 64.0));
-    }
+    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed))
+        directions += wave.isotropic ? std::ceil(2 + 4.5 * std::min(wave.frequency * wave.radius, 32.0)) : 1;
     return 27 * directions;
 }
 

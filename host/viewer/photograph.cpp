@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 
 namespace gabor::viewer {
 
@@ -48,8 +47,7 @@ void take(Session& session, FittedNoise fitted) {
 } // namespace
 
 bool is_photograph(const std::filesystem::path& path) {
-    constexpr std::array endings{".png", ".jpg", ".jpeg"};
-    return std::ranges::find(endings, lower_extension(path)) != endings.end();
+    return std::ranges::find(photograph_endings, lower_extension(path)) != photograph_endings.end();
 }
 
 void open_photograph(Session& session, const std::string& path) {

@@ -2,9 +2,15 @@
 
 #include "viewer/session.hpp"
 
+#include <array>
+#include <string_view>
+
 namespace gabor::viewer {
 
-/// Whether that is the name of a picture that holds no parameters of a noise.
+/// The ends of the names of pictures that hold no parameters of a noise, in small letters.
+inline constexpr std::array<std::string_view, 3> photograph_endings{".png", ".jpg", ".jpeg"};
+
+/// Whether that is the name of such a picture.
 bool is_photograph(const std::filesystem::path& path);
 
 /// Fits a noise to a photograph, and shows both.

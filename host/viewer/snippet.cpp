@@ -159,8 +159,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
 
 // In space there are several kinds of noise.
 std::string field_in_space(const render::Request& request, const passes::SolidWave& wave) {
-    const render::Body* body = std::get_if<render::Body>(&request.view);
-    const bool on_surface = body && !body->solid;
+    const bool on_surface = render::along_surface(request);
     const std::string frequency = literal(wave.frequency);
     const std::string direction =
         fmt::format("vec3({}, {}, 0.0)", literal(wave.direction.x), literal(wave.direction.y));

@@ -24,9 +24,8 @@ bench::Function function_of(const render::Request& request) {
 
 bench::SpaceFunction space_function_of(const render::Request& request) {
     using enum bench::SpaceFunction;
-    const auto* body = std::get_if<render::Body>(&request.view);
     const bool isotropic_lobe = render::is_isotropic(request.lobes.front());
-    if (body && !body->solid)
+    if (render::along_surface(request))
         return isotropic_lobe ? surface_isotropic : surface;
     return isotropic_lobe ? isotropic : request.filter ? filtered : request.gradient ? gradient : noise;
 }
