@@ -4,6 +4,7 @@
 #include "render/pixels.hpp"
 
 #include "passes/bake.h"
+#include "passes/bake_colour.h"
 #include "passes/bake_lattice_2.h"
 #include "passes/bake_lattice_3.h"
 #include "passes/bake_lattice_4.h"
@@ -21,14 +22,16 @@ namespace {
 constexpr RecipeModules modules{bake_spirv,
                                 {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
 
+constexpr std::uint32_t bake_buffers = 5;
+
 // A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
-Block block_for(const vulkan::Device& device, const Request& request) {
-    const noise::Recipe recipe = drawing_recipe(request);
+// `scale`: pixels per radius of the kernels.
+Block block_for(const vulkan::Device& device, const noise::Recipe& recipe, double scale) {
     if (device.info().kind != "CPU")
         return gpu_block(recipe);
     if (!recipe.is_lattice())
         return cpu_block;
-    const double cell = std::ceil(request.scale / double{recipe.radius}); // pixels
+    const double cell = std::ceil(scale / double{recipe.radius}); // pixels
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
@@ -138,7 +141,7 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
                             int fixed_rows, Code code) {
     return {device,
             code_or(code, modules.of(drawing_recipe(request))),
-            {5, sizeof(passes::BakePush), fixed_rows > 0},
+            {bake_buffers, sizeof(passes::BakePush), fixed_rows > 0},
             bake_constants(request, block_columns, fixed_rows)};
 }
 
@@ -149,7 +152,7 @@ bool Bake::can_fill(const Request& request) {
 }
 
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
-                            const Block& block) {
+                            const std::function<Block(double)>& block_of) {
     const noise::Recipe recipe = drawing_recipe(request);
     const std::vector<noise::Wave> waves = waves_of(request);
     BakeTables tables;
@@ -157,6 +160,7 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
         const Axis x = axis_along(request, request.width, radius);
         const Axis y = axis_along(request, request.height, radius);
         const double scale = across.scale * radius;
+        const Block block = block_of(scale);
         // The lattice's windows stretch with its nodes to fit a period.
         const auto runs = [&](const Axis& axis, const BakeAxis& pixels, int longest) {
             const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
@@ -194,26 +198,35 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
         push.first_row_run = static_cast<std::uint32_t>(tables.rows.size());
         tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
         tables.rows.insert(tables.rows.end(), rows.begin(), rows.end());
-        tables.grids.push_back({push, rows});
+        tables.grids.push_back({push, rows, block.columns});
     }
     return tables;
 }
 
 Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region, Code code)
-    : Bake(device, request, region, block_for(device, request), code) {}
-
-Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
-           const Block& block, Code code)
     : Bake(device,
            make_bake_tables(request, {region.x, region.width, request.scale, {}},
-                            {region.y, region.height, request.scale, {}}, block),
-           make_bake_pass(device, request, block.columns, 0, code), pixels_colour(request), region.height) {}
+                            {region.y, region.height, request.scale, {}},
+                            [&, recipe = drawing_recipe(request)](double scale) {
+                                return block_for(device, recipe, scale);
+                            }),
+           pixels_colour(request), region.height) {
+    for (BakeTables::Grid& grid : tables_.grids) {
+        if (!passes_.contains(grid.block_columns))
+            passes_.emplace(grid.block_columns, make_bake_pass(device, request, grid.block_columns, 0, code));
+        grid.pass = &passes_.at(grid.block_columns);
+    }
+    if (request.colour)
+        colouring_ = std::make_unique<vulkan::Pass>(
+            device, bake_colour_spirv, vulkan::Pass::Interface{bake_buffers, sizeof(passes::BakePush)},
+            std::vector{vulkan::constant(static_cast<int>(channels(request).size()))});
+    tables_.colouring = colouring_.get();
+}
 
-Bake::Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
-           const passes::PixelsColour& colour, int height)
-    : height_(height), tables_(std::move(tables)), pass_(std::move(pass)),
-      columns_(upload(device, tables_.columns)), rows_(upload(device, tables_.rows)),
-      waves_(upload(device, tables_.waves)), colour_(upload(device, std::vector{colour})) {}
+Bake::Bake(const vulkan::Device& device, BakeTables tables, const passes::PixelsColour& colour, int height)
+    : height_(height), tables_(std::move(tables)), columns_(upload(device, tables_.columns)),
+      rows_(upload(device, tables_.rows)), waves_(upload(device, tables_.waves)),
+      colour_(upload(device, std::vector{colour})) {}
 
 // Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
 std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
@@ -229,7 +242,7 @@ std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
 }
 
 vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {columns_, rows_, waves_, result, colour_}};
+    return {device, passes_.begin()->second, {columns_, rows_, waves_, result, colour_}};
 }
 
 void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
@@ -253,8 +266,14 @@ void BakeTables::submit(vulkan::Job& job, const RegionRenderer::Band& band, int 
         push.first_row_run += static_cast<std::uint32_t>(first - grid.row_runs.begin());
         dispatches.push_back({std::as_bytes(std::span(&push, 1)),
                               {groups(static_cast<int>(push.column_runs), passes::bake_group),
-                               static_cast<std::uint32_t>(last - first)}});
+                               static_cast<std::uint32_t>(last - first)},
+                              grid.pass});
     }
+    if (colouring)
+        dispatches.push_back(
+            {dispatches.front().push,
+             {groups(pushes.front().width, passes::bake_group), static_cast<std::uint32_t>(band.rows)},
+             colouring});
     job.submit(dispatches, copy);
 }
 

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -73,12 +75,15 @@ struct BakeTables {
     struct Grid {
         passes::BakePush push;
         std::vector<passes::Run> row_runs;
+        int block_columns;
+        const vulkan::Pass* pass = nullptr; ///< with blocks of that width; null: that of the job
     };
 
     std::vector<passes::Run> columns;
     std::vector<passes::Run> rows;
     std::vector<passes::BakeWave> waves;
     std::vector<Grid> grids;
+    const vulkan::Pass* colouring = nullptr; ///< after them, passes/bake_colour.comp in colour
 
     /// Has `job`, of a bake's pass with these tables, fill any rows of the region. `before`: pixels in its
     /// buffer before those.
@@ -86,9 +91,10 @@ struct BakeTables {
                 const std::optional<vulkan::Job::Copy>& copy) const;
 };
 
-/// What a bake of `request` reads, for pixels along these axes, cut into blocks.
+/// What a bake of `request` reads, for pixels along these axes, cut into the blocks that `block_of` gives for
+/// noises of so many pixels per kernel radius.
 BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
-                            const Block& block);
+                            const std::function<Block(double)>& block_of);
 
 /// The pass that fills a region of a picture block by block, passes/bake.comp, with its tables on the device.
 class Bake : public RegionRenderer {
@@ -107,14 +113,12 @@ class Bake : public RegionRenderer {
                 const std::optional<vulkan::Job::Copy>& copy = {}) const override;
 
   private:
-    Bake(const vulkan::Device& device, const Request& request, const image::Window& region,
-         const Block& block, Code code);
-    Bake(const vulkan::Device& device, BakeTables tables, vulkan::Pass pass,
-         const passes::PixelsColour& colour, int height);
+    Bake(const vulkan::Device& device, BakeTables tables, const passes::PixelsColour& colour, int height);
 
     int height_;
     BakeTables tables_;
-    vulkan::Pass pass_;
+    std::map<int, vulkan::Pass> passes_; ///< by the columns of their blocks
+    std::unique_ptr<vulkan::Pass> colouring_;
     vulkan::Buffer columns_;
     vulkan::Buffer rows_;
     vulkan::Buffer waves_;

@@ -272,9 +272,11 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
                                         return axis_place(middle, -pixels / 2.0 / scale, cells);
                                     }};
         };
-        return {grid, render::make_bake_tables(request, axis(camera.x, extent.width, grid.width),
-                                               axis(camera.y, extent.height, grid.height),
-                                               {noise.block->width, noise.block->height})};
+        return {grid,
+                render::make_bake_tables(request, axis(camera.x, extent.width, grid.width),
+                                         axis(camera.y, extent.height, grid.height), [&](double) {
+                                             return render::Block{noise.block->width, noise.block->height};
+                                         })};
     }
     PixelsInput input{
         render::pixels_push(request, extent.width, extent.height), {}, {}, waves_of(noise, paint)};

@@ -82,7 +82,7 @@ double slope_deviation(const render::Request& request) {
 bool shows_plainly(const Document& document) {
     if (render::has_material(document.request))
         return document.look == Look::lit;
-    if (document.request.colour)
+    if (document.request.colour && !render::in_space(document.request))
         return true;
     return document.output == Output::value && document.colours == 0 &&
            document.contrast == Document().contrast && !render::in_space(document.request);

@@ -120,13 +120,14 @@ void Job::submit(std::span<const Dispatch> dispatches, const std::optional<Copy>
         commands.resetQueryPool(*state_->queries, 0, 2);
         commands.writeTimestamp(Stage::eTopOfPipe, *state_->queries, 0);
     }
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *state_->pass.pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *state_->pass.layout, 0, *state_->set, {});
     for (const Dispatch& dispatch : dispatches) {
         if (&dispatch != dispatches.data())
             commands.pipelineBarrier(
                 Stage::eComputeShader, Stage::eComputeShader, {},
                 vk::MemoryBarrier(Access::eShaderWrite, Access::eShaderRead | Access::eShaderWrite), {}, {});
+        const Pass::State& pass = dispatch.other ? dispatch.other->state() : state_->pass;
+        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pass.pipeline);
         if (!dispatch.push.empty())
             commands.pushConstants<std::byte>(
                 *state_->pass.layout, vk::ShaderStageFlagBits::eCompute, 0,

@@ -67,10 +67,11 @@ class Job {
         std::size_t bytes;
     };
 
-    /// The pass with these push constants.
+    /// The pass with these push constants, or another one of the same interface.
     struct Dispatch {
         std::span<const std::byte> push;
         Groups groups;
+        const Pass* other = nullptr;
     };
 
     /// Each dispatch sees what those before it wrote.

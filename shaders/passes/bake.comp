@@ -17,12 +17,11 @@
 // wave, for an amplitude.
 //
 // A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
-// of which the last one makes colours.
+// of which passes/bake_colour.comp makes colours.
 //
 // To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
-#include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_lattice_3d.glsl"
@@ -35,7 +34,7 @@ layout(constant_id = 10) const bool with_quadrature = false; // the real part be
 layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
 layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
 layout(constant_id = 13) const bool sum = false;             // of more than one noise
-layout(constant_id = 14) const bool coloured = false;        // red, green and blue in place of the noise
+layout(constant_id = 14) const bool coloured = false;        // the components of a colour in place of the noise
 layout(constant_id = 15) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
@@ -107,16 +106,6 @@ void put(int at, float value, uint index)
     if (sum && index > 0u)
         value += picture[at];
     picture[at] = value;
-}
-
-void put_colour(int at, vec3 components, uint index)
-{
-    if (index > 0u)
-        components += vec3(picture[at], picture[at + 1], picture[at + 2]);
-    if (index == uint(waves.length() - 1))
-        components = colour_of(components, vec3(0.0));
-    for (int i = 0; i < 3; ++i)
-        picture[at + i] = components[i];
 }
 
 void fill(Run across, Run down, uint index)
@@ -229,10 +218,13 @@ void fill(Run across, Run down, uint index)
                     continue;
                 vec2 value = rotated(envelope[k], carrier);
                 int at = (start + k) * channels;
-                if (coloured)
-                    put_colour(at, vec3(dot(weights_0, value), dot(weights_1, value), dot(weights_2, value)), index);
-                else
+                if (coloured) {
+                    put(at, dot(weights_0, value), index);
+                    put(at + 1, dot(weights_1, value), index);
+                    put(at + 2, dot(weights_2, value), index);
+                } else {
                     put(at, value.y, index);
+                }
                 if (with_quadrature)
                     put(at + 1, value.x, index);
                 if (with_gradient) {

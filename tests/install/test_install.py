@@ -24,6 +24,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/gabor_noise.glsl",
     "share/gabor-noise/shaders/gabor_spectrum.glsl",
     "share/gabor-noise/shaders/passes/bake.comp",
+    "share/gabor-noise/shaders/passes/bake_colour.comp",
     "share/gabor-noise/shaders/passes/bake_interface.h",
     "share/gabor-noise/shaders/passes/colour.glsl",
     "share/gabor-noise/shaders/passes/colour.h",

@@ -274,6 +274,45 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
     }
 }
 
+TEST_CASE("a slice of space in colour mixes what it has in grey", "[render]") {
+    const vulkan::Device device;
+    render::Request request{.width = 90,
+                            .height = 60,
+                            .scale = 17.3,
+                            .lobes = {several[0], several[1]},
+                            .seed = 77,
+                            .time = 0.3,
+                            .view = render::Slice{2.7},
+                            .quadrature = true};
+    const image::Window region{0, 0, 90, 60};
+    const std::vector<float> grey = rendered(device, request, region); // noise, quadrature, coverage
+    request.quadrature = false;
+    const double share = std::sqrt(2 / 3.0); // of the first lobe in the deviation
+    const double rest = std::sqrt(1 / 3.0);
+    request.colour =
+        noise::Colour{.weights = {{{{0, share}, {share, 0}, {0.6 * share, 0.8 * share}}},
+                                  {{{0, rest}, {rest, 0}, {0.6 * rest, 0.8 * rest}}}},
+                      .histogram = {{{0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}}},
+                      .mean = {0.5, 0, 0},
+                      .mixing = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    CHECK_NOTHROW(render::check(request));
+    const std::vector<float> colours = rendered(device, request, region); // red, green, blue, coverage
+    REQUIRE(grey.size() == 3u * 90 * 60);
+    REQUIRE(colours.size() == 4u * 90 * 60);
+    double largest = 0;
+    for (std::size_t i = 0; i < 90u * 60; ++i) {
+        const double y = grey[3 * i];
+        const double q = grey[3 * i + 1];
+        const auto within_law = [](double z) { return std::clamp(z, -4.0, 4.0); }; // polynomials end there
+        const std::array expected{0.5 + within_law(y), within_law(q), within_law(0.6 * q + 0.8 * y), 1.0};
+        for (std::size_t c = 0; c < 4; ++c)
+            largest = std::max(largest, std::abs(colours[4 * i + c] - expected[c]));
+    }
+    fmt::print("slice in colour: largest difference {:.2g}\n", largest);
+    CHECK(largest > 0);
+    CHECK(largest < 5e-6);
+}
+
 TEST_CASE("a region of a spectrum has the bits of the whole, whatever the bands", "[render]") {
     const vulkan::Device device;
     const render::Request request{.width = 1500, .height = 4000, .scale = 20, .lobes = several, .seed = 1};

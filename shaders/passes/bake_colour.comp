@@ -1,0 +1,23 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// The last step of a bake in colour: of each pixel, the components that passes/bake.comp has added up become its colour.
+
+#include "passes/bake_interface.h"
+#include "colour.glsl"
+
+layout(constant_id = 0) const int channels = 3; // floats per pixel
+
+layout(local_size_x = bake_group) in;
+
+layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= uint(width))
+        return;
+    int at = (before + int(gl_GlobalInvocationID.y) * width + int(gl_GlobalInvocationID.x)) * channels;
+    vec3 value = colour_of(vec3(picture[at], picture[at + 1], picture[at + 2]), vec3(0.0));
+    for (int i = 0; i < 3; ++i)
+        picture[at + i] = value[i];
+}
