@@ -21,9 +21,12 @@
 #ifndef GABOR_SPECTRUM_GLSL
 #define GABOR_SPECTRUM_GLSL
 
-// The most lobes that a GaborLobes holds: an int, at least 1.
+// The most lobes that a GaborLobes holds.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
 #endif
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------

@@ -24,9 +24,12 @@
 
 using namespace metal;
 
-// The most lobes that a GaborLobes holds: an int, at least 1.
+// The most lobes that a GaborLobes holds.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
 #endif
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
