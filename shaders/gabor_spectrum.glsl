@@ -3,7 +3,7 @@
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // the value, and the variance removed
 //
-// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+// Functions to call, at the end of the file; the first four also come with _gradient, and the first two with _complex:
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
@@ -21,9 +21,12 @@
 #ifndef GABOR_SPECTRUM_GLSL
 #define GABOR_SPECTRUM_GLSL
 
-// The most lobes that a GaborLobes holds: an int, at least 1.
+// The most lobes that a GaborLobes holds.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
 #endif
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
-// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+// Functions to call, at the end of the file; the first four also come with _gradient, and the first two with _complex:
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it
@@ -24,9 +24,12 @@
 
 using namespace metal;
 
-// The most lobes that a GaborLobes holds: an int, at least 1.
+// The most lobes that a GaborLobes holds.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
+#endif
+#if GABOR_LOBES < 1
+#error GABOR_LOBES is an int, at least 1
 #endif
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------

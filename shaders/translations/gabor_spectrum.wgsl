@@ -2,7 +2,7 @@
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
-// Functions to call, at the end of the file; each has one with _gradient, and the first two one with _complex:
+// Functions to call, at the end of the file; the first four also come with _gradient, and the first two with _complex:
 //     gabor_noise_lobes                                  a sum of lobes
 //     gabor_noise_spread                                 a range of waves, up to isotropic
 //     gabor_noise_filtered, gabor_noise_lobes_filtered   as a pixel sees it

@@ -78,6 +78,20 @@ WGSL = """
     values[pixel.y * 256u + pixel.x] = CALL;
 }
 """
+ES = """#define GABOR_LOBES 6
+INCLUDES
+""" + SIX + """
+out vec4 value;
+void main()
+{
+    int row = int(gl_FragCoord.y);
+    vec2 p = vec2(gl_FragCoord.x, float(row % ROWS) + 0.5) / 32.0;
+    vec3 q = vec3(p, 0.3);
+    float noise = 0.0;
+    CALLS
+    value = vec4(noise);
+}
+"""
 GODOT_SHADER = """shader_type canvas_item;
 render_mode unshaded, blend_disabled;
 #define GABOR_LOBES 6
@@ -132,6 +146,19 @@ int main(int, char** argv)
 """
 COMPILER = os.environ.get("CXX", "c++")
 GCC = metal.is_gcc(COMPILER)
+
+
+def banded(shader, calls):
+    """A shader that draws each call as a band of one picture."""
+    rows = 256 // len(calls)
+    chosen = "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(calls))
+    return shader.replace("ROWS", str(rows)).replace("CALLS", chosen)
+
+
+def bands(values, calls):
+    """Those of the picture, by their calls."""
+    rows = 256 // len(calls)
+    return dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
 
 
 class Translations(unittest.TestCase):
@@ -216,15 +243,19 @@ class Translations(unittest.TestCase):
         if not GODOT.exists():
             self.skipTest("Godot is not installed: tools/test-engines godot installs it")
         calls, shader, values = (*CALLS, LOBES), self.folder / "noise.gdshader", self.folder / "values.raw"
-        rows = 256 // len(calls)
-        shader.write_text(GODOT_SHADER.replace("ROWS", str(rows))
-                          .replace("INCLUDES", "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
-                                   + self.path("sea", "gdshaderinc").read_text())
-                          .replace("CALLS", "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(calls))))
+        includes = "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
+        shader.write_text(banded(GODOT_SHADER, calls).replace("INCLUDES", includes + self.path("sea", "gdshaderinc").read_text()))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "godot" / "run.py", GODOT, "canvas", "mobile", "vulkan",
                         values, shader], check=True, stdout=subprocess.DEVNULL)
-        bands = dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
-        self.compare(bands.get)
+        self.compare(bands(values, calls).get, calls)
+
+    def test_opengl_es(self):
+        """GLSL itself, after the header that leaves all to mediump: 16 bits on this driver, but for what the files say."""
+        calls, shader, values = [*CALLS[:3], CALLS[5], LOBES], self.folder / "noise.frag", self.folder / "values.raw"
+        shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES[:3])))
+        subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "gles" / "run.py", "precision mediump float;", values,
+                        shader], check=True, stdout=subprocess.DEVNULL)
+        self.compare(bands(values, calls).get, calls)
 
     def cpp(self, source, *options):
         """What a program of C++ writes, and what its compiler says."""

@@ -50,6 +50,7 @@ BAD_MACROS = {
         ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
         ("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4"),
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
+        ("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1"),
     ],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],

@@ -1,5 +1,6 @@
 """OpenGL ES alone, without a window: a drop-in in a fragment shader of GLSL 300 es after a header of its own:
-run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]"""
+run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]
+or a shader of one's own, less its version and its header: run.py HEADER VALUES.raw SHADER.frag"""
 
 import ctypes
 import json
@@ -13,8 +14,7 @@ header, values, drop_in, *macros = sys.argv[1:]
 VERTEX = """#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }
 """
-FRAGMENT = f"#version 300 es\n{header}\n" + "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + \
-    (SHADERS / f"{drop_in}.glsl").read_text() + """
+SCENE = """
 out vec4 value;
 void main()
 {
@@ -23,6 +23,17 @@ void main()
           : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
 }
 """
+
+
+def fragment():
+    if drop_in.endswith(".frag"):
+        text = pathlib.Path(drop_in).read_text()
+    else:
+        text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + \
+            (SHADERS / f"{drop_in}.glsl").read_text() + SCENE
+    return f"#version 300 es\n{header}\n{text}"
+
+
 
 egl = ctypes.CDLL("libEGL.so.1")
 egl.eglGetProcAddress.restype = c_void_p
@@ -50,7 +61,7 @@ def make_context():
 def make_program():
     program = function("glCreateProgram", c_uint)()
     log = ctypes.create_string_buffer(4096)
-    for kind, source in ((0x8B31, VERTEX), (0x8B30, FRAGMENT)):
+    for kind, source in ((0x8B31, VERTEX), (0x8B30, fragment())):
         shader = function("glCreateShader", c_uint, c_uint)(kind)
         function("glShaderSource", None, c_uint, c_int, c_void_p, c_void_p)(
             shader, 1, (c_char_p * 1)(source.encode()), None)
