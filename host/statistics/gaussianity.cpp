@@ -105,16 +105,31 @@ std::uint64_t Gaussianity::count() const {
 /// normal distribution T is normal; for a normal one it is skewed, but |T - 1/6| <= 1.96 sqrt(1/45) in 0.949
 /// of all cases, because its lower tail is bounded. Between the two the interval is wider than needed.
 /// Simulated in the tests.
-Estimate Gaussianity::index() const {
+Estimate Gaussianity::index(double deviation) const {
     const double n = static_cast<double>(count());
     const double bins = static_cast<double>(bin_count);
-    const std::vector<double> deviation = deviations(counts_); // n D
-    std::vector<double> primitive;                             // n H
-    for (const double d : deviation)
-        primitive.push_back((primitive.empty() ? 0 : primitive.back()) + d / bins);
-    const double squares = integrate_product(deviation, deviation);
-    const double mean = std::reduce(primitive.begin(), primitive.end()) / bins;
-    const double variance = integrate_product(primitive, primitive) - mean * mean;
+    // The edges of the bins as the distribution of that deviation counts them, and one past the last.
+    std::vector<double> edges;
+    for (std::size_t i = 0; i <= bin_count; ++i) {
+        const double u = static_cast<double>(i) / bins;
+        edges.push_back(deviation == 1 ? u : normal_cdf(normal_quantile(u) / deviation));
+    }
+    edges.push_back(1 + 1 / bins);
+    double squares = 0;   // n^2 integral D^2
+    double primitive = 0; // n H
+    double mean = 0;
+    double mean_square = 0;
+    std::uint64_t below = 0;
+    for (std::size_t bin = 0; bin < bin_count; ++bin) {
+        const double width = (edges[bin + 2] - edges[bin]) / 2; // trapezium rule
+        below += counts_[bin];
+        const double d = static_cast<double>(below) - n * edges[bin + 1]; // n D
+        squares += width * d * d;
+        primitive += width * d;
+        mean += width * primitive;
+        mean_square += width * primitive * primitive;
+    }
+    const double variance = mean_square - mean * mean;
 
     const double scale = cvm_scale / n;
     const Estimate excess = score_interval(squares / n - 1.0 / 6, 1.0 / 45, 4 * variance / squares, 1.96);

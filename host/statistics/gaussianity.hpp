@@ -53,7 +53,9 @@ class Gaussianity {
     const Counts& counts() const { return counts_; }
 
     /// The index and its interval; the ends, like the value, may be negative. NaN without samples.
-    Estimate index() const;
+    /// `deviation`: that of the normal distribution to compare with, where only the samples tell it: in units
+    /// of the predicted one, not much larger than 1 and not much smaller than 0.1, or bins are too coarse.
+    Estimate index(double deviation = 1) const;
 
   private:
     double deviation_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -82,20 +83,23 @@ void Lines::end_picture() {
     }
     std::ranges::fill(sums_, Complex());
     row_ = 0;
-    ++pictures_;
+}
+
+void Lines::add_powers(std::span<const double> powers) {
+    if (powers.size() != powers_.size())
+        throw std::invalid_argument("these are not the powers of lines");
+    std::ranges::transform(powers_, powers, powers_.begin(), std::plus<>());
 }
 
 double Lines::largest() const {
-    if (pictures_ == 0)
-        return std::numeric_limits<double>::quiet_NaN();
-    double result = 0;
+    double result = std::numeric_limits<double>::quiet_NaN();
     constexpr std::size_t around = std::size_t{steps} * steps;
     for (std::size_t f = 0; f < frequencies.size(); ++f) {
         const double line = powers_[f * around + around / 2];
         double sum = -line;
         for (std::size_t i = 0; i < around; ++i)
             sum += powers_[f * around + i];
-        result = std::max(result, line / (sum / (around - 1)));
+        result = std::fmax(result, line / (sum / (around - 1))); // not NaN, where one is a number
     }
     return result;
 }
@@ -116,6 +120,19 @@ std::array<double, NoiseLines::count> NoiseLines::largest() const {
     std::array<double, count> result{};
     std::ranges::transform(lines_, result.begin(), &Lines::largest);
     return result;
+}
+
+std::vector<double> NoiseLines::powers() const {
+    std::vector<double> all;
+    for (const Lines& lines : lines_)
+        all.insert(all.end(), lines.powers().begin(), lines.powers().end());
+    return all;
+}
+
+void NoiseLines::add_powers(std::span<const double> powers) {
+    const std::size_t each = powers.size() / count;
+    for (std::size_t f = 0; f < count; ++f)
+        lines_[f].add_powers(powers.subspan(f * each, each));
 }
 
 } // namespace gabor::statistics

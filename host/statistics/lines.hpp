@@ -28,6 +28,11 @@ class Lines {
     /// variable of shape K does. NaN without a picture.
     double largest() const;
 
+    /// Plain numbers that hold all whole pictures, for another to add that has seen others of the same side.
+    const std::vector<double>& powers() const { return powers_; }
+    /// Throws std::invalid_argument when their number is wrong.
+    void add_powers(std::span<const double> powers);
+
   private:
     using Complex = std::complex<double>;
     static constexpr int reach = 2; ///< of the surroundings, in steps of 1 / side cycles per pixel
@@ -42,7 +47,6 @@ class Lines {
     std::vector<Complex>
         sums_; ///< by step along x and y and pixel within a cell: the transform but for the cell
     std::vector<double> powers_; ///< by frequency, then by step along y and x
-    int pictures_ = 0;
 };
 
 /// The lines of functions of a noise: where its mean or variance, the kurtosis or the tails of its law depend
@@ -59,6 +63,10 @@ class NoiseLines {
 
     /// Of each function, in the order of the names.
     std::array<double, count> largest() const;
+
+    /// As those of Lines, of one function after the other.
+    std::vector<double> powers() const;
+    void add_powers(std::span<const double> powers);
 
   private:
     std::vector<Lines> lines_;

@@ -180,15 +180,15 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
 
 namespace {
 
+using Seconds = std::vector<double>;
+
 // N* by Gaussianity where that is measured well; where the noise is too close to a normal distribution, by
 // the excess kurtosis, from which it follows.
-double seminal_equivalent(Noise& noise, const Ingredients& ingredients, const Effort& effort,
-                          std::uint32_t seed) {
-    const ValueStatistics values = measure_values(std::span(&noise, 1), effort.samples, seed);
+double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)
-        return SeminalCurve().equivalent(cvm.value);
-    return poisson_kurtosis({.impulses = 1}, {}) / std::abs(stratified_kurtosis(ingredients, {}));
+        return std::round(SeminalCurve().equivalent(cvm.value));
+    return std::round(poisson_kurtosis({.impulses = 1}, {}) / std::abs(stratified_kurtosis(ingredients, {})));
 }
 
 } // namespace
@@ -203,18 +203,38 @@ Tables figure5(const vulkan::Device& device, const Effort& effort) {
         stratified.impulses = n;
         table.rows.push_back(
             {fmt::format("{},{},{}", n, effort.samples, 1 << 2 * bits),
-             n * (static_cast<double>(effort.samples) + 25.0 * effort.timings * std::pow(4, bits)),
-             [&device, stratified, effort, bits](std::uint32_t seed) -> Numbers {
-                 Ingredients poisson = stratified;
-                 poisson.points = Points::poisson;
-                 std::vector<Noise> noises;
-                 noises.emplace_back(device, stratified);
-                 noises.emplace_back(device, poisson);
-                 const double n_star = std::round(seminal_equivalent(noises[0], stratified, effort, seed));
-                 noises.emplace_back(device, Ingredients{.impulses = static_cast<int>(n_star)});
-                 const std::vector<double> s = picture_seconds(noises, bits, effort.timings);
-                 return {n_star, s[0], s[1], s[2], s[2] / s[0], s[1] / s[0]};
-             }});
+             n * (static_cast<double>(effort.samples) +
+                  25.0 * static_cast<double>(effort.timings) * std::pow(4, bits)),
+             in_pieces<ValueStatistics, Seconds>(
+                 [&device, stratified] {
+                     Ingredients poisson = stratified;
+                     poisson.points = Points::poisson;
+                     const Noises noises = alone(Noise(device, stratified));
+                     noises->emplace_back(device, poisson);
+                     return noises;
+                 },
+                 // The seminal noise has the N* that the piece has found, which the others' are close to: its
+                 // time is kept per impulse.
+                 [&device, stratified, effort, bits](std::vector<Noise>& noises, std::uint32_t seed,
+                                                     const Piece& piece) {
+                     const ValueStatistics values =
+                         measure_values(std::span(noises).first(1), effort.samples, seed, piece);
+                     if (piece.of(effort.timings).size() == 0)
+                         return std::tuple(values, Seconds());
+                     const double n_star = seminal_equivalent(values, stratified);
+                     noises.emplace_back(device, Ingredients{.impulses = static_cast<int>(n_star)});
+                     Seconds seconds = picture_seconds(noises, bits, effort.timings, piece);
+                     noises.pop_back();
+                     for (std::size_t i = 2; i < seconds.size(); i += 3)
+                         seconds[i] /= n_star;
+                     return std::tuple(values, seconds);
+                 },
+                 [stratified](const ValueStatistics& values, const Seconds& rounds) -> Numbers {
+                     const double n_star = seminal_equivalent(values, stratified);
+                     const Seconds s = median_seconds(rounds, 3);
+                     const double seminal = n_star * s[2];
+                     return {n_star, s[0], s[1], seminal, seminal / s[0], s[1] / s[0]};
+                 })});
     }
     return {table};
 }
@@ -259,27 +279,25 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         "cvm_seminal_high,cvm_recommended,cvm_recommended_low,cvm_recommended_high,interdecile_seminal,"
         "interdecile_recommended",
         {}};
-    using Seconds = std::vector<double>;
     const auto noises = [&device] {
-        std::vector<Noise> all = six_lobes(device, seminal);
-        std::ranges::move(six_lobes(device, recommended), std::back_inserter(all));
+        const auto all = std::make_shared<std::vector<Noise>>(six_lobes(device, seminal));
+        std::ranges::move(six_lobes(device, recommended), std::back_inserter(*all));
         return all;
     };
     const auto measure = [effort](std::span<Noise> all, std::uint32_t seed, const Piece& piece) {
-        // Noises that take turns are timed together: all by one piece.
-        const Seconds seconds =
-            piece.index == 0 ? picture_seconds(all, effort.picture_bits, effort.timings) : Seconds();
         const std::span<Noise> slow = all.first(3);
         const std::span<Noise> fast = all.last(3);
-        return std::tuple(seconds, measure_values(slow, effort.samples, seed, piece),
+        return std::tuple(picture_seconds(all, effort.picture_bits, effort.timings, piece),
+                          measure_values(slow, effort.samples, seed, piece),
                           measure_values(fast, effort.samples, seed, piece),
                           measure_windows(slow, effort.windows, seed, piece),
                           measure_windows(fast, effort.windows, seed, piece));
     };
-    const auto finish = [](const Seconds& seconds, const ValueStatistics& slow_values,
+    const auto finish = [](const Seconds& rounds, const ValueStatistics& slow_values,
                            const ValueStatistics& fast_values,
                            const statistics::InstanceStationarity& slow_windows,
                            const statistics::InstanceStationarity& fast_windows) {
+        const Seconds seconds = median_seconds(rounds, 6);
         const double slow = std::accumulate(seconds.begin(), seconds.begin() + 3, 0.0);
         const double fast = std::accumulate(seconds.begin() + 3, seconds.end(), 0.0);
         Numbers numbers{slow, fast, slow / fast};
@@ -295,7 +313,7 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
     table.rows.push_back(
         {fmt::format("{},{}", effort.samples, effort.windows),
          impulses * (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows) +
-                     effort.timings * std::pow(4, effort.picture_bits)),
+                     static_cast<double>(effort.timings) * std::pow(4, effort.picture_bits)),
          in_pieces<Seconds, ValueStatistics, ValueStatistics, statistics::InstanceStationarity,
                    statistics::InstanceStationarity>(noises, measure, finish)});
     return {table};

@@ -24,31 +24,33 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                     const Ingredients noise{points, weights, Kernel::sine, Envelope::gaussian, n, 0};
                     table.rows.push_back(
                         {fmt::format("{},{:g},{}", key(noise), frequency, effort.samples),
-                         n * (2 * static_cast<double>(effort.samples) +
-                              64 * static_cast<double>(effort.places) +
+                         n * (static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
                               256 * static_cast<double>(effort.windows)),
-                         [&device, noise, frequency, effort](std::uint32_t seed) -> Numbers {
-                             Noise it(device, noise, Wave{frequency});
-                             const std::span<Noise> sum(&it, 1);
-                             const double variance =
-                                 measure_values(sum, effort.samples, seed).moments.variance();
-                             const statistics::Estimate cvm =
-                                 measure_values(sum, effort.samples, seed, {}, std::sqrt(variance))
-                                     .gaussianity.index();
-                             const statistics::ProcessStationarity places =
-                                 measure_places(sum, 1, effort.places, seed).stationarity;
-                             const statistics::InstanceStationarity windows =
-                                 measure_windows(sum, effort.windows, seed);
-                             return {variance,
-                                     cvm.value,
-                                     cvm.low,
-                                     cvm.high,
-                                     places.variance().interdecile,
-                                     places.chance_interdecile(),
-                                     places.largest_mean(),
-                                     places.chance_largest_mean(),
-                                     windows.contrast().interdecile};
-                         }});
+                         in_pieces<ValueStatistics, PlaceStatistics, statistics::InstanceStationarity>(
+                             [&device, noise, frequency] {
+                                 return alone(Noise(device, noise, Wave{frequency}));
+                             },
+                             [effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {
+                                 return std::tuple(measure_values(sum, effort.samples, seed, piece),
+                                                   measure_places(sum, 1, effort.places, seed, piece),
+                                                   measure_windows(sum, effort.windows, seed, piece));
+                             },
+                             [](const ValueStatistics& values, const PlaceStatistics& measured,
+                                const statistics::InstanceStationarity& windows) -> Numbers {
+                                 const double variance = values.moments.variance();
+                                 const statistics::Estimate cvm =
+                                     values.gaussianity.index(std::sqrt(variance));
+                                 const statistics::ProcessStationarity& places = measured.stationarity;
+                                 return {variance,
+                                         cvm.value,
+                                         cvm.low,
+                                         cvm.high,
+                                         places.variance().interdecile,
+                                         places.chance_interdecile(),
+                                         places.largest_mean(),
+                                         places.chance_largest_mean(),
+                                         windows.contrast().interdecile};
+                             })});
                 }
     return table;
 }
@@ -82,9 +84,9 @@ Table kernels(const vulkan::Device& device, const Effort& effort) {
                          [&device, count, step, n] {
                              Ingredients ingredients = recommended;
                              ingredients.impulses = n;
-                             std::vector<Noise> sum;
+                             const auto sum = std::make_shared<std::vector<Noise>>();
                              for (int i = 0; i < count; ++i)
-                                 sum.emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
+                                 sum->emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
                              return sum;
                          },
                          [effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {

@@ -9,6 +9,7 @@
 #include "statistics/moments.hpp"
 #include "study/lattice.hpp"
 #include "study/noise.hpp"
+#include "study/pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
+#include <numeric>
 
 namespace gabor::study {
 
@@ -50,44 +51,55 @@ std::vector<Subject> subjects() {
     return all;
 }
 
-// A noise that is made when it is first asked for, and then kept: a pipeline takes longer than a row.
-using Source = std::function<Noise&()>;
+// A noise that is made when it is first asked for, and then kept for a table's rows.
+using Source = std::function<Noises()>;
 
 Source source(const vulkan::Device& device, const Subject& subject, const Wave& wave) {
-    return [&device, make = subject.make, wave, kept = std::make_shared<std::optional<Noise>>()]() -> Noise& {
+    return [&device, make = subject.make, wave, kept = std::make_shared<Noises>()] {
         if (!*kept)
-            kept->emplace(make(device, wave));
-        return **kept;
+            *kept = alone(make(device, wave));
+        return *kept;
     };
 }
 
 // Instances with the same seed are the same, and begin at the same places.
-std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
-    std::vector<float> values(instances << 2 * grid.bits);
-    noise.fill(values, grid, 0, seed, ~seed);
+std::vector<float> draw(Noise& noise, const Piece::Range& instances, const Grid& grid, std::uint32_t seed) {
+    std::vector<float> values(instances.size() << 2 * grid.bits);
+    noise.fill(values, grid, static_cast<std::uint32_t>(instances.begin), seed, ~seed);
     return values;
 }
 
-// cvm and its interval.
-void append_cvm(Numbers& numbers, std::span<const float> values, double deviation = 1) {
-    statistics::Gaussianity gaussianity(deviation);
-    gaussianity.add(values);
-    const statistics::Estimate cvm = gaussianity.index();
-    numbers.insert(numbers.end(), {cvm.value, cvm.low, cvm.high});
+void append(Numbers& numbers, const statistics::Estimate& estimate) {
+    numbers.insert(numbers.end(), {estimate.value, estimate.low, estimate.high});
+}
+
+ValueStatistics statistics_of(std::span<const float> values, double deviation = 1) {
+    ValueStatistics result{{}, statistics::Gaussianity(deviation)};
+    result.moments.add(values);
+    result.gaussianity.add(values);
+    return result;
 }
 
 constexpr std::string_view law_columns = "cvm,cvm_low,cvm_high,excess_kurtosis,beyond_3.5";
 enum Law : std::size_t { cvm = 0, excess_kurtosis = 3, beyond = 4 };
 
-Numbers law_of(std::span<const float> values) {
-    Numbers numbers;
-    append_cvm(numbers, values);
-    statistics::Moments moments;
-    moments.add(values);
-    numbers.push_back(moments.excess_kurtosis());
-    const auto far = std::ranges::count_if(values, [](float value) { return std::abs(value) > 3.5f; });
-    numbers.push_back(static_cast<double>(far) / static_cast<double>(values.size()));
-    return numbers;
+// The law of one value of each instance.
+Measurement law_of(const Source& noise, const Grid& grid, std::uint64_t instances) {
+    return in_pieces<ValueStatistics, std::vector<double>>(
+        noise,
+        [grid, instances](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
+            const std::vector<float> values = draw(one.front(), piece.of(instances), grid, seed);
+            const auto far =
+                std::ranges::count_if(values, [](float value) { return std::abs(value) > 3.5f; });
+            return std::tuple(statistics_of(values), std::vector{static_cast<double>(far)});
+        },
+        [instances](const ValueStatistics& values, const std::vector<double>& far) {
+            Numbers numbers;
+            append(numbers, values.gaussianity.index());
+            numbers.push_back(values.moments.excess_kurtosis());
+            numbers.push_back(std::reduce(far.begin(), far.end()) / static_cast<double>(instances));
+            return numbers;
+        });
 }
 
 constexpr int side = 8; // places of a cell along an axis, the first at its corner
@@ -125,12 +137,10 @@ Table places(const vulkan::Device& device, const Effort& effort,
             const double x = place % side / double{side};
             const double y = place / side / double{side};
             const double radius = subject.cells_per_radius;
-            table.rows.push_back({fmt::format("{},{:g},{:g},{}", subject.name, x, y, effort.law),
-                                  subject.visited * static_cast<double>(effort.law),
-                                  [noise, x, y, radius, instances = effort.law](std::uint32_t seed) {
-                                      const Grid grid{.random = false, .shift = {x / radius, y / radius}};
-                                      return law_of(draw(noise(), instances, grid, seed));
-                                  }});
+            table.rows.push_back(
+                {fmt::format("{},{:g},{:g},{}", subject.name, x, y, effort.law),
+                 subject.visited * static_cast<double>(effort.law),
+                 law_of(noise, {.random = false, .shift = {x / radius, y / radius}}, effort.law)});
         }
     }
     table.derive = [summaries](std::vector<Numbers>& rows) {
@@ -147,8 +157,7 @@ Table pooled(const vulkan::Device& device, const Effort& effort,
     for (const Subject& subject : subjects())
         table.rows.push_back({fmt::format("{},{}", subject.name, effort.samples),
                               subject.visited * static_cast<double>(effort.samples),
-                              [noise = source(device, subject, {}), samples = effort.samples](
-                                  std::uint32_t seed) { return law_of(draw(noise(), samples, {}, seed)); }});
+                              law_of(source(device, subject, {}), {}, effort.samples)});
     table.derived = "cvm_mean,cvm_worst,kurtosis_lowest,kurtosis_highest,beyond_lowest,beyond_highest";
     table.derive = [summaries](std::vector<Numbers>& rows) {
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -160,6 +169,7 @@ Table pooled(const vulkan::Device& device, const Effort& effort,
 // The sum and the difference of two values that are a lag apart, at a random place. Their deviation depends
 // on the lag and is that of the samples.
 Table pairs(const vulkan::Device& device, const Effort& effort) {
+    constexpr double largest = 2; // deviation of the sum of two values of variance 1
     Table table{"law_pairs",
                 "noise,lag,direction,pairs,correlation,cvm_sum,cvm_sum_low,cvm_sum_high,cvm_difference,"
                 "cvm_difference_low,cvm_difference_high",
@@ -169,30 +179,34 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
         for (int k = 1; k <= 10; ++k) {
             const double lag = 0.15 * k;
             const int degrees = 55 * k % 180;
+            const double angle = degrees * std::numbers::pi / 180;
+            const std::array shift{lag * std::cos(angle), lag * std::sin(angle)};
             table.rows.push_back(
                 {fmt::format("{},{:g},{},{}", subject.name, lag, degrees, effort.law),
                  2 * subject.visited * static_cast<double>(effort.law),
-                 [noise, lag, degrees, instances = effort.law](std::uint32_t seed) -> Numbers {
-                     const double angle = degrees * std::numbers::pi / 180;
-                     const std::vector<float> here = draw(noise(), instances, {}, seed);
-                     const std::vector<float> there = draw(
-                         noise(), instances, {.shift = {lag * std::cos(angle), lag * std::sin(angle)}}, seed);
-                     std::vector<float> sums;
-                     std::vector<float> differences;
-                     for (std::size_t i = 0; i < here.size(); ++i) {
-                         sums.push_back(here[i] + there[i]);
-                         differences.push_back(here[i] - there[i]);
-                     }
-                     statistics::Moments sum;
-                     statistics::Moments difference;
-                     sum.add(sums);
-                     difference.add(differences);
-                     const double total = sum.variance() + difference.variance();
-                     Numbers numbers{(sum.variance() - difference.variance()) / total};
-                     append_cvm(numbers, sums, std::sqrt(sum.variance()));
-                     append_cvm(numbers, differences, std::sqrt(difference.variance()));
-                     return numbers;
-                 }});
+                 in_pieces<ValueStatistics, ValueStatistics>(
+                     noise,
+                     [shift, pairs = effort.law](std::span<Noise> one, std::uint32_t seed,
+                                                 const Piece& piece) {
+                         const std::vector<float> here = draw(one.front(), piece.of(pairs), {}, seed);
+                         const std::vector<float> there =
+                             draw(one.front(), piece.of(pairs), {.shift = shift}, seed);
+                         std::vector<float> sums;
+                         std::vector<float> differences;
+                         for (std::size_t i = 0; i < here.size(); ++i) {
+                             sums.push_back(here[i] + there[i]);
+                             differences.push_back(here[i] - there[i]);
+                         }
+                         return std::tuple(statistics_of(sums, largest), statistics_of(differences, largest));
+                     },
+                     [](const ValueStatistics& sum, const ValueStatistics& difference) {
+                         const double of_sum = sum.moments.variance();
+                         const double of_difference = difference.moments.variance();
+                         Numbers numbers{(of_sum - of_difference) / (of_sum + of_difference)};
+                         append(numbers, sum.gaussianity.index(std::sqrt(of_sum) / largest));
+                         append(numbers, difference.gaussianity.index(std::sqrt(of_difference) / largest));
+                         return numbers;
+                     })});
         }
     }
     return table;
@@ -203,26 +217,36 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
 // covariance is that of the windows.
 constexpr Wave whole_turns{4, 0};
 
-Numbers covariance(Noise& noise, const std::array<double, 2>& lag, double cells_per_radius,
-                   std::uint64_t instances, std::uint32_t seed) {
-    constexpr std::size_t count = side * side;
+constexpr std::size_t place_count = side * side;
+
+// At each place the sum of the products of the two values.
+std::vector<double> products(Noise& noise, const std::array<double, 2>& lag, double cells_per_radius,
+                             const Piece::Range& instances, std::uint32_t seed) {
     const double half = 0.5 / side / cells_per_radius; // places are in the middle of their squares
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;
     second.shift = {lag[0] - half, lag[1] - half};
     const std::vector<float> here = draw(noise, instances, first, seed);
     const std::vector<float> there = draw(noise, instances, second, seed);
-    std::array<double, count> covariances{};
+    std::vector<double> sums(place_count);
     for (std::size_t i = 0; i < here.size(); ++i)
-        covariances[i % count] += double{here[i]} * there[i] / static_cast<double>(instances);
+        sums[i % place_count] += double{here[i]} * there[i];
+    return sums;
+}
 
+// Of the products that the pieces have summed, place by place.
+Numbers covariance(std::span<const double> sums, const std::array<double, 2>& lag, double cells_per_radius,
+                   std::uint64_t instances) {
+    std::array<double, place_count> covariances{};
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        covariances[i % place_count] += sums[i] / static_cast<double>(instances);
     double mean = 0;
     for (const double value : covariances)
-        mean += value / count;
+        mean += value / place_count;
     double squares = 0;
     double largest = 0;
     double crossing = 0;
-    for (std::size_t place = 0; place < count; ++place) {
+    for (std::size_t place = 0; place < place_count; ++place) {
         const double x = static_cast<double>(place % side) / side + lag[0] * cells_per_radius;
         const double y = static_cast<double>(place / side) / side + lag[1] * cells_per_radius;
         if (x < 1 && y < 1)
@@ -245,6 +269,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     std::vector<Numbers> theory; // nothing but the lattice depends on the place: signs and phases have mean 0
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, whole_turns);
+        const double radius = subject.cells_per_radius;
         for (const std::array<double, 2> lag : {std::array{0.25, 0.0},
                                                 {0.5, 0.0},
                                                 {0.75, 0.0},
@@ -260,9 +285,14 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
             table.rows.push_back(
                 {fmt::format("{},{:g},{:g},{}", subject.name, lag[0], lag[1], instances),
                  2.0 * side * side * subject.visited * static_cast<double>(instances),
-                 [noise, lag, radius = subject.cells_per_radius, instances](std::uint32_t seed) {
-                     return covariance(noise(), lag, radius, instances, seed);
-                 }});
+                 in_pieces<std::vector<double>>(
+                     noise,
+                     [lag, radius, instances](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
+                         return products(one.front(), lag, radius, piece.of(instances), seed);
+                     },
+                     [lag, radius, instances](const std::vector<double>& sums) {
+                         return covariance(sums, lag, radius, instances);
+                     })});
         }
     }
     table.derived = "rms_theory,largest_theory";
@@ -282,17 +312,27 @@ Table spectra(const vulkan::Device& device, const Effort& effort) {
         const Grid grid{.bits = static_cast<unsigned>(effort.picture_bits),
                         .side = pixels / statistics::Lines::pixels_per_cell / subject.cells_per_radius,
                         .random = false};
-        table.rows.push_back({fmt::format("{},{},{}", subject.name, pictures, pixels),
-                              subject.visited * static_cast<double>(pictures) * pixels * pixels,
-                              [noise = source(device, subject, {}), grid, pixels](std::uint32_t seed) {
-                                  const std::vector<float> values = draw(noise(), pictures, grid, seed);
-                                  statistics::NoiseLines lines(pixels);
-                                  const auto width = static_cast<std::size_t>(pixels);
-                                  for (std::size_t i = 0; i < values.size(); i += width)
-                                      lines.add_row(std::span(values).subspan(i, width));
-                                  const auto largest = lines.largest();
-                                  return Numbers(largest.begin(), largest.end());
-                              }});
+        table.rows.push_back(
+            {fmt::format("{},{},{}", subject.name, pictures, pixels),
+             subject.visited * static_cast<double>(pictures) * pixels * pixels,
+             in_pieces<std::vector<double>>(
+                 source(device, subject, {}),
+                 [grid, pixels](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
+                     const std::vector<float> values = draw(one.front(), piece.of(pictures), grid, seed);
+                     statistics::NoiseLines lines(pixels);
+                     const auto width = static_cast<std::size_t>(pixels);
+                     for (std::size_t i = 0; i < values.size(); i += width)
+                         lines.add_row(std::span(values).subspan(i, width));
+                     return lines.powers();
+                 },
+                 [pixels](const std::vector<double>& powers) {
+                     statistics::NoiseLines lines(pixels);
+                     const std::size_t each = powers.size() / pieces_per_row;
+                     for (std::size_t i = 0; i < powers.size(); i += each)
+                         lines.add_powers(std::span(powers).subspan(i, each));
+                     const auto largest = lines.largest();
+                     return Numbers(largest.begin(), largest.end());
+                 })});
     }
     return table;
 }
@@ -328,7 +368,7 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
             const Subject& subject = *std::ranges::find(all, columns[column], &Subject::name);
             Noise noise = subject.make(device, {view.frequency, 0.5});
             const Grid grid{bits, view.radii + view.cells / subject.cells_per_radius, false};
-            const std::vector<float> values = draw(noise, 1, grid, 1);
+            const std::vector<float> values = draw(noise, {0, 1}, grid, 1);
             for (std::size_t i = 0; i < values.size(); ++i)
                 pixels[top + i / across * width + column * (across + gap) + i % across] =
                     0.5f + 0.25f * values[i];

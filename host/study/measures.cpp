@@ -11,21 +11,8 @@ namespace {
 
 constexpr std::uint64_t batch = 1 << 20; // values
 
-// From `begin` to before `end`.
-struct Range {
-    std::uint64_t begin;
-    std::uint64_t end;
-};
-
-Range part_of(std::uint64_t count, const Piece& piece) {
-    const auto at = [&](int index) {
-        return count * static_cast<std::uint64_t>(index) / static_cast<std::uint64_t>(piece.count);
-    };
-    return {at(piece.index), at(piece.index + 1)};
-}
-
 // Calls `visit` with the values of whole instances, many instances at a time.
-void for_each_batch(std::span<Noise> sum, const Grid& grid, const Range& instances, std::uint32_t seed,
+void for_each_batch(std::span<Noise> sum, const Grid& grid, const Piece::Range& instances, std::uint32_t seed,
                     const std::function<void(std::span<const float>)>& visit) {
     const std::uint64_t per_batch = batch >> 2 * grid.bits;
     std::vector<float> total;
@@ -52,10 +39,17 @@ Grid picture_grid(int bits, double scale = pixels_per_radius) {
 
 } // namespace
 
+Piece::Range Piece::of(std::uint64_t samples) const {
+    const auto at = [&](int i) {
+        return samples * static_cast<std::uint64_t>(i) / static_cast<std::uint64_t>(count);
+    };
+    return {at(index), at(index + 1)};
+}
+
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
-                               const Piece& piece, double deviation) {
-    ValueStatistics result{{}, statistics::Gaussianity(deviation)};
-    for_each_batch(sum, {}, part_of(samples, piece), seed, [&](std::span<const float> values) {
+                               const Piece& piece) {
+    ValueStatistics result;
+    for_each_batch(sum, {}, piece.of(samples), seed, [&](std::span<const float> values) {
         result.moments.add(values);
         result.gaussianity.add(values);
     });
@@ -67,7 +61,7 @@ statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint
     constexpr Grid grid{4, 2, true};
     constexpr std::size_t pixels = std::size_t{1} << 2 * grid.bits;
     statistics::InstanceStationarity result;
-    for_each_batch(sum, grid, part_of(windows, piece), seed, [&](std::span<const float> values) {
+    for_each_batch(sum, grid, piece.of(windows), seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels))
             result.add(values.first(pixels));
     });
@@ -78,7 +72,7 @@ PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t 
                                const Piece& piece) {
     constexpr std::uint64_t side = 8;
     PlaceStatistics result;
-    const Range places = part_of(side * side, piece);
+    const Piece::Range places = piece.of(side * side);
     for (std::uint64_t place = places.begin; place < places.end; ++place) {
         const auto coordinate = [&](std::uint64_t index) {
             return cell * (static_cast<double>(index) + 0.5) / static_cast<double>(side);
@@ -112,7 +106,7 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
     const Grid grid{6, side, false};
     const std::size_t pixels = std::size_t{1} << 2 * grid.bits;
     std::vector<double> means;
-    for_each_batch(sum, grid, part_of(instances, piece), seed, [&](std::span<const float> values) {
+    for_each_batch(sum, grid, piece.of(instances), seed, [&](std::span<const float> values) {
         for (; !values.empty(); values = values.subspan(pixels)) {
             const auto window = values.first(pixels);
             means.push_back(std::reduce(window.begin(), window.end(), 0.0) / static_cast<double>(pixels));
@@ -121,15 +115,25 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
     return means;
 }
 
-std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings) {
+std::vector<double> picture_seconds(std::span<Noise> noises, int bits, std::uint64_t timings,
+                                    const Piece& piece) {
     std::vector<float> pixels(std::size_t{1} << 2 * bits);
-    std::vector<std::vector<double>> seconds(noises.size());
-    for (int round = 0; round < timings; ++round)
-        for (std::size_t i = 0; i < noises.size(); ++i)
-            seconds[i].push_back(noises[i].fill(pixels, picture_grid(bits), 0, 1, 1));
+    std::vector<double> seconds;
+    const Piece::Range rounds = piece.of(timings);
+    for (std::uint64_t round = rounds.begin; round < rounds.end; ++round)
+        for (Noise& noise : noises)
+            seconds.push_back(noise.fill(pixels, picture_grid(bits), 0, 1, 1));
+    return seconds;
+}
+
+std::vector<double> median_seconds(std::span<const double> rounds, std::size_t noises) {
     std::vector<double> medians;
-    for (const std::vector<double>& times : seconds)
+    for (std::size_t noise = 0; noise < noises; ++noise) {
+        std::vector<double> times;
+        for (std::size_t i = noise; i < rounds.size(); i += noises)
+            times.push_back(rounds[i]);
         medians.push_back(statistics::quantile(times, 0.5));
+    }
     return medians;
 }
 

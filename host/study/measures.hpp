@@ -18,17 +18,25 @@ namespace gabor::study {
 struct Piece {
     int index = 0;
     int count = 1;
+
+    /// What is this piece's of so many samples: from `begin` to before `end`.
+    struct Range {
+        std::uint64_t begin;
+        std::uint64_t end;
+        std::uint64_t size() const { return end - begin; }
+    };
+    Range of(std::uint64_t samples) const;
 };
 
-/// One value at a random place of each of `samples` independent instances.
+/// What is seen of values.
 struct ValueStatistics {
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
 };
 
-/// `deviation`: the standard deviation of the normal distribution to compare with.
+/// One value at a random place of each of `samples` independent instances.
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed,
-                               const Piece& piece = {}, double deviation = 1);
+                               const Piece& piece = {});
 
 /// Windows of one kernel diameter, each of another instance, 16 x 16 pixels each.
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
@@ -50,9 +58,14 @@ PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t 
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
                                   std::uint32_t seed, const Piece& piece = {});
 
-/// Seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius: the median over
-/// `timings` rounds in which the noises take turns, so that what else the machine does touches all alike.
-std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
+/// Seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius, in `timings` rounds
+/// in which the noises take turns, so that what else the machine does touches all alike: noise by noise,
+/// round by round.
+std::vector<double> picture_seconds(std::span<Noise> noises, int bits, std::uint64_t timings,
+                                    const Piece& piece = {});
+
+/// Of each noise the median over the rounds.
+std::vector<double> median_seconds(std::span<const double> rounds, std::size_t noises);
 
 /// Such a picture, or one with as many pixels to a kernel radius as `scale` says: its pixels, row by row.
 std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale = 32);

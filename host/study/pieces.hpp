@@ -7,6 +7,7 @@
 #include "study/table.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -30,30 +31,33 @@ void merge(statistics::InstanceStationarity& windows, std::span<const double>& n
 void merge(PlaceStatistics& places, std::span<const double>& numbers);
 void merge(std::vector<double>& list, std::span<const double>& numbers);
 
-/// A sum of one.
-inline std::vector<Noise> alone(Noise noise) {
-    std::vector<Noise> sum;
-    sum.push_back(std::move(noise));
-    return sum;
+/// Noises that a row measures. Rows may share them: to make one takes longer than some rows.
+using Noises = std::shared_ptr<std::vector<Noise>>;
+
+/// One noise.
+inline Noises alone(Noise noise) {
+    const auto noises = std::make_shared<std::vector<Noise>>();
+    noises->push_back(std::move(noise));
+    return noises;
 }
 
-/// Such a row: `noises` makes those that it measures, `measure` sees a piece of them, and `finish` makes the
-/// row's numbers of all that the pieces have seen.
+/// Such a row: `noises` makes or has those that it measures, `measure` sees a piece of them, and `finish`
+/// makes the row's numbers of all that the pieces have seen.
 template <typename... Statistics>
 Measurement
-in_pieces(std::type_identity_t<std::function<std::vector<Noise>()>> noises,
+in_pieces(std::type_identity_t<std::function<Noises()>> noises,
           std::type_identity_t<
-              std::function<std::tuple<Statistics...>(std::span<Noise>, std::uint32_t seed, const Piece&)>>
+              std::function<std::tuple<Statistics...>(std::vector<Noise>&, std::uint32_t seed, const Piece&)>>
               measure,
           std::type_identity_t<std::function<Numbers(const Statistics&...)>> finish) {
     return {pieces_per_row,
             [noises, measure](std::uint32_t seed, std::span<const int> pieces) {
-                std::vector<Noise> all = noises();
+                const Noises all = noises();
                 std::vector<Numbers> results;
                 for (const int piece : pieces)
                     std::apply([&numbers = results.emplace_back()](
                                    const Statistics&... seen) { (write(numbers, seen), ...); },
-                               measure(all, seed, {piece, pieces_per_row}));
+                               measure(*all, seed, {piece, pieces_per_row}));
                 return results;
             },
             [finish](std::span<const Numbers> pieces) {

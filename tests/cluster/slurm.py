@@ -53,7 +53,7 @@ def cluster(folder, cores=2):
         (folder / name).mkdir(parents=True)
     with contextlib.ExitStack() as stack:
         def daemon(*command):
-            log = stack.enter_context(open(folder / f"{command[-1].split('/')[-1]}.log", "w"))
+            log = stack.enter_context(open(folder / f"{command[0]}.log", "w"))
             process = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
             stack.callback(process.wait, 30)
             stack.callback(process.terminate)

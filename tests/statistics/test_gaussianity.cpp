@@ -93,6 +93,25 @@ TEST_CASE("a wrong deviation is seen") {
     CHECK(index.value == Approx(262144 * 0.02 * 0.02 / (2 * 3.14159265 * 5.19615)).margin(0.4));
 }
 
+TEST_CASE("a deviation that only the samples tell gives the index that it would have given before") {
+    // As many bins wide as the sums and differences of pairs, which are counted in units of their largest
+    // deviation, may come to be, and a little beyond it.
+    const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
+    std::vector<float> values = samples::normal(1000000, 8);
+    samples::Bent{0.05}.apply(values);
+    const Estimate known = index_of(values);
+    for (float& value : values)
+        value *= static_cast<float>(relative);
+    Gaussianity gaussianity;
+    gaussianity.add(values);
+    const Estimate told = gaussianity.index(relative);
+    INFO("known " << known.value << ", told " << told.value);
+    CHECK(told.value == Approx(known.value).epsilon(0.005));
+    CHECK(told.low == Approx(known.low).epsilon(0.005));
+    CHECK(told.high == Approx(known.high).epsilon(0.005));
+    CHECK(gaussianity.index().value != Approx(known.value).epsilon(0.1));
+}
+
 TEST_CASE("indices have no bias and their intervals cover the truth in 95 cases of 100") {
     SECTION("normal") {
         const Coverage normal = coverage(1000, {0});

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +11,7 @@
 #include <vector>
 
 using gabor::statistics::Lines;
+using gabor::statistics::NoiseLines;
 
 namespace {
 
@@ -46,6 +49,27 @@ TEST_CASE("white noise, and a wave beside the frequencies of the cells, are no l
     CHECK(largest_with(0, 0, 0) < 2);
     CHECK(largest_with(0.2, 1 + 1.0 / 16, 0) < 2);
     CHECK(largest_with(0.2, 1.5, 0.25) < 2);
+}
+
+TEST_CASE("lines of pictures that two have seen are those of all, in any order", "[lines]") {
+    std::mt19937 random(6);
+    std::normal_distribution<double> normal;
+    std::array<NoiseLines, 3> lines{NoiseLines(side), NoiseLines(side), NoiseLines(side)};
+    NoiseLines& all = lines[2];
+    std::vector<float> row(side);
+    for (int y = 0; y < 5 * side; ++y) {
+        std::ranges::generate(row, [&] { return static_cast<float>(normal(random)); });
+        all.add_row(row);
+        lines[y < 2 * side ? 0 : 1].add_row(row);
+    }
+    NoiseLines merged(side);
+    merged.add_powers(lines[1].powers());
+    merged.add_powers(lines[0].powers());
+    for (std::size_t f = 0; f < NoiseLines::count; ++f) {
+        CHECK(merged.largest()[f] == Approx(all.largest()[f]).epsilon(1e-12));
+        CHECK(lines[0].largest()[f] != Approx(all.largest()[f]).epsilon(1e-3));
+    }
+    CHECK_THROWS_AS(merged.add_powers(std::vector<double>(7)), std::invalid_argument);
 }
 
 TEST_CASE("lines without a picture, and of parts of cells", "[lines]") {

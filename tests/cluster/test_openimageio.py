@@ -1,0 +1,78 @@
+"""Textures as OpenImageIO, by which most renderers read them, sees them: every level has the variance that `removed`
+leaves, and maketx's levels do not.
+
+tools/test-long farm runs it, by a Python that has OpenImageIO; GABOR_PROGRAM is the program.
+"""
+
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import OpenImageIO as oiio
+
+ROOT = pathlib.Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "cli"))
+from program import ProgramTest  # noqa: E402
+
+PROGRAMS = pathlib.Path(sys.executable).parent # maketx and oiiotool come with the package
+
+
+def noise(side):
+    return f"--size={side}x{side}", "--scale=8", "--frequency=2", "--orientation=60", "--seed=7", "--tileable"
+
+
+def variances(path):
+    """The mean square of Y, and the mean of `removed` where it is, of each level."""
+    source = oiio.ImageInput.open(str(path))
+    levels = []
+    while source.seek_subimage(0, len(levels)):
+        pixels = source.read_image(0, len(levels), 0, 2, oiio.FLOAT).astype(float)
+        channels = dict(zip(source.spec().channelnames, pixels.reshape(-1, pixels.shape[-1]).T))
+        levels.append(((channels["Y"]**2).mean(), channels["removed"].mean() if "removed" in channels else None))
+    return levels
+
+
+class OpenImageIO(ProgramTest):
+    def run_tool(self, name, *arguments):
+        return subprocess.run([PROGRAMS / name, *arguments], cwd=self.folder, check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+
+    def test_levels_have_the_variance_that_the_filter_leaves(self):
+        side = 4096 # 512 x 512 kernel radii, so that chance is 0.3 %
+        self.succeed("render", "--texture", *noise(side), "-o", "ours.exr")
+        self.succeed("render", *noise(side), "-o", "flat.exr")
+        self.run_tool("maketx", "--filter", "box", "--wrap", "periodic", "flat.exr", "-o", "maketx.exr")
+        ours, theirs = variances(self.folder / "ours.exr"), variances(self.folder / "maketx.exr")
+        self.assertEqual(len(ours), side.bit_length())
+        self.assertEqual(len(theirs), len(ours))
+        print("\n| level | 1 - `removed` | `--texture` | maketx |\n|---|---|---|---|")
+        for level, ((kept, removed), (averaged, _)) in enumerate(zip(ours[:4], theirs)):
+            print(f"| {side >> level} x {side >> level} | {1 - removed:.4f} | {kept:.4f} | {averaged:.4f} |")
+            self.assertLess(abs(kept - (1 - removed)), 0.01 * max(1 - removed, 0.02), f"level {level}")
+        self.assertGreater(1 - ours[0][1], 0.4)
+        self.assertLess(ours[3][0], 1e-5)
+        self.assertGreater(theirs[3][0], 1e-3, "aliasing")
+
+    def test_it_is_a_texture(self):
+        side = 1024
+        self.succeed("render", "--texture", *noise(side), "-o", "ours.exr")
+        said = self.run_tool("oiiotool", "--info", "-v", "ours.exr")
+        for words in ('textureformat: "Plain Texture"', 'wrapmodes: "periodic,periodic"', "tile size: 64 x 64",
+                      "oiio:AverageColor", "MIP-map levels: 1024x1024 512x512 256x256", " 2x2 1x1\n"):
+            self.assertIn(words, said)
+
+        # A pixel that sees one of the texture's, and one from so far that it sees 64 x 64 and nothing but the mean.
+        texture, options = oiio.TextureSystem(), oiio.TextureOpt()
+        for pixels, smallest, largest, removed in ((1, 1, 5, 0.466), (64, -0.01, 0.01, 1)):
+            seen = [texture.texture(str(self.folder / "ours.exr"), options, u / 97, 0.4, pixels / side, 0, 0, pixels / side, 2)
+                    for u in range(97)]
+            self.assertEqual(texture.geterror(), "")
+            highest = max(value for value, _ in seen)
+            self.assertTrue(smallest < highest < largest, f"{pixels} pixels: {highest}")
+            for _, share in seen:
+                self.assertAlmostEqual(share, removed, delta=0.001)
+
+
+if __name__ == "__main__":
+    unittest.main()
