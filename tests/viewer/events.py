@@ -115,7 +115,10 @@ class EventsTest(ViewerTest):
         """The viewer has been asked to end, and has nothing to complain of."""
         status = self.process.wait(PATIENCE)
         self.listener.join()
-        self.assertEqual((status, self.process.stderr.read()), (0, ""))
+        complaint = self.process.stderr.read()
+        self.process.stdout.close()
+        self.process.stderr.close()
+        self.assertEqual((status, complaint), (0, ""))
 
     def close(self):
         self.keys("ctrl+q")

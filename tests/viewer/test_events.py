@@ -16,7 +16,7 @@ class Events(EventsTest):
         self.open(*WINDOW)
         first = self.document["viewer"]["camera"]
         self.xdotool("mousedown", 1)
-        for x in range(200, 300, 20):
+        for x in range(100, 200, 20):
             self.point(x, 220)
         self.xdotool("mouseup", 1)
         self.frames(2)

@@ -12,8 +12,8 @@
 #include <array>
 #include <cstdio>
 
-#define GLFW_EXPOSE_NATIVE_X11 // whose macros come last
-#include <GLFW/glfw3native.h>
+// As in GLFW/glfw3native.h, which wants headers of X11 that nothing here does.
+extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
 
 namespace {
 
@@ -69,6 +69,7 @@ void tell(App& app, const Seen& seen) {
         {"question", session.question ? json(session.question->text) : json()},
         {"message", session.message.text},
         {"export", static_cast<int>(session.export_target.as)},
+        {"animation", session.export_target.frames},
         {"exporting", session.exporter.running()},
         {"progress", session.exporter.progress()},
         {"fitting", session.fitter.running()},
