@@ -114,7 +114,7 @@ TEST_CASE("the window's blocks have the values of single pixels, wherever the ca
 TEST_CASE("a coarse view has its waves filtered, and never others in their place") {
     constexpr int side = 192;
     // What filters of deviation half a coarse pixel see of a fine view.
-    const auto expected = [](const std::vector<float>& fine, int stride, double already) {
+    const auto expected = [&](const std::vector<float>& fine, int stride, double already) {
         const double variance = (stride * stride - already) / 4.0;
         const int reach = 3 * stride;
         const int count = side / stride;
@@ -159,10 +159,11 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
                         std::pow(double{found[at]} - double{wanted[at]}, 2) / std::pow(count - 2 * margin, 2);
                 }
             fmt::print("{}, stride {}: off by {:.3f}\n", name, stride, std::sqrt(off));
-            CHECK(std::sqrt(off) < 0.15); // 1.4 where waves show as others
+            // Without a filter of its own a noise has each wave's amplitude filtered, and not its windows.
+            CHECK(std::sqrt(off) < (noise.request.filter ? 0.03 : 0.2)); // 1 where waves show as others
         }
     };
-    for (const double frequency : {1.0, 3.0, 9.0}) { // 20, 7 and 2 pixels to a wave
+    for (const double frequency : {1.0, 4.0}) { // 20 and 5 pixels to a wave
         Document document = document_of({.width = side,
                                          .height = side,
                                          .scale = 20,
