@@ -67,7 +67,7 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(Document()), options.device), timing_(device_),
+      session_(options.document.value_or(document_of({})), options.device), timing_(device_),
       remember_(!options.screenshot) {
     if (remember_)
         restore(options);
