@@ -102,16 +102,17 @@ void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z)
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
-// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 vec2 gabor_impl_wave(float t)
 {
     t -= floor(t + 0.5);
-    float x = t * t;
-    float y = x * x;
-    float c = (1.0 - 4.9347955 * x) + y * ((4.0584513 - 1.3320939 * x) + y * 0.22008065);
-    float s = t * ((3.1415926 - 5.1677069 * x) + y * ((2.5500314 - 0.59804517 * x) + y * 0.07722013));
-    return vec2(1.0 - 2.0 * s * s, 2.0 * s * c);
+    float y = abs(t) - 0.25;
+    float s = y * y;
+    float r = s * s;
+    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
+    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
+    return vec2(y * cosine, t < 0.0 ? -sine : sine);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per

@@ -404,16 +404,17 @@ GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
-// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
 {
     t -= gabor_cpp_floor(t + 0.5f);
-    float x = t * t;
-    float y = x * x;
-    float c = (1.0f - 4.9347955f * x) + y * ((4.0584513f - 1.3320939f * x) + y * 0.22008065f);
-    float s = t * ((3.1415926f - 5.1677069f * x) + y * ((2.5500314f - 0.59804517f * x) + y * 0.07722013f));
-    return gabor_vec2(1.0f - 2.0f * s * s, 2.0f * s * c);
+    float y = gabor_cpp_abs(t) - 0.25f;
+    float s = y * y;
+    float r = s * s;
+    float cosine = (41.341655f * s - 6.2831852f) + r * ((76.549782f * s - 81.601004f) - 39.536707f * r);
+    float sine = (1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r);
+    return gabor_vec2(y * cosine, t < 0.0f ? -sine : sine);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per

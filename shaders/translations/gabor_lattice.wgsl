@@ -88,41 +88,51 @@ fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>)
     return;
 }
 
-// (cos, sin) of 2 pi t for any t, within 4e-7 in [-1, 1] and as t is rounded beyond: the square of (c, s), cosine and
-// sine of pi t, which are minimax polynomials where t is reduced to half a turn.
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_1: f32;
-    var x: f32;
     var y: f32;
-    var c: f32;
     var s: f32;
+    var r: f32;
+    var cosine: f32;
+    var sine: f32;
+    var local: f32;
 
     t_1 = t;
     let _e2 = t_1;
     let _e3 = t_1;
     t_1 = (_e2 - floor((_e3 + 0.5f)));
     let _e8 = t_1;
-    let _e9 = t_1;
-    x = (_e8 * _e9);
-    let _e12 = x;
-    let _e13 = x;
-    y = (_e12 * _e13);
-    let _e18 = x;
-    let _e21 = y;
-    let _e24 = x;
-    let _e27 = y;
-    c = ((1f - (4.9347954f * _e18)) + (_e21 * ((4.058451f - (1.332094f * _e24)) + (_e27 * 0.22008064f))));
-    let _e34 = t_1;
-    let _e37 = x;
-    let _e40 = y;
-    let _e43 = x;
-    let _e46 = y;
-    s = (_e34 * ((3.1415925f - (5.167707f * _e37)) + (_e40 * ((2.5500314f - (0.5980452f * _e43)) + (_e46 * 0.07722013f)))));
-    let _e56 = s;
-    let _e58 = s;
-    let _e62 = s;
-    let _e64 = c;
-    return vec2<f32>((1f - ((2f * _e56) * _e58)), ((2f * _e62) * _e64));
+    y = (abs(_e8) - 0.25f);
+    let _e13 = y;
+    let _e14 = y;
+    s = (_e13 * _e14);
+    let _e17 = s;
+    let _e18 = s;
+    r = (_e17 * _e18);
+    let _e22 = s;
+    let _e26 = r;
+    let _e28 = s;
+    let _e33 = r;
+    cosine = (((41.341656f * _e22) - 6.283185f) + (_e26 * (((76.54978f * _e28) - 81.601006f) - (39.53671f * _e33))));
+    let _e41 = s;
+    let _e44 = r;
+    let _e47 = s;
+    let _e51 = r;
+    sine = ((1f - (19.73917f * _e41)) + (_e44 * ((64.93459f - (85.24033f * _e47)) + (56.24243f * _e51))));
+    let _e57 = y;
+    let _e58 = cosine;
+    let _e60 = t_1;
+    if (_e60 < 0f) {
+        let _e63 = sine;
+        local = -(_e63);
+    } else {
+        let _e65 = sine;
+        local = _e65;
+    }
+    let _e67 = local;
+    return vec2<f32>((_e57 * _e58), _e67);
 }
 
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
@@ -155,9 +165,9 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     } else if GABOR_TAPS == 4 {
         var z_1: f32;
         var y_1: f32;
-        var cosine: f32;
-        var sine: f32;
-        var c_1: f32;
+        var cosine_1: f32;
+        var sine_1: f32;
+        var c: f32;
         var s_1: f32;
 
         z_1 = (x - 0.5f);
@@ -167,32 +177,32 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         let _e11 = y_1;
         let _e13 = y_1;
         let _e15 = y_1;
-        cosine = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
+        cosine_1 = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
         let _e24 = z_1;
         let _e26 = y_1;
         let _e28 = y_1;
         let _e30 = y_1;
-        sine = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
-        let _e40 = cosine;
-        let _e41 = sine;
-        c_1 = (_e40 - _e41);
-        let _e44 = cosine;
-        let _e45 = sine;
+        sine_1 = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
+        let _e40 = cosine_1;
+        let _e41 = sine_1;
+        c = (_e40 - _e41);
+        let _e44 = cosine_1;
+        let _e45 = sine_1;
         s_1 = (_e44 + _e45);
         let _e49 = s_1;
-        let _e51 = c_1;
+        let _e51 = c;
         let _e52 = s_1;
-        let _e53 = c_1;
+        let _e53 = c;
         (*value) = (vec4(0.5f) + vec4<f32>(-(_e49), _e51, _e52, -(_e53)));
-        let _e59 = c_1;
+        let _e59 = c;
         let _e61 = s_1;
-        let _e63 = c_1;
+        let _e63 = c;
         let _e64 = s_1;
         (*slope) = (3.1415927f * vec4<f32>(-(_e59), -(_e61), _e63, _e64));
         return;
     } else {
         var y_1: f32;
-        var c_1: f32;
+        var c: f32;
         var s_1: f32;
         var a_1: f32;
         var b_1: f32;
@@ -201,26 +211,26 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         let _e6 = y_1;
         let _e8 = y_1;
         let _e10 = y_1;
-        c_1 = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
+        c = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
         let _e20 = y_1;
         let _e22 = y_1;
         let _e24 = y_1;
         s_1 = (x * (0.9068996f - (_e20 * (0.66301125f - (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
-        let _e36 = c_1;
+        let _e36 = c;
         a_1 = (0.5f - (0.5f * _e36));
         let _e41 = s_1;
         b_1 = (1.8137994f * _e41);
         let _e44 = a_1;
         let _e45 = s_1;
-        let _e48 = c_1;
+        let _e48 = c;
         let _e50 = a_1;
         let _e51 = s_1;
         (*value) = vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f);
         let _e55 = b_1;
-        let _e57 = c_1;
+        let _e57 = c;
         let _e62 = b_1;
         let _e64 = b_1;
-        let _e66 = c_1;
+        let _e66 = c;
         (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
         return;
     }
@@ -251,7 +261,7 @@ struct GaborField {
 // An index within a period.
 fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     var within: i32;
-    var local: i32;
+    var local_1: i32;
 
     if (period == 0i) {
         return index;
@@ -260,12 +270,12 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     let _e8 = within;
     if (_e8 < 0i) {
         let _e11 = within;
-        local = (_e11 + period);
+        local_1 = (_e11 + period);
     } else {
         let _e13 = within;
-        local = _e13;
+        local_1 = _e13;
     }
-    let _e15 = local;
+    let _e15 = local_1;
     return _e15;
 }
 
@@ -661,18 +671,18 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
         var turn_3: vec2<f32>;
-        var local_2: f32;
+        var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if true {
-            local_2 = 1f;
+            local_3 = 1f;
         } else {
-            local_2 = 0.75f;
+            local_3 = 0.75f;
         }
-        let _e18 = local_2;
+        let _e18 = local_3;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -690,18 +700,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else if GABOR_TAPS == 4 {
         var turn_3: vec2<f32>;
-        var local_2: f32;
+        var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if false {
-            local_2 = 1f;
+            local_3 = 1f;
         } else {
-            local_2 = 1.5f;
+            local_3 = 1.5f;
         }
-        let _e18 = local_2;
+        let _e18 = local_3;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -719,18 +729,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else {
         var turn_3: vec2<f32>;
-        var local_2: f32;
+        var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_3 = turn;
         let _e6 = turn_3;
         if false {
-            local_2 = 1f;
+            local_3 = 1f;
         } else {
-            local_2 = 1.125f;
+            local_3 = 1.125f;
         }
-        let _e18 = local_2;
+        let _e18 = local_3;
         turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_3;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -755,7 +765,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_4: GaborAxis;
+        var x_3: GaborAxis;
         var y_3: GaborAxis;
         var turn_4: vec2<f32>;
         var sum_3: vec4<f32>;
@@ -769,20 +779,20 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_4 = _e20;
+        x_3 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
         y_3 = _e36;
-        let _e38 = x_4;
-        let _e40 = x_4;
+        let _e38 = x_3;
+        let _e40 = x_3;
         let _e43 = y_3;
         let _e45 = y_3;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_4;
+        let _e53 = x_3;
         let _e54 = y_3;
         gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
         let _e61 = sum_3;
@@ -795,7 +805,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_4: GaborAxis;
+        var x_3: GaborAxis;
         var y_4: GaborAxis;
         var turn_4: vec2<f32>;
         var sum_3: vec4<f32>;
@@ -809,20 +819,20 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_4 = _e20;
+        x_3 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
         y_4 = _e36;
-        let _e38 = x_4;
-        let _e40 = x_4;
+        let _e38 = x_3;
+        let _e40 = x_3;
         let _e43 = y_4;
         let _e45 = y_4;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_4;
+        let _e53 = x_3;
         let _e54 = y_4;
         gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
         let _e61 = sum_3;
@@ -835,7 +845,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var wave_2: vec2<f32>;
         var salt_3: u32;
-        var x_4: GaborAxis;
+        var x_3: GaborAxis;
         var y_4: GaborAxis;
         var turn_4: vec2<f32>;
         var sum_3: vec4<f32>;
@@ -849,20 +859,20 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e15 = salt_3;
         let _e16 = wave_2;
         let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_4 = _e20;
+        x_3 = _e20;
         let _e22 = salt_3;
         salt_3 = (_e22 ^ 1540483477u);
         let _e31 = salt_3;
         let _e32 = wave_2;
         let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
         y_4 = _e36;
-        let _e38 = x_4;
-        let _e40 = x_4;
+        let _e38 = x_3;
+        let _e40 = x_3;
         let _e43 = y_4;
         let _e45 = y_4;
         let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
         turn_4 = _e49;
-        let _e53 = x_4;
+        let _e53 = x_3;
         let _e54 = y_4;
         gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
         let _e61 = sum_3;
@@ -891,43 +901,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_4: f32;
         var local_5: f32;
-        var local_6: i32;
+        var local_6: f32;
         var local_7: i32;
+        var local_8: i32;
 
         nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_4 = (_e26.x / period.x);
-        } else {
-            local_4 = 1f;
-        }
-        let _e35 = local_4;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_5 = (_e39.y / period.y);
+            local_5 = (_e26.x / period.x);
         } else {
             local_5 = 1f;
         }
-        let _e48 = local_5;
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1f;
+        }
+        let _e48 = local_6;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_6 = i32(_e54.x);
-        } else {
-            local_6 = 0i;
-        }
-        let _e59 = local_6;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_7 = i32(_e63.y);
+            local_7 = i32(_e54.x);
         } else {
             local_7 = 0i;
         }
-        let _e68 = local_7;
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -936,43 +946,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else if GABOR_TAPS == 4 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_4: f32;
         var local_5: f32;
-        var local_6: i32;
+        var local_6: f32;
         var local_7: i32;
+        var local_8: i32;
 
         nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_4 = (_e26.x / period.x);
-        } else {
-            local_4 = 2f;
-        }
-        let _e35 = local_4;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_5 = (_e39.y / period.y);
+            local_5 = (_e26.x / period.x);
         } else {
             local_5 = 2f;
         }
-        let _e48 = local_5;
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 2f;
+        }
+        let _e48 = local_6;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_6 = i32(_e54.x);
-        } else {
-            local_6 = 0i;
-        }
-        let _e59 = local_6;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_7 = i32(_e63.y);
+            local_7 = i32(_e54.x);
         } else {
             local_7 = 0i;
         }
-        let _e68 = local_7;
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -981,43 +991,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_4: f32;
         var local_5: f32;
-        var local_6: i32;
+        var local_6: f32;
         var local_7: i32;
+        var local_8: i32;
 
         nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_4 = (_e26.x / period.x);
-        } else {
-            local_4 = 1.5f;
-        }
-        let _e35 = local_4;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_5 = (_e39.y / period.y);
+            local_5 = (_e26.x / period.x);
         } else {
             local_5 = 1.5f;
         }
-        let _e48 = local_5;
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1.5f;
+        }
+        let _e48 = local_6;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_6 = i32(_e54.x);
-        } else {
-            local_6 = 0i;
-        }
-        let _e59 = local_6;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_7 = i32(_e63.y);
+            local_7 = i32(_e54.x);
         } else {
             local_7 = 0i;
         }
-        let _e68 = local_7;
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -1146,28 +1156,28 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 // step(phase, width). The phase of 0 is 0.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_9: f32;
-    var phase: f32;
     var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_9 = (atan2(value.y, value.x) * 0.15915494f);
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_9 = 0f;
+        local_10 = 0f;
     }
-    let _e13 = local_9;
+    let _e13 = local_10;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_10 = min((_e18 + 1f), 0.99999994f);
+        local_11 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_10 = _e23;
+        local_11 = _e23;
     }
-    let _e25 = local_10;
+    let _e25 = local_11;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }

@@ -48,8 +48,8 @@ struct GaborAxes3d {
 fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes3d {
     var n: GaborAxes3d;
     var salt_4: u32;
-    var local_11: f32;
     var local_12: f32;
+    var local_13: f32;
 
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -63,17 +63,17 @@ fn gabor_impl_axes(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborAxes
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e39 ^ 668265263u), wave.z, place.radius.z);
     n.z = _e45;
     if false {
-        local_11 = 1f;
-    } else {
-        local_11 = 1.125f;
-    }
-    let _e56 = local_11;
-    if false {
         local_12 = 1f;
     } else {
         local_12 = 1.125f;
     }
-    let _e68 = local_12;
+    let _e56 = local_12;
+    if false {
+        local_13 = 1f;
+    } else {
+        local_13 = 1.125f;
+    }
+    let _e68 = local_13;
     let _e71 = n;
     let _e74 = n;
     let _e78 = n;
@@ -235,7 +235,7 @@ fn gabor_impl_waves(axis: GaborAxis, deviation: f32) -> GaborMatrix {
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
     var turn_5: vec2<f32>;
-    var c_2: vec3<f32>;
+    var c_1: vec3<f32>;
     var s_2: vec3<f32>;
 
     d = ((vec3(axis.offset) + vec3<f32>(1f, 0f, -1f)) / vec3(1.5f));
@@ -260,29 +260,29 @@ fn gabor_impl_waves(axis: GaborAxis, deviation: f32) -> GaborMatrix {
     turn_5 = (0.5f * _e73);
     let _e76 = turn_5;
     let _e85 = turn_5;
-    c_2 = ((_e76.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e85.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
+    c_1 = ((_e76.x * vec3<f32>(-0.5f, 1f, -0.5f)) + (_e85.y * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
     let _e95 = turn_5;
     let _e104 = turn_5;
     s_2 = ((_e95.y * vec3<f32>(-0.5f, 1f, -0.5f)) - (_e104.x * vec3<f32>(-0.8660254f, 0f, 0.8660254f)));
     let _e114 = real;
-    let _e115 = c_2;
+    let _e115 = c_1;
     let _e117 = imaginary;
     let _e118 = s_2;
     let _e120 = ((_e114 * _e115) + (_e117 * _e118));
     let _e121 = real;
     let _e122 = real;
-    let _e123 = c_2;
+    let _e123 = c_1;
     let _e125 = imaginary;
     let _e126 = s_2;
     let _e128 = ((_e122 * _e123) - (_e125 * _e126));
     let _e142 = imaginary;
-    let _e143 = c_2;
+    let _e143 = c_1;
     let _e145 = real;
     let _e146 = s_2;
     let _e148 = ((_e142 * _e143) - (_e145 * _e146));
     let _e149 = imaginary;
     let _e150 = imaginary;
-    let _e151 = c_2;
+    let _e151 = c_1;
     let _e153 = real;
     let _e154 = s_2;
     let _e156 = ((_e150 * _e151) + (_e153 * _e154));
@@ -298,7 +298,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var stretch_2: vec3<f32>;
     var deviation_1: vec3<f32>;
     var n_5: GaborAxes3d;
-    var x_6: GaborMatrix;
+    var x_5: GaborMatrix;
     var y_6: GaborMatrix;
     var z_1: GaborMatrix;
     var first_1: GaborMatrix;
@@ -311,7 +311,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     var kept: f32 = 0f;
     var b_2: i32 = 0i;
     var m_2: GaborMatrix;
-    var c_3: i32;
+    var c_2: i32;
     var a_2: i32;
     var aside: vec3<f32>;
     var k_1: vec3<f32>;
@@ -336,7 +336,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e42 = n_5;
     let _e44 = deviation_1;
     let _e46 = gabor_impl_waves(_e42.x, _e44.x);
-    x_6 = _e46;
+    x_5 = _e46;
     let _e48 = n_5;
     let _e50 = deviation_1;
     let _e52 = gabor_impl_waves(_e48.y, _e50.y);
@@ -345,24 +345,24 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
     let _e56 = deviation_1;
     let _e58 = gabor_impl_waves(_e54.z, _e56.z);
     z_1 = _e58;
-    let _e60 = x_6;
-    let _e63 = x_6;
-    x_6 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
+    let _e60 = x_5;
+    let _e63 = x_5;
+    x_5 = GaborMatrix(transpose(_e60.real), transpose(_e63.imaginary));
     let _e67 = n_5;
     let _e72 = n_5.z.word[0];
-    let _e73 = x_6;
+    let _e73 = x_5;
     let _e74 = y_6;
     let _e75 = gabor_impl_slice(_e67, _e72, place, _e73, _e74);
     first_1 = _e75;
     let _e77 = n_5;
     let _e82 = n_5.z.word[1];
-    let _e83 = x_6;
+    let _e83 = x_5;
     let _e84 = y_6;
     let _e85 = gabor_impl_slice(_e77, _e82, place, _e83, _e84);
     second_1 = _e85;
     let _e87 = n_5;
     let _e92 = n_5.z.word[2];
-    let _e93 = x_6;
+    let _e93 = x_5;
     let _e94 = y_6;
     let _e95 = gabor_impl_slice(_e87, _e92, place, _e93, _e94);
     third_1 = _e95;
@@ -389,9 +389,9 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
             let _e173 = z_1;
             let _e174 = gabor_impl_matrix_product(_e172, _e173);
             m_2 = _e174;
-            c_3 = 0i;
+            c_2 = 0i;
             loop {
-                let _e177 = c_3;
+                let _e177 = c_2;
                 if !((_e177 < 3i)) {
                     break;
                 }
@@ -405,7 +405,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                         {
                             let _e193 = a_2;
                             let _e197 = b_2;
-                            let _e201 = c_3;
+                            let _e201 = c_2;
                             aside = vec3<f32>(f32((_e193 - 1i)), f32((_e197 - 1i)), f32((_e201 - 1i)));
                             let _e208 = stretch_2;
                             let _e210 = aside;
@@ -421,10 +421,10 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                             left = exp((-4.934802f * ((dot(_e216, _e217) * dot(_e219, _e220)) + (dot(_e223, _e224) * dot(_e226, _e227)))));
                             let _e234 = left;
                             let _e235 = a_2;
-                            let _e236 = c_3;
+                            let _e236 = c_2;
                             let _e240 = m_2.real[_e236][_e235];
                             let _e241 = a_2;
-                            let _e242 = c_3;
+                            let _e242 = c_2;
                             let _e246 = m_2.imaginary[_e242][_e241];
                             value_5 = (_e234 * vec2<f32>(_e240, _e246));
                             let _e250 = sum_6;
@@ -459,8 +459,8 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> Gabor
                     }
                 }
                 continuing {
-                    let _e181 = c_3;
-                    c_3 = (_e181 + 1i);
+                    let _e181 = c_2;
+                    c_2 = (_e181 + 1i);
                 }
             }
         }
@@ -628,7 +628,7 @@ fn gabor_impl_takeover(low: f32, high: f32, x: f32) -> f32 {
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_14: vec3<f32>;
+    var local_15: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
     var sum_9: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
@@ -644,11 +644,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_14 = vec3<f32>(0f, 0f, 1f);
+        local_15 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_14 = vec3<f32>(1f, 0f, 0f);
+        local_15 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_14;
+    let _e26 = local_15;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -689,7 +689,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var power_2: f32;
     var sum_10: GaborField3d = GaborField3d(vec2(0f), vec2(0f), vec2(0f), vec2(0f), 0f);
     var axis_2: i32 = 0i;
-    var local_15: vec3<f32>;
+    var local_16: vec3<f32>;
     var along: vec3<f32>;
     var i_2: i32;
     var share_2: f32;
@@ -713,11 +713,11 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
         {
             let _e44 = axis_2;
             if (_e44 == 0i) {
-                local_15 = vec3<f32>(0f, 0f, 1f);
+                local_16 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_15 = vec3<f32>(1f, 0f, 0f);
+                local_16 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e56 = local_15;
+            let _e56 = local_16;
             let _e57 = normal_3;
             let _e59 = gabor_impl_unit(cross(_e56, _e57));
             along = _e59;

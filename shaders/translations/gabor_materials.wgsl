@@ -167,12 +167,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_6: f32;
+    var x_5: f32;
 
-    x_6 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_6;
-    let _e20 = x_6;
-    let _e22 = x_6;
+    x_5 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_5;
+    let _e20 = x_5;
+    let _e22 = x_5;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -210,8 +210,8 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var power_4: f32 = 1f;
     var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
     var m_2: i32 = 1i;
-    var x_7: f32;
-    var r_1: f32;
+    var x_6: f32;
+    var r_2: f32;
 
     damping = dot(phase, phase);
     loop {
@@ -228,14 +228,14 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             let _e25 = damping;
             power_4 = (_e24 * _e25);
             let _e28 = m_2;
-            x_7 = (0.44879895f * f32(_e28));
+            x_6 = (0.44879895f * f32(_e28));
             let _e33 = m_2;
-            r_1 = (0.3183099f / f32(_e33));
+            r_2 = (0.3183099f / f32(_e33));
             let _e37 = sum_12;
-            let _e38 = x_7;
-            let _e40 = x_7;
-            let _e42 = r_1;
-            let _e44 = r_1;
+            let _e38 = x_6;
+            let _e40 = x_6;
+            let _e42 = r_2;
+            let _e44 = r_2;
             let _e45 = wave_9;
             let _e48 = wave_9;
             sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
@@ -332,21 +332,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_19: f32;
+    var local_20: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_3: bool;
     var top: f32;
-    var local_20: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_21: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_22: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_22: f32;
+    var local_23: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -386,11 +386,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_19 = -1f;
+        local_20 = -1f;
     } else {
-        local_19 = 1f;
+        local_20 = 1f;
     }
-    let _e89 = local_19;
+    let _e89 = local_20;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -415,22 +415,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = first_3;
     if _e166 {
         let _e167 = upright;
-        local_20 = _e167;
+        local_21 = _e167;
     } else {
         let _e168 = level;
-        local_20 = _e168;
+        local_21 = _e168;
     }
-    let _e170 = local_20;
+    let _e170 = local_21;
     tone_1 = _e170;
     let _e172 = first_3;
     if _e172 {
         let _e173 = upright_fibre;
-        local_21 = _e173;
+        local_22 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_21 = _e174;
+        local_22 = _e174;
     }
-    let _e176 = local_21;
+    let _e176 = local_22;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -447,11 +447,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_3;
     if _e216 {
-        local_22 = 1f;
+        local_23 = 1f;
     } else {
-        local_22 = 0f;
+        local_23 = 0f;
     }
-    let _e220 = local_22;
+    let _e220 = local_23;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -1039,11 +1039,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var within_2: vec2<f32>;
     var turn_8: f32;
     var first_4: bool;
-    var local_23: vec3<f32>;
+    var local_24: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_24: vec2<f32>;
+    var local_25: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_25: f32;
+    var local_26: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1079,31 +1079,31 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e64 = first_4;
     if _e64 {
         let _e65 = upright_1;
-        local_23 = _e65;
+        local_24 = _e65;
     } else {
         let _e66 = level_1;
-        local_23 = _e66;
+        local_24 = _e66;
     }
-    let _e68 = local_23;
+    let _e68 = local_24;
     fibre_2 = _e68;
     let _e70 = first_4;
     if _e70 {
         let _e71 = within_2;
-        local_24 = _e71.yx;
+        local_25 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_24 = _e73;
+        local_25 = _e73;
     }
-    let _e75 = local_24;
+    let _e75 = local_25;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_8;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_25 = 0f;
+        local_26 = 0f;
     } else {
-        local_25 = 1f;
+        local_26 = 1f;
     }
-    let _e91 = local_25;
+    let _e91 = local_26;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

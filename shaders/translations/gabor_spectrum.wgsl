@@ -71,7 +71,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_11: f32;
+        var local_12: f32;
         var scale_1: f32;
 
         lobes_1 = lobes;
@@ -116,11 +116,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_11 = inverseSqrt(_e67);
+            local_12 = inverseSqrt(_e67);
         } else {
-            local_11 = 0f;
+            local_12 = 0f;
         }
-        let _e71 = local_11;
+        let _e71 = local_12;
         scale_1 = _e71;
         let _e73 = scale_1;
         let _e74 = sum_5;
@@ -138,7 +138,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_11: f32;
+        var local_12: f32;
         var scale: f32;
 
         lobes_1 = lobes;
@@ -183,11 +183,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_11 = inverseSqrt(_e67);
+            local_12 = inverseSqrt(_e67);
         } else {
-            local_11 = 0f;
+            local_12 = 0f;
         }
-        let _e71 = local_11;
+        let _e71 = local_12;
         scale = _e71;
         let _e73 = scale;
         let _e74 = sum_5;
@@ -205,7 +205,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
         var field_2: GaborField;
-        var local_11: f32;
+        var local_12: f32;
         var scale: f32;
 
         lobes_1 = lobes;
@@ -250,11 +250,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e64 = power;
         if (_e64 > 0f) {
             let _e67 = power;
-            local_11 = inverseSqrt(_e67);
+            local_12 = inverseSqrt(_e67);
         } else {
-            local_11 = 0f;
+            local_12 = 0f;
         }
-        let _e71 = local_11;
+        let _e71 = local_12;
         scale = _e71;
         let _e73 = scale;
         let _e74 = sum_5;
@@ -268,14 +268,14 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
 
 // Of `c`: how many lobes there are, of both numbers where one fades.
 fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_12: i32;
+    var local_13: i32;
 
     if (fract(c) > 0.8f) {
-        local_12 = ((2i * i32(c)) + 1i);
+        local_13 = ((2i * i32(c)) + 1i);
     } else {
-        local_12 = i32(c);
+        local_13 = i32(c);
     }
-    let _e11 = local_12;
+    let _e11 = local_13;
     return _e11;
 }
 
@@ -706,8 +706,8 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     var two: vec2<f32>;
     var three: vec2<f32>;
     var four: vec2<f32>;
-    var cosine: vec4<f32>;
-    var sine: vec4<f32>;
+    var cosine_1: vec4<f32>;
+    var sine_1: vec4<f32>;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
     var fade_1: f32;
@@ -739,19 +739,19 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     let _e42 = two;
     let _e44 = three;
     let _e46 = four;
-    cosine = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
+    cosine_1 = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
     let _e50 = line_1;
     let _e53 = two;
     let _e55 = three;
     let _e57 = four;
-    sine = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
-    let _e63 = cosine;
-    let _e66 = cosine;
-    let _e69 = cosine;
+    sine_1 = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
+    let _e63 = cosine_1;
+    let _e66 = cosine_1;
+    let _e69 = cosine_1;
     real = (b.mean + vec3<f32>(dot(b.even_0_, _e63), dot(b.even_1_, _e66), dot(b.even_2_, _e69)));
-    let _e75 = sine;
-    let _e78 = sine;
-    let _e81 = sine;
+    let _e75 = sine_1;
+    let _e78 = sine_1;
+    let _e81 = sine_1;
     imaginary = vec3<f32>(dot(b.odd_0_, _e75), dot(b.odd_1_, _e78), dot(b.odd_2_, _e81));
     fade_1 = clamp((5.555556f - (2.222222f * abs((b.offset - f32(index))))), 0f, 1f);
     let _e97 = fade_1;
@@ -808,9 +808,9 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, rows: i32, seed: u32) -> GaborField {
     var m_1: vec2<f32>;
     var blurred_2: vec2<f32>;
-    var c_5: vec2<f32>;
+    var c_4: vec2<f32>;
     var rho: f32;
-    var r: f32;
+    var r_1: f32;
     var lambda: f32;
     var weights_1: vec3<f32>;
     var first_2: vec2<f32>;
@@ -831,9 +831,9 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var j_2: i32 = 0i;
     var row_2: GaborFactors;
     var amplitude_3: f32;
-    var x_5: vec2<f32>;
+    var x_4: vec2<f32>;
     var y_5: vec2<f32>;
-    var local_13: f32;
+    var local_14: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
@@ -845,15 +845,15 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     let _e20 = gabor_impl_symmetric(vec3<f32>(_e13.x, _e13.y, -(s.z)), _e19);
     let _e24 = m_1;
     let _e26 = m_1;
-    c_5 = (_e20 / vec2(((s.z * s.z) - (_e24.x * _e26.y))));
+    c_4 = (_e20 / vec2(((s.z * s.z) - (_e24.x * _e26.y))));
     let _e34 = m_1;
     let _e36 = m_1;
     rho = (s.z * inverseSqrt((_e34.x * _e36.y)));
     let _e43 = rho;
     let _e44 = rho;
-    r = sqrt((1f - (_e43 * _e44)));
+    r_1 = sqrt((1f - (_e43 * _e44)));
     let _e49 = rho;
-    let _e51 = r;
+    let _e51 = r_1;
     lambda = (_e49 / (1f + _e51));
     let _e58 = lambda;
     let _e61 = lambda;
@@ -870,18 +870,18 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     step_x = _e93;
     let _e101 = gabor_impl_wave((wave.y / 1.5f));
     step_y = _e101;
-    let _e103 = r;
+    let _e103 = r_1;
     let _e104 = m_1;
-    let _e107 = c_5;
+    let _e107 = c_4;
     let _e109 = offset_1;
     let _e111 = node;
     let _e115 = salt_6;
     let _e116 = step_x;
     let _e117 = gabor_impl_band((_e103 * _e104.x), _e107.x, _e109.x, _e111.x, place.period.x, _e115, _e116);
     across = _e117;
-    let _e119 = r;
+    let _e119 = r_1;
     let _e120 = m_1;
-    let _e123 = c_5;
+    let _e123 = c_4;
     let _e125 = offset_1;
     let _e127 = node;
     let _e131 = salt_6;
@@ -978,28 +978,28 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     }
     let _e286 = lambda;
     let _e287 = lambda;
-    let _e293 = c_5;
+    let _e293 = c_4;
     let _e295 = blurred_2;
     amplitude_3 = (sqrt((1f - (_e286 * _e287))) * exp((-19.739208f * dot((wave + _e293), _e295))));
     let _e302 = sum_8;
     let _e305 = sum_8;
-    x_5 = (6.2831855f * (_e302.slope_x + (wave.x * _e305.value)));
+    x_4 = (6.2831855f * (_e302.slope_x + (wave.x * _e305.value)));
     let _e312 = sum_8;
     let _e315 = sum_8;
     y_5 = (6.2831855f * (_e312.slope_y + (wave.y * _e315.value)));
     let _e321 = amplitude_3;
     if false {
-        local_13 = 1f;
+        local_14 = 1f;
     } else {
-        local_13 = 1.125f;
+        local_14 = 1.125f;
     }
-    let _e332 = local_13;
+    let _e332 = local_14;
     scale_1 = (_e321 / (1459955300000000000000000000f * _e332));
     let _e336 = scale_1;
     let _e337 = sum_8;
     let _e340 = scale_1;
-    let _e341 = x_5;
-    let _e344 = x_5;
+    let _e341 = x_4;
+    let _e344 = x_4;
     let _e348 = scale_1;
     let _e349 = y_5;
     let _e352 = y_5;
@@ -1020,7 +1020,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var wide: f32;
     var share_1: f32;
     var share_2: f32;
-    var local_14: i32;
+    var local_15: i32;
     var rows_2: i32;
 
     kernel_7 = kernel;
@@ -1072,11 +1072,11 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             share_2 = (_e87 * _e88);
             let _e91 = wide;
             if (_e91 > 0f) {
-                local_14 = 5i;
+                local_15 = 5i;
             } else {
-                local_14 = 0i;
+                local_15 = 0i;
             }
-            let _e97 = local_14;
+            let _e97 = local_15;
             rows_2 = _e97;
             let _e100 = wave_8;
             let _e101 = s_4;
@@ -1334,9 +1334,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var apart: f32;
     var larger: f32;
     var side: f32;
-    var local_15: f32;
-    var smaller: f32;
     var local_16: f32;
+    var smaller: f32;
+    var local_17: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1383,11 +1383,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
         let _e94 = larger;
         let _e96 = side;
         let _e98 = mean_1;
-        local_15 = min(((_e93 / _e94) * _e96), _e98);
+        local_16 = min(((_e93 / _e94) * _e96), _e98);
     } else {
-        local_15 = 0f;
+        local_16 = 0f;
     }
-    let _e102 = local_15;
+    let _e102 = local_16;
     smaller = _e102;
     let _e105 = footprint_1;
     footprint_1.resolved = _e105.covariance;
@@ -1401,11 +1401,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e114 > 0f) {
                 let _e119 = smaller;
                 let _e122 = apart;
-                local_16 = ((0.5f * (0.25f - _e119)) / _e122);
+                local_17 = ((0.5f * (0.25f - _e119)) / _e122);
             } else {
-                local_16 = 0f;
+                local_17 = 0f;
             }
-            let _e126 = local_16;
+            let _e126 = local_17;
             axis_2 = (_e113 * _e126);
             let _e131 = smaller;
             let _e134 = axis_2;
@@ -1458,7 +1458,7 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four_1: vec4<f32>;
     var i_5: i32 = 0i;
-    var local_17: u32;
+    var local_18: u32;
     var noise_1: vec4<f32>;
 
     loop {
@@ -1469,13 +1469,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_5;
             if (_e17 == 0i) {
-                local_17 = seed;
+                local_18 = seed;
             } else {
                 let _e20 = i_5;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_17 = _e22;
+                local_18 = _e22;
             }
-            let _e24 = local_17;
+            let _e24 = local_18;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
             let _e27 = i_5;
@@ -1502,7 +1502,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var lobe_1: GaborLobe;
     var unit_1: f32;
     var noise_2: vec4<f32>;
-    var local_18: vec4<f32>;
+    var local_19: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1550,11 +1550,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e74 = power_2;
         let _e76 = vec3(inverseSqrt(_e74));
         let _e78 = power_2;
-        local_18 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
+        local_19 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
     } else {
-        local_18 = vec4(0f);
+        local_19 = vec4(0f);
     }
-    let _e88 = local_18;
+    let _e88 = local_19;
     return _e88;
 }
 

@@ -44,9 +44,9 @@ LatticeSample draw_sample(Draw& draw, int taps) {
     return s;
 }
 
-// 2e-5 for a frequency of 4 and an orientation of 2 radians, above in proportion to both, as rounding is.
+// 1.5e-5 for a frequency of 4 and an orientation of 2 radians, above in proportion to both, as rounding is.
 double tolerance(const LatticeSample& s) {
-    return 2e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
+    return 1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
 }
 
 double slope_tolerance(const LatticeSample& s) {
