@@ -28,7 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Kind = render::Parameter::Kind;
 
-constexpr int most_frames = 9999;
+static_assert(render::most_frames == 9999);
 constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
 
 double seconds_since(Clock::time_point start) {
@@ -201,14 +201,6 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-// name.exr becomes name.0001.exr for the first of several frames.
-std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames) {
-    if (frames == 1)
-        return path;
-    return path.parent_path() /
-           fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
-}
-
 void print_times(const render::FileTimes& times, const vulkan::Device& device, double pixels,
                  double device_ready, double wall) {
     const double gpu = times.rendering.gpu;
@@ -258,7 +250,7 @@ int frames_of(const RenderOptions& options) {
     if (!options.frames)
         return 1;
     const auto [frames] = parse_integers<1>("--frames", *options.frames, ' ', frames_accepted);
-    if (frames < 1 || frames > most_frames)
+    if (frames < 1 || frames > render::most_frames)
         refuse("--frames", *options.frames, frames_accepted);
     return frames;
 }
@@ -275,16 +267,15 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     const double device_ready = seconds_since(start);
     const auto pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) *
                         static_cast<std::uint64_t>(frames);
-    const std::uint64_t of_levels = options.texture ? pixels / 3 : 0; // a quarter, a sixteenth, and so on
-    std::optional<Progress> progress(std::in_place, "rendering", pixels + of_levels);
+    std::optional<Progress> progress(std::in_place, "rendering",
+                                     options.texture ? render::texture_pixels(pixels) : pixels);
     render::FileTimes total;
     for (int frame = 0; frame < frames; ++frame) {
-        render::Request request = work.request;
-        request.time += static_cast<double>(frame) / frames;
+        const render::Request request = render::frame_of(work.request, frame, frames);
         render::Files here = files;
         for (std::optional<std::filesystem::path>* path : {&here.exr, &here.png})
             if (*path)
-                *path = frame_path(**path, frame, frames);
+                *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) {
             check_interrupt();
             progress->advance(done);

@@ -14,21 +14,42 @@
 
 namespace gabor::render {
 
-namespace {
-
-float as_is(float value) {
-    return value;
-}
-
-} // namespace
-
 float srgb(float light) {
     light = std::clamp(light, 0.0f, 1.0f);
     return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
 }
 
-std::string software(const vulkan::Device& device) {
-    return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
+int shown_channels(const Request& request) {
+    return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
+}
+
+void show(const Request& request, std::span<const float> values, std::vector<float>& shown) {
+    const std::size_t channels = render::channels(request).size();
+    const auto kept = static_cast<std::size_t>(shown_channels(request));
+    const std::size_t first = has_material(request) ? material_channels.size() - kept : 0;
+    shown.clear();
+    for (std::size_t i = 0; i < values.size(); i += channels)
+        for (std::size_t k = i + first; k < i + first + kept; ++k)
+            shown.push_back(has_material(request) ? srgb(values[k])
+                            : request.colour      ? values[k]
+                                                  : unorm(values[k]));
+}
+
+Request frame_of(Request request, int frame, int frames) {
+    request.time += static_cast<double>(frame) / frames;
+    return request;
+}
+
+std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames) {
+    if (frames == 1)
+        return path;
+    return path.parent_path() /
+           fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
+}
+
+std::string software(const vulkan::Device& device, Code code) {
+    return fmt::format("gabor {}, {}, {}{}", GABOR_VERSION, device.info().name, device.info().driver,
+                       code.empty() ? "" : ", with other shaders");
 }
 
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
@@ -49,21 +70,15 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     std::optional<image::ExrWriter> exr;
     if (files.exr)
         exr.emplace(*files.exr,
-                    image::ExrWriter::Description{
-                        .picture = {0, 0, request.width, request.height},
-                        .window = region,
-                        .channels = names,
-                        .compression = files.compression,
-                        .parameters = to_json(request),
-                        .software = software(device) + (files.code.empty() ? "" : ", with other shaders")});
-    // Colour, where there are as many noises; of a material its look.
-    const bool coloured = files.colours || has_material(request) || request.colour || request.values >= 3;
-    const std::size_t colours = coloured ? 3 : 1;
-    const std::size_t first = has_material(request) ? material_channels.size() - colours : 0;
-    const auto show = has_material(request) ? srgb : request.colour ? as_is : unorm;
+                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
+                                                  .window = region,
+                                                  .channels = names,
+                                                  .compression = files.compression,
+                                                  .parameters = to_json(request),
+                                                  .software = software(device, files.code)});
     std::optional<image::PngWriter> png;
     if (files.png)
-        png.emplace(*files.png, region.width, region.height, static_cast<int>(colours));
+        png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));
 
     FileTimes times;
     std::vector<float> shown;
@@ -77,10 +92,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
             if (png && files.colours) {
                 png->write_rows(files.colours(values));
             } else if (png) {
-                shown.clear();
-                for (std::size_t i = 0; i < values.size(); i += names.size())
-                    for (std::size_t k = first; k < first + colours; ++k)
-                        shown.push_back(show(values[i + k]));
+                show(request, values, shown);
                 png->write_rows(shown);
             }
             times.writing += seconds_since(before);

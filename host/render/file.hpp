@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gabor::render {
 
@@ -18,6 +19,20 @@ constexpr float unorm(float noise) {
 /// Light as it is shown: from linear to the values of sRGB (IEC 61966-2-1), within [0, 1].
 float srgb(float light);
 
+/// Shows pixels as a PNG does, from 0 to 1: the noise in grey, three of them or a photograph's colours as
+/// colours, a material by its look.
+void show(const Request& request, std::span<const float> values, std::vector<float>& shown);
+/// How many values each pixel then has, 1 or 3.
+int shown_channels(const Request& request);
+
+constexpr int most_frames = 9999;
+
+/// One of `frames` frames of the animation of a request, which takes a period.
+Request frame_of(Request request, int frame, int frames);
+
+/// NAME.exr becomes NAME.0001.exr for the first of several frames.
+std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames);
+
 /// Where the time of rendering a file went, in seconds.
 struct FileTimes {
     Times rendering;
@@ -27,8 +42,9 @@ struct FileTimes {
     FileTimes& operator+=(const FileTimes& other);
 };
 
-/// What rendered a picture, as its header says: pixels agree between files where this does.
-std::string software(const vulkan::Device& device);
+/// What rendered a picture, as its header says: pixels agree between files where this does. `code`: of its
+/// pass, where it is not what was built in.
+std::string software(const vulkan::Device& device, Code code = {});
 
 struct Files {
     std::optional<std::filesystem::path> exr;

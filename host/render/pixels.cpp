@@ -38,14 +38,14 @@ std::vector<passes::Line> lines_along(const Request& request, int side, int firs
     return lines;
 }
 
+} // namespace
+
 double highest_frequency(const Paint& paint) {
     float highest = 0;
     for (std::size_t i = 0; i < paint.samples.size(); i += 2)
         highest = std::max(highest, std::abs(paint.samples[i]));
     return highest;
 }
-
-} // namespace
 
 bool in_perspective(const Request& request) {
     return std::holds_alternative<Horizon>(request.view);

@@ -26,6 +26,9 @@ std::vector<std::uint32_t> pixels_constants(const Request& request);
 /// frequency needs.
 std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Paint& paint);
 
+/// In the paint, cycles per kernel radius.
+double highest_frequency(const Paint& paint);
+
 /// What its colours are made of, zeros where there are none.
 passes::PixelsColour pixels_colour(const Request& request);
 

@@ -103,13 +103,13 @@ void write_levels(const image::Window& region, std::size_t channels, const Write
 
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
                          const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance) {
+                         const std::function<void(std::uint64_t)>& advance, Code code) {
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point start) {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     const std::size_t channels = render::channels(request).size();
-    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device));
+    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device, code));
 
     FileTimes times;
     const auto write = [&](std::span<const float> values) {
@@ -118,8 +118,8 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         writer.write_rows(values);
         times.writing += seconds_since(before);
     };
-    const auto pass =
-        has_material(request) ? Material::make_pass(device, request) : Pixels::make_pass(device, request);
+    const auto pass = has_material(request) ? Material::make_pass(device, request, code)
+                                            : Pixels::make_pass(device, request, code);
     const auto renderer_of = [&](const Request& here,
                                  const image::Window& window) -> std::unique_ptr<RegionRenderer> {
         if (has_material(here))

@@ -27,10 +27,15 @@ Request texture_level(Request request, int level);
 
 /// Renders `region` of a checked request as a mip-mapped texture, a picture of its own: each level as the
 /// filter of a pixel of its own size sees the noise, instead of an average of the level before. `advance` as
-/// for render_file.
+/// for render_file; `code`: of `pass_of(request)`, in place of what was built in.
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
                          const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance);
+                         const std::function<void(std::uint64_t)>& advance, Code code = {});
+
+/// Pixels of all levels, about: a quarter more, a sixteenth, and so on.
+constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
+    return of_first_level + of_first_level / 3;
+}
 
 /// Makes of all drawn levels of a picture, each rendered as texture_level has it, whole or in regions, the
 /// file that render_texture would have written, in the regions' compression; returns the picture. Throws

@@ -1,6 +1,8 @@
 #include "viewer/app.hpp"
 
 #include "viewer/document_json.hpp"
+#include "viewer/effect.hpp"
+#include "viewer/gallery.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
@@ -65,7 +67,7 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(Document()), options.device), timing_(device_),
+      session_(options.document.value_or(document_of({})), options.device), timing_(device_),
       remember_(!options.screenshot) {
     if (remember_)
         restore(options);
@@ -177,8 +179,15 @@ void App::poll_shaders() {
     }
 }
 
+Document App::shown() const {
+    Document document = session_.history.now;
+    if (session_.tiling)
+        document.camera = session_.tiling->camera;
+    return document;
+}
+
 std::vector<NoisePass> App::wanted() const {
-    return noise_passes(session_.history.now, device_.info().kind == "CPU");
+    return noise_passes(shown(), device_.info().kind == "CPU");
 }
 
 std::vector<Area> App::areas(Extent window) const {
@@ -201,12 +210,17 @@ bool App::refine(Extent window) {
         photograph_.reset();
         photograph_pixels_.reset();
     }
+    const std::vector<Area> where = areas(window);
+    session_.view = {where[0].width, where[0].height};
+    session_.tiling.reset();
+    if (session_.tiles && without_effect(session_.document(), "tiles").empty())
+        session_.tiling = tiling_of(
+            session_.document(), {std::min(where.front().width, where.back().width), where.front().height});
+    const Camera camera = shown().camera;
     const std::vector<NoisePass> wanted = this->wanted();
     for (const NoisePass& noise : wanted)
         if (!spirv(noise.shader) || (has_law(noise) && !spirv(value_pass(noise).shader)))
             return false; // until its error is mended the last good picture stays
-    const std::vector<Area> where = areas(window);
-    session_.view = {where[0].width, where[0].height};
     if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
         panes_.resize(wanted.size());
         session_.panes.resize(wanted.size());
@@ -218,8 +232,9 @@ bool App::refine(Extent window) {
         Pane& pane = panes_[index];
         if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
             pane.canvas = std::make_unique<Canvas>(device_, wanted[index], required(wanted[index].shader));
-        if (pane.canvas->refine(wanted[index], session_.document().camera,
-                                {where[index].width, where[index].height}, budget)) {
+        const Extent extent =
+            session_.tiling ? session_.tiling->tile : Extent{where[index].width, where[index].height};
+        if (pane.canvas->refine(wanted[index], camera, extent, budget)) {
             more = true;
             pane.picture_measured = false;
         }
@@ -272,7 +287,7 @@ void App::measure(std::size_t index, const NoisePass& noise) {
         pane.picture_measured = true;
         if (is_flat(noise.request.view) && !noise.request.colour)
             measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
-                                   noise.request.scale * session_.document().camera.zoom);
+                                   noise.request.scale * shown().camera.zoom);
     } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
         const std::span<const float> values_now =
             pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
@@ -283,16 +298,25 @@ void App::measure(std::size_t index, const NoisePass& noise) {
     }
 }
 
+float App::view_width() const {
+    return ImGui::GetIO().DisplaySize.x - (session_.panels ? panel_width * ImGui::GetFontSize() : 0);
+}
+
 void App::panels() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float width = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
-    overlay(session_, size.x - width, size.y);
-    photograph_overlay(session_, size.x - width, size.y);
+    const float view = view_width();
+    if (session_.gallery) {
+        gallery_window(session_, view, size.y);
+    } else {
+        view_overlay(session_, view, size.y);
+        photograph_overlay(session_, view, size.y);
+    }
+    message_overlay(session_, size.y);
     help_window(session_);
     if (!session_.panels)
         return;
-    ImGui::SetNextWindowPos({size.x - width, 0});
-    ImGui::SetNextWindowSize({width, size.y});
+    ImGui::SetNextWindowPos({view, 0});
+    ImGui::SetNextWindowSize({size.x - view, size.y});
     ImGui::Begin("panels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -307,7 +331,8 @@ void App::panels() {
     constexpr std::array sections{
         Section{"Noise", noise_panel},           Section{"Spectrum", spectrum_panel},
         Section{"Output", output_panel},         Section{"Measurements", measurements_panel},
-        Section{"Photograph", photograph_panel}, Section{"Files and code", files_panel}};
+        Section{"Photograph", photograph_panel}, Section{"Files and code", files_panel},
+        Section{"Export", export_panel}};
     for (const Section& section : sections)
         if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
             ImGui::PushID(section.title);
@@ -326,9 +351,12 @@ bool App::fine() const {
 }
 
 void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
+    if (session_.gallery)
+        return paint_presets(commands, where.back());
     for (std::size_t index = 0; index < panes_.size() && index < where.size(); ++index)
         if (panes_[index].canvas)
-            painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index);
+            painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index,
+                            session_.tiling);
     if (shows_photograph(session_) && where[0].x > 0)
         paint_photograph(commands, {0, 0, where[0].x, where[0].height});
 }
@@ -350,6 +378,24 @@ void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
         commands, *photograph_pixels_, photograph_->grid,
         {corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
         static_cast<float>(photograph_->square * document.camera.zoom), area);
+}
+
+// In place of the view, which ends with its last pane.
+void App::paint_presets(vk::CommandBuffer commands, const Area& last) {
+    const PresetPictures& pictures = session_.preset_pictures;
+    const ImGuiIO& io = ImGui::GetIO();
+    const float per_unit = io.DisplayFramebufferScale.x;
+    const std::size_t drawn = pictures.drawn();
+    if (drawn == 0)
+        return;
+    if (drawn != presets_drawn_) {
+        presets_drawn_ = drawn;
+        preset_pixels_ = render::upload(device_, pictures.colours());
+    }
+    const GalleryPlace place = gallery_place(view_width(), io.DisplaySize.y);
+    painter_->paint_colours(commands, *preset_pixels_, PresetPictures::extent(),
+                            {place.x * per_unit, place.y * per_unit}, place.scale * per_unit,
+                            {0, 0, last.x + last.width, last.height});
 }
 
 void App::draw(const Target& target) {
@@ -383,7 +429,10 @@ void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
     const NoisePass noise = wanted().front();
     const Extent extent{document.request.width, document.request.height};
-    Canvas canvas(device_, noise, required(noise.shader));
+    std::unique_ptr<Canvas> own; // where the window has none, for to make one takes its time
+    if (panes_.empty() || !panes_.front().canvas || !panes_.front().canvas->noise().same_pipeline(noise))
+        own = std::make_unique<Canvas>(device_, noise, required(noise.shader));
+    Canvas& canvas = own ? *own : *panes_.front().canvas;
     while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();
@@ -407,8 +456,7 @@ bool App::frame(const FrameHook& hook) {
         time += double{io.DeltaTime} / double{session_.period};
         time -= std::floor(time);
     }
-    const float panel = session_.panels ? panel_width * ImGui::GetFontSize() : 0;
-    handle_input(session_, io.DisplaySize.x - panel, io.DisplaySize.y);
+    handle_input(session_, view_width(), io.DisplaySize.y);
     panels();
     dialog_window(session_); // after all others: a modal window must not be the first to appear
     question_window(session_);
@@ -429,15 +477,20 @@ bool App::frame(const FrameHook& hook) {
     busy_ = refine(extent);
     if (window_png_)
         write_window_png(*std::exchange(window_png_, {}));
-    if (const Target* target = swapchain_.acquire(extent))
+    if (const Target* target = swapchain_.acquire(extent)) {
         draw(*target);
+        if (session_.metered) {
+            swapchain_.wait();
+            session_.meter.drawn(glfwGetTime());
+        }
+    }
     return true;
 }
 
 void App::run(const FrameHook& hook) {
     do {
-        const bool wanted =
-            busy_ || hook || session_.playing || session_.exporter.running() || session_.fitter.running();
+        const bool wanted = busy_ || hook || session_.playing || session_.metered ||
+                            session_.exporter.running() || session_.fitter.running();
         if (!window_.shown())
             glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)
@@ -448,6 +501,7 @@ void App::run(const FrameHook& hook) {
             if (glfwGetTime() - before < 0.9 * reload_interval)
                 last_input_ = glfwGetTime(); // something has happened
         }
+        session_.meter.read(glfwGetTime());
     } while (frame(hook));
 }
 

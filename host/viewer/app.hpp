@@ -64,12 +64,15 @@ class App {
     std::vector<Area> areas(Extent window) const;
     bool refine(Extent window); ///< whether anything is left to do
     void measure(std::size_t index, const NoisePass& noise);
+    float view_width() const; ///< in Dear ImGui's units
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
+    void paint_presets(vk::CommandBuffer commands, const Area& last);
     void write_window_png(const std::string& path);
-    std::vector<NoisePass> wanted() const; ///< of what the session shows
+    Document shown() const;                ///< the session's, as its camera shows it
+    std::vector<NoisePass> wanted() const; ///< of that
     /// A shader's code; for one that does not compile none, and its error in the session.
     const Spirv* spirv(const std::string& path);
     const Spirv& required(const std::string& path); ///< throws then
@@ -91,6 +94,8 @@ class App {
     std::vector<Pane> panes_;
     std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
     std::optional<vulkan::Buffer> photograph_pixels_;
+    std::size_t presets_drawn_ = 0; ///< of those whose pixels these are
+    std::optional<vulkan::Buffer> preset_pixels_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double shaders_polled_ = 0;
     double last_input_ = 0;

@@ -8,9 +8,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr int coarsest_stride = 16;
-constexpr int coarsest_baked = 4; // where blocks are still full
-constexpr int rows_at_once = 8;   ///< at least, of the passes' groups
+constexpr int rows_at_once = 8; ///< at least, of the passes' groups
 constexpr int sample_columns = 256;
 constexpr int most_sample_rows = 256;
 
@@ -163,9 +161,9 @@ bool Canvas::refine(const NoisePass& noise, const Camera& camera, Extent extent,
     if (stale_ || noise != noise_ || camera != camera_ || extent != extent_) {
         noise_ = noise;
         const double whole = cost_.per_value() * extent.width * extent.height;
+        const int coarsest = coarsest_stride(noise, paint_, camera.zoom);
         int stride = 1;
-        while (stride < (noise.block ? coarsest_baked : coarsest_stride) &&
-               whole / (stride * stride) > seconds)
+        while (stride < coarsest && whole / (stride * stride) > seconds)
             stride *= 2;
         draw(camera, extent, stride);
         return stride > 1;

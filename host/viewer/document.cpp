@@ -73,10 +73,6 @@ render::Request with_output(render::Request request, Output output) {
     return request;
 }
 
-render::Request exported(const Document& document) {
-    return with_output(document.request, document.output);
-}
-
 Camera default_camera(const Document& document) {
     const render::Request& request = document.request;
     if (!is_flat(request.view))

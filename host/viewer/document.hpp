@@ -68,9 +68,6 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
 /// The request with the channels that an output is made of, beside its own.
 render::Request with_output(render::Request request, Output output);
 
-/// The request of the document's export.
-render::Request exported(const Document& document);
-
 /// Where the camera is for the view to show what gabor render does.
 Camera default_camera(const Document& document);
 

@@ -10,6 +10,10 @@ std::string_view without_effect(const Document& document, std::string_view contr
     const Output output = document.output;
     const bool space = render::in_space(request);
     const bool painted = !request.paint.empty();
+    if (control == "tiles") {
+        const auto* plane = std::get_if<render::Plane>(&request.view);
+        return plane && plane->tileable ? "" : "Tiles are of a picture that is tileable";
+    }
     if (render::has_material(request)) {
         if (control == "colours" || control == "output")
             return "A material has colours of its own";

@@ -8,10 +8,29 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace gabor::viewer {
 
-/// Renders files beside the window, on a thread and a logical device of its own.
+/// What a document is exported as: one picture, the frames of its animation, or a mip-mapped texture.
+enum class ExportAs { picture, frames, texture };
+
+/// Where an export goes, and what it is.
+struct ExportTarget {
+    std::string path = "noise.exr"; ///< of frames NAME.exr for NAME.0001.exr and on
+    ExportAs as = ExportAs::picture;
+    bool png = true; ///< beside each EXR; a texture has none
+    int frames = 24;
+    bool half = false; ///< a texture of 16-bit floats
+};
+
+/// The files that it writes.
+std::vector<render::Files> files_of(const ExportTarget& target);
+
+/// The request of the document's export.
+render::Request exported(const Document& document, ExportAs as);
+
+/// Renders files beside the window, on a thread and a logical device of its own, as `gabor render` does.
 class Exporter {
   public:
     /// `selector`: as for vulkan::Device.
@@ -24,10 +43,9 @@ class Exporter {
         std::vector<std::uint32_t> colours; ///< of viewer/show.comp
     };
 
-    /// The picture of a document: the channels that its output is made of, and in the PNG what it shows of
+    /// The pictures of a document: the channels that its output is made of, and in PNGs what it shows of
     /// them. Throws RequestError where the request or a path will not do. Not while `running`.
-    void start(const Document& document, Shaders shaders, const std::filesystem::path& exr,
-               const std::optional<std::filesystem::path>& png);
+    void start(const Document& document, Shaders shaders, const ExportTarget& target);
     void cancel() { cancelled_ = true; }
 
     bool running() const { return running_; }
@@ -42,6 +60,14 @@ class Exporter {
     }
 
   private:
+    struct Work {
+        Document document;
+        Shaders shaders;
+        ExportTarget target;
+        render::Request request;
+    };
+    std::string run(const Work& work); ///< the line to show
+
     std::string selector_;
     std::thread thread_;
     std::atomic<bool> running_ = false;

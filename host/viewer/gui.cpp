@@ -158,14 +158,14 @@ void Gui::begin() {
     io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     // A frame takes the presses up to the first with other modifiers, or of a key that must be seen released
-    // before it is pressed again.
-    const auto has = [](const std::vector<int>& keys, int key) {
-        return std::ranges::find(keys, key) != keys.end();
+    // before it is pressed again: one that the last frame or this one has seen pressed.
+    const auto seen = [&](int key) {
+        return io.KeysDownDuration[key] >= 0 || std::ranges::find(released_, key) != released_.end();
     };
     const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;
     for (; !key_presses.empty(); key_presses.pop_front()) {
         const auto [key, with] = key_presses.front();
-        if (with != modifiers || has(previous, key) || has(released_, key))
+        if (with != modifiers || seen(key))
             break;
         io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
         io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;

@@ -27,7 +27,10 @@ double within(std::string_view parameter, double value) {
 }
 
 // What is under a point stays under it. The point in pixels from the middle of the view.
-void zoom(Document& document, double factor, double x, double y) {
+void zoom(Session& session, double factor, double x, double y) {
+    if (session.tiling)
+        return notify(session, "Tiles have a scale of their own");
+    Document& document = session.document();
     render::Request& request = document.request;
     if (auto* body = std::get_if<render::Body>(&request.view)) {
         body->zoom = within("zoom", body->zoom * factor);
@@ -41,13 +44,15 @@ void zoom(Document& document, double factor, double x, double y) {
 }
 
 // Moves a plane with the pointer, and turns a body.
-void drag(Document& document, double x, double y) {
+void drag(Session& session, double x, double y) {
+    Document& document = session.document();
     if (auto* body = std::get_if<render::Body>(&document.request.view)) {
         const double degrees_per_pixel = 0.4 / (body->zoom * double{pixels_per_unit()});
         body->yaw = std::remainder(body->yaw - degrees_per_pixel * x, 360.0);
         body->pitch = std::clamp(body->pitch + degrees_per_pixel * y, -89.0, 89.0);
     } else {
-        const double scale = document.request.scale * document.camera.zoom;
+        const Camera& camera = session.tiling ? session.tiling->camera : document.camera;
+        const double scale = document.request.scale * camera.zoom;
         document.camera = document.camera.moved(-x / scale, -y / scale);
     }
 }
@@ -119,6 +124,13 @@ constexpr std::array shortcuts{
                  std::optional<Comparison>& comparison = s.document().comparison;
                  comparison = comparison ? std::nullopt : std::optional(Comparison());
              }},
+    Shortcut{"T", "a tileable picture two by two, where seams would show", GLFW_KEY_T, false,
+             [](Session& s) {
+                 if (has_effect(s, "tiles"))
+                     s.tiles = !s.tiles;
+             }},
+    Shortcut{"P", "the presets as pictures", GLFW_KEY_P, false, [](Session& s) { s.gallery = !s.gallery; }},
+    Shortcut{"M", "frame rate and latency", GLFW_KEY_M, false, [](Session& s) { s.metered = !s.metered; }},
     Shortcut{"Space", "play time, in a loop", GLFW_KEY_SPACE, false,
              [](Session& s) {
                  if (has_effect(s, "time"))
@@ -138,7 +150,8 @@ constexpr std::array shortcuts{
 };
 
 // Those that repeat while they are held, and those of a row of keys.
-void held_keys(Document& document) {
+void held_keys(Session& session) {
+    Document& document = session.document();
     const bool material = render::has_material(document.request);
     const auto shown = static_cast<int>((material ? look_names() : output_names()).size());
     for (int i = 0; i < shown; ++i)
@@ -153,11 +166,11 @@ void held_keys(Document& document) {
     const double x = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
     const double y = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
     if (x != 0 || y != 0)
-        drag(document, -step * x, -step * y);
+        drag(session, -step * x, -step * y);
     if (ImGui::IsKeyPressed(GLFW_KEY_EQUAL) || ImGui::IsKeyPressed(GLFW_KEY_KP_ADD))
-        zoom(document, wheel_step, 0, 0);
+        zoom(session, wheel_step, 0, 0);
     if (ImGui::IsKeyPressed(GLFW_KEY_MINUS) || ImGui::IsKeyPressed(GLFW_KEY_KP_SUBTRACT))
-        zoom(document, 1 / wheel_step, 0, 0);
+        zoom(session, 1 / wheel_step, 0, 0);
 }
 
 void keys(Session& session) {
@@ -182,21 +195,20 @@ void keys(Session& session) {
     if (pressed(GLFW_KEY_F11))
         session.full_screen = !session.full_screen;
     if (pressed(GLFW_KEY_ESCAPE))
-        session.help = false;
+        session.help = session.gallery = false;
     if (io.WantTextInput)
         return;
     for (const Shortcut& shortcut : shortcuts)
         if (shortcut.key && shortcut.control == io.KeyCtrl && pressed(shortcut.key))
             shortcut.act(session);
     if (!io.KeyCtrl)
-        held_keys(session.document());
+        held_keys(session);
 }
 
 void mouse(Session& session, float width, float height) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse)
         return;
-    Document& document = session.document();
     const float density = pixels_per_unit();
     const bool split = session.panes.size() > 1 || shows_photograph(session);
     const float divider = width * session.divider;
@@ -210,7 +222,7 @@ void mouse(Session& session, float width, float height) {
         return;
     }
     if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
-        drag(document, double{io.MouseDelta.x * density}, double{io.MouseDelta.y * density});
+        drag(session, double{io.MouseDelta.x * density}, double{io.MouseDelta.y * density});
     const bool inside =
         io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
     if (!inside)
@@ -221,7 +233,7 @@ void mouse(Session& session, float width, float height) {
         const bool right = split && io.MousePos.x >= divider;
         const float left = right ? divider : 0;
         const float across = !split ? width : right ? width - divider : divider;
-        zoom(document, std::pow(wheel_step, io.MouseWheel),
+        zoom(session, std::pow(wheel_step, io.MouseWheel),
              double{(io.MousePos.x - left - across / 2) * density},
              double{(io.MousePos.y - height / 2) * density});
     }

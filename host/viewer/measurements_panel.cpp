@@ -132,6 +132,8 @@ void measurements_panel(Session& session) {
     row("samples", "Values measured so far, at random points of independent instances", panes,
         [](const PaneReport& pane) { return samples(pane.measured.moments.count()); });
     ImGui::EndTable();
+    ImGui::Checkbox("frame rate and latency", &session.metered);
+    tooltip("M: in the view, while the window draws without a rest");
 }
 
 } // namespace gabor::viewer

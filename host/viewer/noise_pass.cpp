@@ -130,6 +130,23 @@ std::vector<passes::PixelsWave> waves_of(const NoisePass& noise, const render::P
     return waves;
 }
 
+// The highest frequency in the picture, in cycles per pixel of it.
+double highest_frequency(const render::Request& request, const render::Paint& paint) {
+    if (!request.paint.empty())
+        return render::highest_frequency(paint) / request.scale;
+    return std::ranges::max(noise::waves(request.lobes, request.seed), {}, &noise::Wave::frequency)
+               .frequency /
+           request.scale;
+}
+
+// How much of a wave of that many cycles per pixel is left in a value that stands for `pixels` x `pixels` of
+// them, where the picture has points: it is seen through the filter of a pixel of its size, that no wave
+// shows as another one.
+float left_of_wave(double frequency, double pixels) {
+    const double variance = std::max(pixels * pixels - 1, 0.0) / 4;
+    return static_cast<float>(std::exp(-2 * std::pow(std::numbers::pi * frequency, 2) * variance));
+}
+
 // A slice of noise in space that begins where the camera is, to a whole value.
 passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Extent extent, int stride) {
     passes::SolidPush push = render::solid_push(noise.request, extent.width, extent.height, stride);
@@ -167,12 +184,13 @@ passes::MaterialPush material_push(const NoisePass& noise, const Camera& camera,
     return push;
 }
 
-// In perspective: the camera's cell in each table, and the place in the picture.
+// In perspective: the camera's cell in each table, and the place in the picture, `middle` of so many pixels
+// from its edge.
 void add_pixels(std::vector<passes::Line>& points, const std::vector<passes::Line>& camera, int pixels,
-                int stride, double middle) {
-    for (int i = 0; i * stride < pixels; ++i)
+                double middle) {
+    for (int i = 0; i < pixels; ++i)
         for (const passes::Line& at : camera)
-            points.push_back({at.cell, static_cast<float>((i + 0.5) * stride - middle)});
+            points.push_back({at.cell, static_cast<float>(i + 0.5 - middle)});
 }
 
 std::vector<passes::Line> axis_points(const Coordinate& coordinate, double by,
@@ -240,6 +258,20 @@ std::vector<NoisePass> noise_passes(const Document& document, bool cpu) {
     return passes;
 }
 
+int coarsest_stride(const NoisePass& noise, const render::Paint& paint, double zoom) {
+    constexpr int coarsest = 16;
+    constexpr int coarsest_baked = 4; // where blocks are still full
+    constexpr double least_per_wave = 3;
+    const render::Request& request = noise.request;
+    int stride = noise.block ? coarsest_baked : coarsest;
+    if (request.filter || !is_flat(request.view) || (request.paint.empty() && !request.quadrature))
+        return stride;
+    const double pixels = zoom / highest_frequency(request, paint); // of the shortest wave
+    while (stride > 1 && pixels < least_per_wave * stride)
+        stride /= 2;
+    return stride;
+}
+
 NoisePass value_pass(const NoisePass& noise) {
     render::Request request = noise.request;
     // Other instances, times and scales have the same statistics.
@@ -260,9 +292,16 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     const Extent grid{(extent.width + stride - 1) / stride, (extent.height + stride - 1) / stride};
     if (render::has_material(request))
         return {grid, MaterialInput{material_push(noise, camera, extent, stride)}};
+    // Cycles per kernel radius of the picture. Where a filter is asked for, it has the size of the value.
+    const auto left = [&](double frequency) {
+        return request.filter ? 1 : left_of_wave(frequency / request.scale, stride / camera.zoom);
+    };
     if (render::in_space(request)) {
         SolidInput input{solid_push(noise, camera, extent, stride), render::solid_waves(request)};
         input.push.waves = static_cast<int>(input.waves.size());
+        if (is_flat(request.view))
+            for (passes::SolidWave& wave : input.waves)
+                wave.amplitude *= left(double{wave.frequency} / double{wave.radius});
         return {grid, std::move(input)};
     }
     const double scale = request.scale * camera.zoom;
@@ -272,11 +311,16 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
                                         return axis_place(middle, -pixels / 2.0 / scale, cells);
                                     }};
         };
-        return {grid,
-                render::make_bake_tables(request, axis(camera.x, extent.width, grid.width),
-                                         axis(camera.y, extent.height, grid.height), [&](double) {
-                                             return render::Block{noise.block->width, noise.block->height};
-                                         })};
+        render::BakeTables tables =
+            render::make_bake_tables(request, axis(camera.x, extent.width, grid.width),
+                                     axis(camera.y, extent.height, grid.height), [&](double) {
+                                         return render::Block{noise.block->width, noise.block->height};
+                                     });
+        for (const render::BakeTables::Grid& each : tables.grids)
+            for (passes::BakeWave& wave :
+                 std::span(tables.waves).subspan(each.push.first_wave, each.push.wave_count))
+                wave.amplitude *= left(std::hypot(wave.wave.x, wave.wave.y) * each.push.stretch);
+        return {grid, std::move(tables)};
     }
     PixelsInput input{
         render::pixels_push(request, extent.width, extent.height), {}, {}, waves_of(noise, paint)};
@@ -291,9 +335,19 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
             const auto table = static_cast<std::size_t>(wave.table);
             wave.camera = {x.at(table).local, y.at(table).local};
         }
-        add_pixels(input.columns, x, extent.width, stride, extent.width / 2.0);
-        add_pixels(input.rows, y, extent.height, stride, render::sky_rows(extent.height));
+        // A coarse one is a picture of fewer pixels.
+        push.focal_length /= static_cast<float>(stride);
+        add_pixels(input.columns, x, grid.width, extent.width / 2.0 / stride);
+        add_pixels(input.rows, y, grid.height, render::sky_rows(extent.height) / stride);
     } else {
+        push.pixel *= static_cast<float>(stride);
+        if (request.paint.empty())
+            for (passes::PixelsWave& wave : input.waves) {
+                const float share = left(double{wave.frequency} / double{wave.radius});
+                wave.amplitude *= share;
+                for (passes::vec2& weight : wave.weights)
+                    weight = {share * weight.x, share * weight.y};
+            }
         add_points(input.columns, camera.x, extent.width, scale, stride, cells.x);
         add_points(input.rows, camera.y, extent.height, scale, stride, cells.y);
     }

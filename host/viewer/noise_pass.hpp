@@ -76,13 +76,19 @@ struct MaterialInput {
     passes::MaterialPush push;
 };
 
+/// The most pixels, a power of two, that a value may stand for while the view moves. Phases, which do not
+/// fade with their wave, and what is painted keep at least three values to each wave.
+int coarsest_stride(const NoisePass& noise, const render::Paint& paint, double zoom);
+
 /// What a pass is given to fill a grid of values.
 struct GridInput {
     Extent grid;
     std::variant<PixelsInput, SolidInput, MaterialInput, render::BakeTables> of;
 };
 
-/// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels.
+/// Values `stride` pixels apart of what the camera sees in a view of `extent` pixels. Where they stand for
+/// more than a pixel of the picture their waves are filtered by as much, but for what is painted and for
+/// views in perspective that are not.
 GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent, int stride,
                     const render::Paint& paint);
 

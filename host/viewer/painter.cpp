@@ -12,6 +12,12 @@ constexpr std::uint32_t most_canvases = 2;
 constexpr std::size_t colours_set = most_canvases; ///< of the descriptor sets, after those of canvases
 constexpr std::size_t most_pipelines = 16;
 
+Area intersection(const Area& a, const Area& b) {
+    const int x = std::max(a.x, b.x);
+    const int y = std::max(a.y, b.y);
+    return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
+}
+
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
     const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
                                                  vk::ShaderStageFlagBits::eFragment);
@@ -95,34 +101,45 @@ void Painter::prepare(vk::CommandBuffer commands) {
 }
 
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
-                    const Document& document, std::size_t index) {
-    passes::ShowPush push = show_push(document, canvas.stride() / document.camera.zoom);
+                    const Document& document, std::size_t index, const std::optional<Tiling>& tiling) {
+    const double zoom = tiling ? tiling->camera.zoom : document.camera.zoom;
+    passes::ShowPush push = show_push(document, canvas.stride() / zoom);
+    Area visible = area;
+    push.size = {static_cast<float>(area.width), static_cast<float>(area.height)};
     push.origin = {static_cast<float>(area.x), static_cast<float>(area.y)};
+    if (tiling) {
+        const auto [width, height] = tiling->tile;
+        const Area copies{area.x + area.width / 2 - width, area.y + area.height / 2 - height, 2 * width,
+                          2 * height};
+        visible = intersection(area, copies);
+        push.size = {static_cast<float>(width), static_cast<float>(height)};
+        push.origin = {static_cast<float>(copies.x) - tiling->moved[0],
+                       static_cast<float>(copies.y) - tiling->moved[1]};
+    }
     push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
-    draw(commands, canvas.values(), show_constants(document, canvas.noise().channels, canvas.stride() > 1),
-         push, area, index);
+    const bool coarse = canvas.stride() > 1;
+    draw(commands, canvas.values(),
+         show_constants(document, canvas.noise().channels, coarse, tiling.has_value()), push, visible, index);
 }
 
 void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
                             std::array<float, 2> origin, float stride, const Area& within) {
-    // No further than the picture reaches.
-    const auto visible = [&](float first, int cells, int from, int pixels) {
-        const int begin = std::max(from, static_cast<int>(std::lround(std::clamp(first, -1e9f, 1e9f))));
-        const int end = std::min(from + pixels,
-                                 static_cast<int>(std::lround(
-                                     std::clamp(first + static_cast<float>(cells) * stride, -1e9f, 1e9f))));
-        return std::pair(begin, end - begin);
+    const auto pixel = [](float at) { return static_cast<int>(std::lround(std::clamp(at, -1e9f, 1e9f))); };
+    const auto end = [&](float first, int cells) {
+        return pixel(first + static_cast<float>(cells) * stride);
     };
-    const auto [x, width] = visible(origin[0], grid.width, within.x, within.width);
-    const auto [y, height] = visible(origin[1], grid.height, within.y, within.height);
-    if (width <= 0 || height <= 0)
+    const int left = pixel(origin[0]);
+    const int top = pixel(origin[1]);
+    const Area visible = intersection(
+        within, {left, top, end(origin[0], grid.width) - left, end(origin[1], grid.height) - top});
+    if (visible.width <= 0 || visible.height <= 0)
         return;
     passes::ShowPush push{};
     push.origin = {origin[0], origin[1]};
     push.grid = {grid.width, grid.height};
     push.stride = stride;
-    draw(commands, colours, colours_constants(), push, {x, y, width, height}, colours_set);
+    draw(commands, colours, colours_constants(), push, visible, colours_set);
 }
 
 void Painter::draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,

@@ -2,10 +2,12 @@
 
 #include "viewer/canvas.hpp"
 #include "viewer/show.hpp"
+#include "viewer/tiling.hpp"
 #include "vulkan/state.hpp"
 
 #include <array>
 #include <map>
+#include <optional>
 
 namespace gabor::viewer {
 
@@ -27,8 +29,9 @@ class Painter {
     /// has been drawn.
     void prepare(vk::CommandBuffer commands);
     /// Records the drawing of a canvas, inside a render pass. `index`: which of the canvases of this frame.
+    /// `tiling`: how copies of it stand in the middle of the area, where it is that of a tile.
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
-               std::size_t index);
+               std::size_t index, const std::optional<Tiling>& tiling = {});
 
     /// The same of red, green and blue of each cell of a grid, `stride` pixels apart, whose corner is at
     /// `origin` in the framebuffer.

@@ -95,11 +95,9 @@ void control(Session& session, std::string_view name) {
     const std::optional<render::Value> value = parameter.get(request);
     if (!value)
         return;
-    const std::string_view dead = without_effect(session.document(), name);
-    ImGui::BeginDisabled(!dead.empty());
-    const std::optional<render::Value> edited = edit(parameter, *value, request);
-    ImGui::EndDisabled();
-    tooltip(dead.empty() ? help_of(parameter) : std::string(dead));
+    std::optional<render::Value> edited;
+    explained(without_effect(session.document(), name), help_of(parameter),
+              [&] { edited = edit(parameter, *value, request); });
     if (edited)
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
 }
@@ -230,13 +228,11 @@ void comparison_choice(Comparison& comparison) {
 
 // Beside the field of its name.
 void paint_button(Session& session) {
-    const std::string_view dead = without_effect(session.document(), "paint");
     ImGui::SameLine();
-    ImGui::BeginDisabled(!dead.empty());
-    if (ImGui::SmallButton("..."))
-        ask_for_paint(session);
-    ImGui::EndDisabled();
-    tooltip(dead.empty() ? "Choose a file" : dead);
+    explained(without_effect(session.document(), "paint"), "Choose a file", [&] {
+        if (ImGui::SmallButton("..."))
+            ask_for_paint(session);
+    });
 }
 
 } // namespace
@@ -275,8 +271,14 @@ void noise_panel(Session& session) {
 
 void output_panel(Session& session) {
     Document& document = session.document();
-    for (const char* name :
-         {"material", "view", "tileable", "depth", "solid", "yaw", "pitch", "zoom", "filter"})
+    for (const char* name : {"material", "view", "tileable"})
+        control(session, name);
+    explained(
+        without_effect(document, "tiles"),
+        "T: four copies of the picture, as tiles: a seam between them would show. The view has a scale of "
+        "its own then.",
+        [&] { ImGui::Checkbox("2 x 2 tiles", &session.tiles); });
+    for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
         control(session, name);
     if (render::has_material(document.request)) {
         auto look = static_cast<int>(document.look);
@@ -291,17 +293,10 @@ void output_panel(Session& session) {
     }
     ImGui::Checkbox("DirectX normals", &document.directx_normals);
     tooltip("Normal maps have green for down, as DirectX, and not for up, as OpenGL");
-    const auto explained = [&](std::string_view control, std::string_view help, auto draw) {
-        const std::string_view dead = without_effect(document, control);
-        ImGui::BeginDisabled(!dead.empty());
-        draw();
-        ImGui::EndDisabled();
-        tooltip(dead.empty() ? help : dead);
-    };
-    explained("colours", "The colour map; a phase goes round all hues, or is grey",
+    explained(without_effect(document, "colours"), "The colour map; a phase goes round all hues, or is grey",
               [&] { choose("colours", document.colours, colour_names(), [](std::size_t) {}); });
     explained(
-        "contrast",
+        without_effect(document, "contrast"),
         "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render",
         [&] {
             slider("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
@@ -309,7 +304,7 @@ void output_panel(Session& session) {
             if (reset_asked("contrast"))
                 document.contrast = Document().contrast;
         });
-    explained("comparison", "Tab: two noises side by side, with their times", [&] {
+    explained(without_effect(document, "comparison"), "Tab: two noises side by side, with their times", [&] {
         bool split = document.comparison.has_value();
         if (ImGui::Checkbox("split view", &split))
             document.comparison = split ? std::optional(Comparison()) : std::nullopt;
@@ -320,27 +315,13 @@ void output_panel(Session& session) {
 
 void files_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
     if (ImGui::Button("Copy GLSL", {width, 0}))
         copy_glsl(session);
     tooltip("Ctrl C: a function that draws this view with the drop-in, on the clipboard");
 
-    if (ImGui::BeginCombo("begin with", "a preset")) {
-        for (const render::Preset& preset : render::presets()) {
-            const std::string name(preset.name);
-            if (!render::has_material(render::preset(name)) && ImGui::Selectable(name.c_str()))
-                open_preset(session, name);
-        }
-        for (std::size_t i = 0; i < session.recent.size(); ++i) {
-            if (i == 0)
-                ImGui::Separator();
-            const std::string path = session.recent[i]; // opening changes the list
-            if (ImGui::Selectable(path.c_str()))
-                open_file(session, path);
-        }
-        ImGui::EndCombo();
-    }
-    tooltip("Presets of noise that come with the program, and files that were opened or saved lately");
+    if (ImGui::Button("Presets...", {width, 0}))
+        session.gallery = true;
+    tooltip("P: those that come with the program, as pictures");
     ImGui::InputText("preset", &session.preset_path);
     tooltip(
         "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
@@ -365,26 +346,15 @@ void files_panel(Session& session) {
         ImGui::EndCombo();
     }
     tooltip("How large panels and text are; letters are sharp from the next start on");
+}
+
+void other_parameters(Session& session) {
     for (const render::Parameter& parameter : render::parameters())
         if (std::ranges::find(placed, parameter.name) == placed.end())
             control(session, parameter.name);
-    ImGui::InputText("file", &session.export_target.path);
-    tooltip("The EXR to write, 32-bit float, its parameters in the header");
-    ImGui::Checkbox("PNG beside it", &session.export_target.png);
-    if (session.exporter.running()) {
-        ImGui::ProgressBar(static_cast<float>(session.exporter.progress()), {half, 0});
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel", {half, 0}))
-            session.exporter.cancel();
-    } else if (ImGui::Button("Export", {width, 0})) {
-        start_export(session);
-    }
-    tooltip("Ctrl E: rendered beside the window by the code of gabor render");
-    if (const std::string result = session.exporter.result(); !result.empty())
-        ImGui::TextWrapped("%s", result.c_str());
 }
 
-void overlay(const Session& session, float width, float height) {
+void view_overlay(const Session& session, float width, float height) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float line = ImGui::GetFrameHeight() + 4;
     const float margin = ImGui::GetStyle().WindowPadding.x;
@@ -408,20 +378,38 @@ void overlay(const Session& session, float width, float height) {
                       ImGui::GetColorU32(ImGuiCol_CheckMark));
         }
     }
+    const float below_names = margin + (split ? 2 * line : 0);
+    if (session.tiling)
+        label(draw, {margin, below_names},
+              fmt::format("2 x 2 tiles at {:.0f} %", 100 * session.tiling->camera.zoom), text);
+    else if (const double zoom = session.history.now.camera.zoom; zoom != 1)
+        label(draw, {margin, below_names}, fmt::format("view at {:.0f} %", 100 * zoom), text);
+}
+
+void message_overlay(const Session& session, float height) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     const ImU32 red = IM_COL32(255, 120, 100, 255);
-    if (session.exporter.running() && session.closing == Closing::after_export)
-        label(draw, {margin, height - 3 * line - margin},
-              fmt::format("closing once {} is written: {:.0f} %", session.export_target.path,
-                          100 * session.exporter.progress()),
-              text);
-    if (const double zoom = session.history.now.camera.zoom; zoom != 1)
-        label(draw, {margin, margin + (split ? 2 * line : 0)}, fmt::format("view at {:.0f} %", 100 * zoom),
-              text);
-    const Message& message = session.message;
-    if (ImGui::GetTime() < message.until)
-        label(draw, {margin, height - line - margin}, message.text, message.error ? red : text);
+    const auto say = [&](int line, const std::string& what, ImU32 colour) { // lines from below
+        const float up = static_cast<float>(line) * (ImGui::GetFrameHeight() + 4);
+        label(draw, {margin, height - up - margin}, what, colour);
+    };
+    if (const Message& message = session.message; ImGui::GetTime() < message.until)
+        say(1, message.text, message.error ? red : text);
     if (!session.shader_error.empty())
-        label(draw, {margin, height - 2 * line - margin}, session.shader_error, red);
+        say(2, session.shader_error, red);
+    if (session.exporter.running() && session.closing == Closing::after_export)
+        say(3,
+            fmt::format("closing once {} is written: {:.0f} %", session.export_target.path,
+                        100 * session.exporter.progress()),
+            text);
+    const std::optional<FrameMeter::Figures> figures = session.meter.figures();
+    if (session.metered && figures)
+        say(4,
+            fmt::format("{:.0f} frames per second, {:.0f} ms from input to picture at most", figures->rate,
+                        1e3 * figures->latency),
+            text);
 }
 
 void question_window(Session& session) {
@@ -476,6 +464,13 @@ bool number_slider(const char* label, double& value, const render::Range& range,
     if (moved)
         value = std::clamp(double{shown}, range.low, range.high);
     return moved;
+}
+
+void explained(std::string_view dead, std::string_view help, const std::function<void()>& draw) {
+    ImGui::BeginDisabled(!dead.empty());
+    draw();
+    ImGui::EndDisabled();
+    tooltip(dead.empty() ? help : dead);
 }
 
 void tooltip(std::string_view text) {

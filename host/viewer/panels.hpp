@@ -13,10 +13,13 @@ void spectrum_panel(Session& session);
 void output_panel(Session& session);
 void measurements_panel(Session& session);
 void files_panel(Session& session);
+void export_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
-/// On the picture itself: the names and times of the panes, messages, and what is wrong with a shader.
-void overlay(const Session& session, float width, float height);
+/// On the picture itself: the names and times of the panes, and how the view differs from the picture.
+void view_overlay(const Session& session, float width, float height);
+/// At the foot of the view: messages, and what is wrong with a shader.
+void message_overlay(const Session& session, float height);
 
 /// Keys, and the mouse over a picture of this size, where no panel takes them.
 void handle_input(Session& session, float width, float height);
@@ -28,6 +31,12 @@ bool number_slider(const char* label, double& value, const render::Range& range,
 /// Whether the slider of that label, drawn just now, is to go back: from a double click until the button is
 /// released.
 bool reset_asked(const char* label);
+
+/// The controls of all parameters that no panel has a place for.
+void other_parameters(Session& session);
+
+/// What `draw` draws, with a tooltip; disabled where `dead` says why it has no effect.
+void explained(std::string_view dead, std::string_view help, const std::function<void()>& draw);
 
 /// Text on a picture.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);

@@ -46,6 +46,11 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
     }
     if (foreign.empty())
         return attempt(session, write);
+    constexpr std::size_t most_named = 3;
+    if (const std::size_t count = foreign.size(); count > most_named) {
+        foreign.resize(most_named - 1);
+        foreign.push_back(fmt::format("{} more", count - foreign.size()));
+    }
     session.question = Question{fmt::format("Overwrite {}? This session did not write {}.",
                                             fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
                                 {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
@@ -200,18 +205,19 @@ void save_preset(Session& session) {
 void start_export(Session& session) {
     if (session.exporter.running())
         return;
-    const std::filesystem::path exr = session.export_target.path;
-    if (lower_extension(exr) != ".exr")
+    const ExportTarget target = session.export_target;
+    if (lower_extension(target.path) != ".exr")
         return notify(session, "an export takes a name that ends in .exr", true);
-    std::vector<std::filesystem::path> paths{exr};
-    if (session.export_target.png)
-        paths.push_back(std::filesystem::path(exr).replace_extension(".png"));
+    std::vector<std::filesystem::path> paths;
+    for (const render::Files& files : files_of(target))
+        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
+            if (path)
+                paths.push_back(*path);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
-    overwrite(session, paths, [&session, paths] {
+    overwrite(session, paths, [&session, target] {
         const Document& document = session.document();
-        session.exporter.start(document, session.export_shaders(exported(document)), paths[0],
-                               paths.size() > 1 ? std::optional(paths[1]) : std::nullopt);
+        session.exporter.start(document, session.export_shaders(exported(document, target.as)), target);
     });
 }
 

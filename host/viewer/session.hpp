@@ -4,7 +4,10 @@
 #include "viewer/export.hpp"
 #include "viewer/file_dialog.hpp"
 #include "viewer/fitting.hpp"
+#include "viewer/frame_meter.hpp"
 #include "viewer/measurements.hpp"
+#include "viewer/preset_pictures.hpp"
+#include "viewer/tiling.hpp"
 
 #include <functional>
 #include <map>
@@ -21,12 +24,6 @@ struct PaneReport {
     double nanoseconds = 0;  ///< that it takes per pixel, NaN as long as that is unknown
     double milliseconds = 0; ///< and for a frame of the pane's size
     Measurements measured;
-};
-
-/// Where an export goes.
-struct ExportTarget {
-    std::string path = "noise.exr"; ///< a PNG goes beside it
-    bool png = true;
 };
 
 /// A line shown in the view for some seconds.
@@ -54,11 +51,13 @@ enum class Closing { no, asked, after_export, now };
 /// All that panels, shortcuts and tests see and change.
 struct Session {
     explicit Session(const Document& document, std::string device)
-        : history(document), exporter(std::move(device)), kept(document) {}
+        : history(document), exporter(device), kept(document), preset_pictures(std::move(device)) {}
 
     History history;
     std::vector<PaneReport> panes; ///< one, or two in the split view
     Extent view;                   ///< of the first pane, in pixels
+    bool tiles = false;            ///< whether tileable pictures are shown two by two
+    std::optional<Tiling> tiling;  ///< where they are
     Exporter exporter;
     /// The shaders on the screen, for an export of a request. Throws where one of them does not compile.
     std::function<Exporter::Shaders(const render::Request&)> export_shaders;
@@ -74,12 +73,16 @@ struct Session {
     std::optional<FittedNoise> fitted; ///< to the photograph of that path
     std::string fitted_path;
     bool photograph_beside = true; ///< the noise, where there is one
+    bool gallery = false;          ///< the presets as pictures, in place of the view
+    PresetPictures preset_pictures;
     std::size_t selected_lobe = 0;
     bool playing = false;
     static constexpr float default_period = 8;
     float period = default_period; ///< seconds for time to go by 1
     bool panels = true;
     bool full_screen = false;
+    bool metered = false; ///< whether the view tells its frame rate and latency
+    FrameMeter meter;
     float ui_scale = 1; ///< how much larger panels and text are than the desktop asks for
     bool help = false;
     Closing closing = Closing::no;

@@ -36,7 +36,8 @@ std::string_view companion(Output output) {
 
 } // namespace
 
-ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse) {
+ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
+                             bool tiles) {
     const auto find = [&](std::string_view name) {
         const auto found = std::ranges::find(channels, name);
         return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
@@ -55,11 +56,12 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
             std::max(beside, 0),
             find("normal.x"),
             find("A"),
-            coarse};
+            coarse,
+            tiles};
 }
 
 ShowConstants colours_constants() {
-    return {coloured, 0, 3, 0, -1, -1, 1};
+    return {coloured, 0, 3, 0, -1, -1, 1, 0};
 }
 
 passes::ShowPush show_push(const Document& document, double stride) {
@@ -103,6 +105,7 @@ FileColours::FileColours(const vulkan::Device& device, std::span<const std::uint
         throw RequestError(
             "noise lit on a body is shown by the window alone: export another output, or no PNG");
     push_.grid = {document.request.width, document.request.height};
+    push_.size = {static_cast<float>(push_.grid.x), static_cast<float>(push_.grid.y)};
 }
 
 std::span<const float> FileColours::of(std::span<const float> values) {
@@ -116,7 +119,7 @@ std::span<const float> FileColours::of(std::span<const float> values) {
     vulkan::Job job(device_, pass_, {values_, colours_});
     job.submit(push_, {render::groups(push_.count, passes::show_group)});
     job.wait();
-    push_.first_row += push_.count / push_.grid.x;
+    push_.first_row = (push_.first_row + push_.count / push_.grid.x) % push_.grid.y; // of the next picture
     return colours_.as<float>().first(3 * pixels);
 }
 

@@ -14,12 +14,13 @@
 namespace gabor::viewer {
 
 /// The specialization constants of shaders/viewer/show.glsl.
-using ShowConstants = std::array<std::int32_t, 7>;
+using ShowConstants = std::array<std::int32_t, 8>;
 
 /// `channels`: of the values, as render::channels names them, or red, green and blue. Where the output's own
 /// are not among them it is the value that is shown. `coarse`: whether the values are further apart than the
-/// pixels.
-ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse);
+/// pixels. `tiles`: whether they are repeated, two by two.
+ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
+                             bool tiles = false);
 
 /// Those that show red, green and blue as they are.
 ShowConstants colours_constants();
@@ -34,7 +35,7 @@ double slope_deviation(const render::Request& request);
 /// material.
 bool shows_plainly(const Document& document);
 
-/// Shows the pixels of a file as the window would: shaders/viewer/show.comp.
+/// Shows the pixels of files, one after the other, as the window would: shaders/viewer/show.comp.
 class FileColours {
   public:
     /// `channels`: of the file's pixels. Throws RequestError where the window alone can show it.

@@ -18,6 +18,8 @@ float value_of(ivec2 at, int channel)
 // Linear between the values of a coarse grid; exactly the value where there is one for each pixel.
 float value_at(vec2 pixel, int channel)
 {
+    if (tiles)
+        pixel = mod(pixel, size);
     if (!coarse)
         return value_of(ivec2(pixel), channel);
     vec2 at = pixel / stride - 0.5;

@@ -14,6 +14,7 @@ layout(constant_id = 3) const int companion = 0;    // the first channel that th
 layout(constant_id = 4) const int normal_at = -1;   // of a body: its normal and gradient.z, -1 for none
 layout(constant_id = 5) const int coverage_at = -1; // the channel of the coverage, -1 for none
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
+layout(constant_id = 7) const bool tiles = false;   // whether the canvas is repeated, two by two
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -40,8 +41,8 @@ vec3 lit_noise(vec2 pixel, vec3 colour)
         bump -= dot(bump, normal) * normal;
     }
     normal = normalize(normal - bump * (0.5 * contrast / deviation));
-    vec2 size = vec2(grid) * stride;
-    vec2 place = (pixel - 0.5 * size) / max(size.x, size.y);
+    vec2 whole = tiles ? 2.0 * size : size;
+    vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
     vec3 linear = pow(colour, vec3(2.2));
     return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)));
 }

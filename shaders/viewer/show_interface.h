@@ -12,6 +12,7 @@ const uint show_group = 256; // pixels, in files
 GABOR_PUSH_CONSTANTS(ShowPush) {
     vec2 origin;     // of the canvas in the framebuffer, pixels
     ivec2 grid;      // values each way
+    vec2 size;       // of the canvas, pixels
     float stride;    // pixels per value
     float contrast;  // standard deviations from the mean to the ends
     float deviation; // of a derivative, per kernel radius

@@ -1,78 +1,137 @@
-"""A viewer that is driven as a user does it: the pointer, keys and dropped files, by events of the display."""
+"""A viewer that is worked as a user does it: the pointer, keys and dropped files, by events of the display. After each
+it is waited for what the viewer says, never for a time."""
 
 import json
 import os
+import pathlib
 import subprocess
+import threading
 import time
+
+import numpy as np
 
 from viewer import ViewerTest
 
+WATCHED_VIEWER = os.environ["GABOR_WATCHED_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
+PATIENCE = 240 # seconds, after which something is wrong on any machine
 
 
 class EventsTest(ViewerTest):
     def open(self, *arguments):
-        self.preset = next((name for name in arguments if name.endswith(".json")), "noise.json")
-        self.process = self.start(*arguments)
+        self.process = self.start(*arguments, program=WATCHED_VIEWER)
         self.addCleanup(self.process.kill)
-        self.window = self.wait_for(self.find_window)
+        self.said = threading.Condition()
+        self.state = None
+        self.ended = False
+        self.listener = threading.Thread(target=self.listen, args=(self.process,), daemon=True)
+        self.listener.start()
+        self.wait_for(lambda state: True)
+        self.window = self.state["window"]
         self.xdotool("windowfocus", "--sync", self.window)
-        self.xdotool("mousemove", "--window", self.window, 200, 200)
-        self.wait_for(self.answers)
-        if self.preset not in arguments:
-            (self.folder / self.preset).unlink()
+        self.point(200, 200)
 
-    def answers(self):
-        """Whether the viewer takes keys already: it saves the preset."""
-        self.keys("ctrl+s", "Return")
-        return b'"viewer"' in (self.read(self.preset) or b"")
+    def listen(self, process):
+        for line in process.stdout:
+            with self.said:
+                self.state = json.loads(line)
+                self.said.notify()
+        with self.said:
+            self.ended = True
+            self.said.notify()
 
-    def find_window(self):
-        found = subprocess.run(["xdotool", "search", "--all", "--onlyvisible", "--pid", str(self.process.pid),
-                                "--name", "^Gabor noise$"],
-                               env=self.environment(), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        return found.stdout.strip()
+    def wait_for(self, condition, or_end=False):
+        """Until what the viewer says fulfils a condition, or it has ended where that will do."""
+        deadline = time.monotonic() + PATIENCE
+        with self.said:
+            while self.ended or self.state is None or not condition(self.state):
+                if self.ended:
+                    if or_end:
+                        return
+                    self.fail(f"the viewer ended: {self.process.wait()}, {self.process.stderr.read()}")
+                if not self.said.wait(deadline - time.monotonic()):
+                    self.fail(f"waited in vain; the viewer says {self.state}")
 
     def xdotool(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
 
     def keys(self, *names):
-        """As a hand presses them."""
+        """Pressed one after the other, each once the last has been seen."""
         for name in names:
+            before = self.state["keys"]
             self.xdotool("key", name)
-            time.sleep(0.3)
+            self.wait_for(lambda state: state["keys"] > before, or_end=True)
 
-    def wait_for(self, condition):
-        deadline = time.monotonic() + 60
-        while not (result := condition()):
-            if self.process.poll() is not None:
-                self.fail(f"the viewer ended: {self.process.communicate()}")
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.05)
-        return result
+    def point(self, x, y):
+        self.xdotool("mousemove", "--window", self.window, x, y)
+        self.wait_for(lambda state: state["pointer"] == [x, y])
+
+    def click(self, x, y):
+        self.point(x, y)
+        before = self.state["clicks"]
+        self.xdotool("mousedown", 1)
+        self.frames(2) # as long as any hand takes
+        self.xdotool("mouseup", 1)
+        self.wait_for(lambda state: state["clicks"] > before)
+
+    def turn_wheel(self, *buttons):
+        for button in buttons:
+            before = self.state["wheel"]
+            self.xdotool("click", button)
+            self.wait_for(lambda state: state["wheel"] != before)
+
+    def frames(self, count):
+        last = self.state["frames"] + count
+        self.wait_for(lambda state: state["frames"] >= last)
+
+    def drop(self, name):
+        subprocess.run([DROP_FILE, str(self.window), self.folder / name], env=self.environment(), check=True,
+                       timeout=PATIENCE)
+        self.frames(2)
+
+    def type(self, name):
+        """Into the dialog, once its field has the keyboard."""
+        self.frames(2)
+        self.wait_for(lambda state: state["dialog"] and state["dialog"]["typed"])
+        self.xdotool("type", "--delay", 0, name)
+        self.wait_for(lambda state: state["dialog"]["name"] == name)
+
+    def screen(self, x, y, width, height):
+        """What the display shows there in the window: red, green and blue of each pixel."""
+        dump = (pathlib.Path(self.screen_folder.name) / "Xvfb_screen0").read_bytes()
+        header = np.frombuffer(dump, ">u4", 25)
+        size, columns, rows, line, colours = (int(header[i]) for i in (0, 4, 5, 12, 19))
+        pixels = np.frombuffer(dump, "u1", rows * line, size + 12 * colours).reshape(rows, line // 4, 4)
+        return pixels[y:y + height, x:x + width, 2::-1].astype(int)
+
+    def exported(self):
+        self.wait_for(lambda state: not state["exporting"])
+
+    @property
+    def document(self):
+        return self.state["document"]
+
+    def end(self):
+        """The viewer has been asked to end, and has nothing to complain of."""
+        status = self.process.wait(PATIENCE)
+        self.listener.join()
+        complaint = self.process.stderr.read()
+        self.process.stdout.close()
+        self.process.stderr.close()
+        self.assertEqual((status, complaint), (0, ""))
 
     def close(self):
-        self.keys("ctrl+q", "d") # where it asks: without saving
-        self.finish(self.process)
-
-    def assert_goes_on(self):
-        """A viewer that was asked to close and did not still saves."""
-        self.saved("noise.json")
-        (self.folder / "noise.json").unlink()
+        self.keys("ctrl+q")
+        if not self.ended: # it asks
+            self.keys("d")
+        self.end()
 
     def saved(self, name="noise.json"):
         """What Ctrl S writes now."""
         (self.folder / name).unlink(missing_ok=True)
         self.keys("ctrl+s")
-        return json.loads(self.wait_for(lambda: self.read(name)))
-
-    def drop(self, name):
-        subprocess.run([DROP_FILE, self.window, self.folder / name], env=self.environment(), check=True, timeout=60)
+        return json.loads(self.read(name))
 
     def read(self, name):
         path = self.folder / name
         return path.read_bytes() if path.exists() else None
-
-    def assert_unchanged(self, name, content):
-        time.sleep(0.5)
-        self.assertEqual(self.read(name), content, name)

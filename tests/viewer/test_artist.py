@@ -3,7 +3,6 @@
 import json
 import pathlib
 import sys
-import time
 import unittest
 
 import numpy as np
@@ -14,6 +13,7 @@ from png import read_colour_png
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "fit"))
 from textures import colour_noise, write_png  # noqa: E402
 
+WINDOW = "--window", "640x480"
 MATERIALS = {
     "flat": {"material": "carbon-fibre", "filter": True, "seed": 3},
     "horizon": {"material": "carbon-fibre", "filter": True, "view": "horizon"},
@@ -23,12 +23,6 @@ MATERIALS = {
 
 
 class Artist(EventsTest):
-    def choose(self, name):
-        """Types into the dialog that opens."""
-        time.sleep(1) # until its field has the keyboard
-        self.xdotool("type", "--delay", 15, name)
-        self.keys("Return")
-
     def test_materials_look_as_gabor_render_draws_them(self):
         for name, parameters in MATERIALS.items():
             text = json.dumps({"width": 160, "height": 120, "scale": 40, **parameters})
@@ -60,18 +54,14 @@ class Artist(EventsTest):
     def test_a_photograph_becomes_a_noise(self):
         write_png(self.folder / "small.png", colour_noise(32))
         write_png(self.folder / "cloth.png", colour_noise(160))
-        self.open("--window", "1000x700")
+        self.open(*WINDOW)
         self.drop("small.png") # which is refused
-        time.sleep(1)
-        self.assertNotIn("colour", self.saved())
+        self.wait_for(lambda state: not state["fitting"])
+        self.assertIn("128", self.state["message"])
+        self.assertNotIn("colour", self.document)
         self.drop("cloth.png")
-
-        def fitted():
-            self.keys("ctrl+s")
-            return self.read("cloth.json")
-
-        fit = json.loads(self.wait_for(fitted))
-        self.assertIn("colour", fit)
+        self.wait_for(lambda state: "colour" in state["document"])
+        fit = self.saved("cloth.json")
         self.assertEqual((fit["width"], fit["height"]), (160, 160))
         self.gabor("fit", "cloth.png", "-o", "expected.json")
         expected = json.loads(self.read("expected.json"))
@@ -83,19 +73,23 @@ class Artist(EventsTest):
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
         (self.folder / "folder/mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')
-        self.open("--window", "1000x700")
+        self.open(*WINDOW)
         self.keys("ctrl+o")
-        self.choose("folder") # is entered
-        time.sleep(1)
-        self.keys("n") # no shortcut: a letter of the name
+        self.type("folder")
+        self.keys("Return") # it is entered
+        self.assertEqual(self.state["dialog"]["folder"], str(self.folder / "folder"))
+        self.type("n") # no shortcut: a letter of the name
         self.keys("BackSpace")
-        self.choose("mine.json")
-        saved = self.saved("folder/mine.json")
-        self.assertEqual((saved["frequency"], saved["seed"]), (3, 0))
-        for keys in ("ctrl+o", "Escape", "n"):
-            self.keys(keys)
-            time.sleep(1)
-        self.assertEqual(self.saved("folder/mine.json")["seed"], 1)
+        self.type("mine.json")
+        self.keys("Return")
+        self.assertIsNone(self.state["dialog"])
+        self.assertEqual((self.document["frequency"], self.document["seed"]), (3, 0))
+        self.keys("ctrl+o")
+        self.assertIsNotNone(self.state["dialog"])
+        self.keys("Escape")
+        self.assertIsNone(self.state["dialog"])
+        self.keys("n")
+        self.assertEqual(self.document["seed"], 1)
         self.close()
 
 

@@ -92,7 +92,7 @@ TEST_CASE("the window's blocks have the values of single pixels, wherever the ca
         Canvas pixels = canvas_of(unbaked(noise));
         for (const Coordinate& corner :
              {Coordinate{0, 0}, Coordinate{-2, 0.37}, Coordinate{1'000'000'000, 0.9}})
-            for (const auto& [zoom, stride] : {std::pair{1.0, 1}, std::pair{2.3, 1}, std::pair{1.0, 4}}) {
+            for (const auto& [zoom, stride] : {std::pair{1.0, 1}, std::pair{2.3, 1}, std::pair{2.3, 4}}) {
                 const Camera camera{corner, corner.moved(0.61), zoom};
                 compare(fmt::format("{}, from {} on, zoom {}, stride {}", name, corner.whole, zoom, stride),
                         values_of(blocks, camera, extent, stride), values_of(pixels, camera, extent, stride),
@@ -109,6 +109,84 @@ TEST_CASE("the window's blocks have the values of single pixels, wherever the ca
     request.time = 0.3;
     request.lobes = {{.frequency = 3, .radius = 1.7}, {.frequency = 5, .orientation = 70, .power = 0.3}};
     check("lobes, tileable", request, Output::value);
+}
+
+TEST_CASE("a coarse view has its waves filtered, and never others in their place") {
+    constexpr int side = 192;
+    // What filters of deviation half a coarse pixel see of a fine view.
+    const auto expected = [&](const std::vector<float>& fine, int stride, double already) {
+        const double variance = (stride * stride - already) / 4.0;
+        const int reach = 3 * stride;
+        const int count = side / stride;
+        std::vector<float> seen;
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i < count; ++i) {
+                double sum = 0;
+                double weights = 0;
+                const double x = (i + 0.5) * stride - 0.5;
+                const double y = (j + 0.5) * stride - 0.5;
+                for (int v = std::max(j * stride - reach, 0); v < std::min(j * stride + reach, side); ++v)
+                    for (int u = std::max(i * stride - reach, 0); u < std::min(i * stride + reach, side);
+                         ++u) {
+                        const double weight =
+                            std::exp(-((u - x) * (u - x) + (v - y) * (v - y)) / (2 * variance));
+                        sum += weight * double{fine[static_cast<std::size_t>(v * side + u)]};
+                        weights += weight;
+                    }
+                seen.push_back(static_cast<float>(sum / weights));
+            }
+        return seen;
+    };
+    const auto check = [&](const std::string& name, const Document& document, const NoisePass& noise) {
+        Canvas canvas = canvas_of(noise);
+        const auto first = [&](const std::vector<float>& values) { // of each pixel's channels
+            std::vector<float> kept;
+            for (std::size_t i = 0; i < values.size(); i += noise.channels.size())
+                kept.push_back(values[i]);
+            return kept;
+        };
+        const std::vector<float> fine = first(values_of(canvas, document.camera, {side, side}));
+        for (const int stride : {2, 4, 8}) {
+            const std::vector<float> found = first(values_of(canvas, document.camera, {side, side}, stride));
+            const std::vector<float> wanted = expected(fine, stride, noise.request.filter ? 1 : 0);
+            double off = 0;
+            const int count = side / stride;
+            const int margin = 24 / stride + 1; // where the fine view ends
+            for (int j = margin; j < count - margin; ++j)
+                for (int i = margin; i < count - margin; ++i) {
+                    const auto at = static_cast<std::size_t>(j * count + i);
+                    off +=
+                        std::pow(double{found[at]} - double{wanted[at]}, 2) / std::pow(count - 2 * margin, 2);
+                }
+            fmt::print("{}, stride {}: off by {:.3f}\n", name, stride, std::sqrt(off));
+            // Without a filter of its own a noise has each wave's amplitude filtered, and not its windows.
+            CHECK(std::sqrt(off) < (noise.request.filter ? 0.03 : 0.2)); // 1 where waves show as others
+        }
+    };
+    for (const double frequency : {1.0, 4.0}) { // 20 and 5 pixels to a wave
+        Document document = document_of({.width = side,
+                                         .height = side,
+                                         .scale = 20,
+                                         .lobes = {{.frequency = frequency, .orientation = 20}}});
+        const std::string name = fmt::format("frequency {}", frequency);
+        REQUIRE(pass_of(document).block);
+        check(name, document, pass_of(document));
+        check(name + ", seminal", document, compared(document, study::recommended));
+        document.request.filter = true;
+        check(name + ", filtered", document, pass_of(document));
+        document.request.view = render::Slice{0.3};
+        check(name + ", filtered slice", document, pass_of(document));
+        document.request.filter = false;
+        check(name + ", slice", document, pass_of(document));
+    }
+    Document document = document_of({.scale = 20, .lobes = {{.frequency = 3}}});
+    document.output = Output::phase; // which do not fade
+    const auto coarsest = [&](double zoom) {
+        return coarsest_stride(pass_of(document), render::Paint(), zoom);
+    };
+    CHECK(coarsest(1) == 2);
+    CHECK(coarsest(0.5) == 1);
+    CHECK(coarsest(2) == 4);
 }
 
 TEST_CASE("the noises that are compared have no seams at the axes") {

@@ -22,8 +22,10 @@ class ViewerTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         reading, writing = os.pipe()
+        cls.screen_folder = tempfile.TemporaryDirectory(prefix="gabor-screen-")
         cls.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", "-noreset"],
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-fbdir", cls.screen_folder.name,
+             "-nolisten", "tcp", "-noreset"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as pipe:
@@ -33,6 +35,7 @@ class ViewerTest(unittest.TestCase):
     def tearDownClass(cls):
         cls.server.terminate()
         cls.server.wait()
+        cls.screen_folder.cleanup()
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-viewer-")

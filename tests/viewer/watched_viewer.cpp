@@ -1,0 +1,94 @@
+// gabor-viewer that says what it does: after each frame a line of JSON on stdout. Events of the display work
+// it, as they work gabor-viewer, and who sends them waits for what it says and not for a time.
+
+#include "viewer/app.hpp"
+#include "viewer/document_json.hpp"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdio>
+
+// As in GLFW/glfw3native.h, which wants headers of X11 that nothing here does.
+extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
+
+namespace {
+
+using namespace gabor::viewer;
+using nlohmann::json;
+
+// What the frames so far have seen of the display's events.
+struct Seen {
+    std::uint64_t frames = 0;
+    std::uint64_t keys = 0;   ///< pressed, but for modifiers
+    std::uint64_t clicks = 0; ///< buttons pressed and released
+    double wheel = 0;
+    std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)> down{};
+    bool button = false;
+
+    // Dear ImGui has the events of the frame that begins.
+    void add(const ImGuiIO& io) {
+        ++frames;
+        wheel += double{io.MouseWheel};
+        for (std::size_t key = 0; key < down.size(); ++key) {
+            const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+            keys += io.KeysDown[key] && !down[key] && !modifier;
+            down[key] = io.KeysDown[key];
+        }
+        clicks += button && !io.MouseDown[0];
+        button = io.MouseDown[0];
+    }
+};
+
+json dialog(const Session& session) {
+    if (!session.dialog)
+        return nullptr;
+    return {{"folder", session.dialog->folder.string()},
+            {"name", session.dialog->name},
+            {"typed", ImGui::GetIO().WantTextInput}};
+}
+
+void tell(App& app, const Seen& seen) {
+    const Session& session = app.session();
+    const ImGuiIO& io = ImGui::GetIO();
+    const json line{
+        {"window", glfwGetX11Window(app.window().handle())},
+        {"frames", seen.frames},
+        {"keys", seen.keys},
+        {"clicks", seen.clicks},
+        {"wheel", seen.wheel},
+        {"pointer", {io.MousePos.x, io.MousePos.y}},
+        {"size", {io.DisplaySize.x, io.DisplaySize.y}},
+        {"fine", app.fine()},
+        {"settled", app.settled()},
+        {"document", json::parse(to_json(session.history.now))},
+        {"dialog", dialog(session)},
+        {"question", session.question ? json(session.question->text) : json()},
+        {"message", session.message.text},
+        {"export", static_cast<int>(session.export_target.as)},
+        {"animation", session.export_target.frames},
+        {"exporting", session.exporter.running()},
+        {"progress", session.exporter.progress()},
+        {"fitting", session.fitter.running()},
+        {"gallery", session.gallery ? json(session.preset_pictures.drawn()) : json()},
+        {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
+        {"rate", session.metered && session.meter.figures() ? json(session.meter.figures()->rate) : json()},
+    };
+    fmt::print("{}\n", line.dump());
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Seen seen;
+    return run_viewer(argc, argv, [&](App& app) {
+        if (seen.frames > 0) // what came of the last one
+            tell(app, seen);
+        seen.add(ImGui::GetIO());
+        return true;
+    });
+}
