@@ -26,8 +26,7 @@
 
 // Poisson counts by Knuth's product of uniforms, as the seminal implementation has them, in parts whose exponential a
 // float can hold.
-int gabor_impl_poisson_count(float mean, uint cell_word)
-{
+int gabor_impl_poisson_count(float mean, uint cell_word) {
     int draws = 0;
     int parts = 0;
     for (; mean > 0.0; mean -= 64.0) {
@@ -43,15 +42,13 @@ int gabor_impl_poisson_count(float mean, uint cell_word)
 }
 
 // Two numbers in (0, 1) from bits 8 to 31.
-vec2 gabor_impl_unit_square(uint word)
-{
+vec2 gabor_impl_unit_square(uint word) {
     return (vec2(int(word >> 20u), int((word >> 8u) & 0xfffu)) + 0.5) / 4096.0;
 }
 
 // N sub-cells of equal area in round(sqrt(N)) rows, a point anywhere in each. Where N is no square the rows differ by
 // one sub-cell, and are as high as they are full.
-vec2 gabor_impl_jittered_point(int index, vec2 unit)
-{
+vec2 gabor_impl_jittered_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     float i = float(index);
     float rows = floor(sqrt(n) + 0.5);
@@ -65,8 +62,7 @@ vec2 gabor_impl_jittered_point(int index, vec2 unit)
 // all cells; a point anywhere in each. A and B are a reduced basis of the lattice with A.B >= 0: a point anywhere in
 // their parallelogram, moved by the lattice vectors A, B, B - A that bring it nearer to the centre, is uniform in the
 // hexagon.
-vec2 gabor_impl_hexagon_point(int index, vec2 unit)
-{
+vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     vec2 a = GABOR_HEX_A;
     vec2 b = GABOR_HEX_B;
@@ -83,8 +79,7 @@ vec2 gabor_impl_hexagon_point(int index, vec2 unit)
 // the primitive polynomial x + 1, so that each direction number is v ^ (v >> 1) of the one before: together they are
 // Pascal's triangle modulo 2, applied here to all bits in five steps (Ahmed, "An Implementation Algorithm of 2D Sobol
 // Sequence Fast, Elegant, and Compact", EGSR 2024).
-uvec2 gabor_impl_sobol_point(uint index)
-{
+uvec2 gabor_impl_sobol_point(uint index) {
     uint v = index;
     v ^= (v & 0xffff0000u) >> 16u;
     v ^= (v & 0xff00ff00u) >> 8u;
@@ -96,8 +91,7 @@ uvec2 gabor_impl_sobol_point(uint index)
 
 // Owen's nested scrambling: each bit is flipped by a hash of the bits above it (the hash of Laine and Karras 2011 in
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
-uint gabor_impl_owen_scrambled(uint fraction, uint seed)
-{
+uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     uint v = bitfieldReverse(fraction);
     v += seed;
     v ^= v * 0x6c50b47cu;
@@ -108,15 +102,13 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed)
 }
 
 // How many impulses a cell has. `cell_word` is the word of its impulse -1.
-int gabor_count(uint cell_word)
-{
+int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }
 
 // Place of an impulse, from its cell's corner. Sobol cells take N successive points from anywhere in the sequence,
 // scrambled ones the first N, scrambled by themselves.
-vec2 gabor_point(int index, uint word, uint cell_word)
-{
+vec2 gabor_point(int index, uint word, uint cell_word) {
     if (GABOR_POINTS == 2)
         return gabor_impl_jittered_point(index, gabor_impl_unit_square(word));
     if (GABOR_POINTS == 3)
@@ -133,22 +125,19 @@ vec2 gabor_point(int index, uint word, uint cell_word)
 
 // ---- Weights, kernels and envelopes --------------------------------------------------------------------------------
 
-float gabor_impl_ingredient_weight(uint word)
-{
+float gabor_impl_ingredient_weight(uint word) {
     if (GABOR_WEIGHTS == 0)
         return (float(int(word & 0xffu)) - 127.5) / 128.0;
     return GABOR_WEIGHTS == 1 && (word & 0x80u) != 0u ? -1.0 : 1.0;
 }
 
-float gabor_impl_ingredient_wave(float turns, uint word)
-{
+float gabor_impl_ingredient_wave(float turns, uint word) {
     if (GABOR_KERNEL == 2)
         turns += float(int(gabor_impl_mix(word, 2u) >> 8u)) / 16777216.0;
     return gabor_impl_sine(GABOR_KERNEL == 0 ? turns + 0.25 : turns);
 }
 
-float gabor_impl_ingredient_envelope(vec2 d)
-{
+float gabor_impl_ingredient_envelope(vec2 d) {
     if (GABOR_ENVELOPE == 3) {
         vec2 u = max(1.0 - d * d, 0.0);
         return u.x * u.x * u.y * u.y;
@@ -164,16 +153,14 @@ float gabor_impl_ingredient_envelope(vec2 d)
 
 // ---- The noise -----------------------------------------------------------------------------------------------------
 
-int gabor_impl_wrapped_cell(int cell)
-{
+int gabor_impl_wrapped_cell(int cell) {
     float period = float(GABOR_PERIOD);
     return GABOR_PERIOD == 0 ? cell : cell - int(period * floor((float(cell) + 0.5) / period));
 }
 
 // The sum at cell + local, in kernel radii, for the wave vector F omega in cycles per kernel radius, without K. Cells
 // wrap around at 2^31.
-float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed)
-{
+float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed) {
     float reach = GABOR_POINTS == 3 ? 1.0 + GABOR_HEX_OVERHANG : 1.0;
     int visited = GABOR_POINTS == 3 && GABOR_HEX_OVERHANG > 0.0 ? 4 : 3;
     cell += ivec2(floor(local));
@@ -199,8 +186,7 @@ float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed)
     return sum;
 }
 
-float gabor_ingredients(vec2 p, vec2 wave, uint seed)
-{
+float gabor_ingredients(vec2 p, vec2 wave, uint seed) {
     return gabor_ingredients(ivec2(0), p, wave, seed);
 }
 

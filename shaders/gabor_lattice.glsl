@@ -48,30 +48,26 @@ precision highp int;
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
 // A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
-uint gabor_impl_mix(uint word, uint salt)
-{
+uint gabor_impl_mix(uint word, uint salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
 // The seed of noise `index` of a sum: those of different indices are independent.
-uint gabor_lobe_seed(uint seed, int index)
-{
+uint gabor_lobe_seed(uint seed, int index) {
     return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
 #define GABOR_IMPL_ROWS 0x5bd1e995u
 // The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
-uint gabor_impl_salt(uint seed)
-{
+uint gabor_impl_salt(uint seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
 // The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
 // products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
-uint gabor_impl_line_word(int index, uint salt)
-{
+uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return (word >> 8u) | 0x800001u;
@@ -82,8 +78,7 @@ uint gabor_impl_line_word(int index, uint salt)
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
 // the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
 // there, and 0.001 on average.
-vec2 gabor_impl_amplitude(uint word)
-{
+vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 16u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
@@ -91,25 +86,21 @@ vec2 gabor_impl_amplitude(uint word)
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // Product of complex numbers.
-vec2 gabor_impl_product(vec2 a, vec2 b)
-{
+vec2 gabor_impl_product(vec2 a, vec2 b) {
     return a.x * b + a.y * vec2(-b.y, b.x);
 }
 
 // Adds to two sums the pair of complex numbers times z.
-void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z)
-{
+void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z) {
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
 // y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
-vec2 gabor_impl_wave(float t)
-{
+vec2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     float y = abs(t) - 0.25;
-    float s = y * y;
-    float r = s * s;
+    float s = y * y, r = s * s;
     float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
     float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
     return vec2(y * cosine, t < 0.0 ? -sine : sine);
@@ -118,8 +109,7 @@ vec2 gabor_impl_wave(float t)
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
 // kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
-void gabor_impl_windows(float x, out vec4 value, out vec4 slope)
-{
+void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
     // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
     // but the variances of their derivatives vary.
@@ -141,8 +131,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope)
     float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
-    float c = cosine - sine;
-    float s = cosine + sine;
+    float c = cosine - sine, s = cosine + sine;
     value = 0.5 + vec4(-s, c, s, -c);
     slope = 3.1415927 * vec4(-c, -s, c, s);
 #endif
@@ -150,9 +139,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope)
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-struct GaborKernel { // see gabor_kernel
-    vec2 wave; // F, cycles per kernel radius
-};
+struct GaborKernel { vec2 wave; }; // F, cycles per kernel radius: see gabor_kernel
 
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {
@@ -164,8 +151,7 @@ struct GaborPlace {
     float time;    // in periods of time
 };
 
-// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
-// derivatives per kernel radius. Compilers leave out what is not used.
+// The noise as a complex number, the imaginary part the noise itself, and its derivatives per kernel radius.
 struct GaborField {
     vec2 value;
     vec2 slope_x;
@@ -173,10 +159,8 @@ struct GaborField {
 };
 
 // An index within a period.
-int gabor_impl_wrap(int index, int period)
-{
-    if (period == 0)
-        return index;
+int gabor_impl_wrap(int index, int period) {
+    if (period == 0) return index;
     int within = index - index / period * period;
     return within < 0 ? within + period : within;
 }
@@ -190,14 +174,12 @@ struct GaborAxis {
 };
 
 // With `wave` cycles and `radius` nodes per kernel radius.
-GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius)
-{
+GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
     GaborAxis axis;
     float zero = floor(local + (2.0 - GABOR_RADIUS));
     axis.offset = local - zero;
     axis.turns = wave / radius;
-    vec4 value;
-    vec4 slope;
+    vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
     vec2 turn = gabor_impl_wave(axis.turns);
     vec2 back = vec2(turn.x, -turn.y);
@@ -216,11 +198,9 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
 
 // The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
 // squares sum to 1 and which at time 0 are 1, 0, 0.
-vec2 gabor_impl_amplitude_at(uint word, bool animated, float time)
-{
+vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
     vec2 amplitude = gabor_impl_amplitude(word);
-    if (!animated)
-        return amplitude;
+    if (!animated) return amplitude;
     uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
     vec2 turn = gabor_impl_wave(time);
@@ -230,36 +210,29 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time)
 
 // Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
 // x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
-void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time)
-{
+void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     vec4 row = vec4(0.0);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
-    if (GABOR_TAPS > 2)
-        gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
-    if (GABOR_TAPS > 3)
-        gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
         gabor_impl_add(sum, row, y.node[j].xy);
         gabor_impl_add(slope, row, y.node[j].zw);
     }
 }
 
-void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec4 sum, out vec4 slope)
-{
+void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec4 sum, out vec4 slope) {
     sum = slope = vec4(0.0);
     gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
     gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2)
-        gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3)
-        gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
 // The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
 // times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
-GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch)
-{
+GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch) {
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     vec2 value = gabor_impl_product(sum.xy, turn);
     vec2 turned = 6.2831853 * vec2(-value.y, value.x);
@@ -268,32 +241,27 @@ GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 str
 }
 
 // The noise at a place: what the functions below call.
-GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-{
-    vec2 wave = kernel.wave;
+GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel.wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel.wave.y, place.radius.y);
     vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    vec4 sum;
-    vec4 slope;
+    vec4 sum, slope;
     gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
-    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+    return gabor_impl_field(sum, slope, turn, kernel.wave, place.radius / GABOR_RADIUS);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
-GaborPlace gabor_place(ivec2 cell, vec2 local)
-{
+GaborPlace gabor_place(ivec2 cell, vec2 local) {
     return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), false, 0.0);
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
 // is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
-GaborPlace gabor_place_tiled(vec2 p, vec2 period)
-{
+GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
     vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
     place.radius = vec2(period.x > 0.0 ? nodes.x / period.x : GABOR_RADIUS,
@@ -304,14 +272,12 @@ GaborPlace gabor_place_tiled(vec2 p, vec2 period)
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
-GaborKernel gabor_kernel(float frequency, float orientation)
-{
+GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation));
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
-{
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
@@ -323,31 +289,27 @@ float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //   seed         any; each seed is another instance, independent of the others
 // Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
 // turns about its own node. A slope of theirs adds to that of the noise.
-float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-{
+float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 // Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
 // of their deviation at frequency 1, by 1.1 of it at 0.
-vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
-{
+vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed) {
     GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
 // have mean 0 and variance 1, and at one place are independent.
-vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-{
+vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
 // Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
 // seeds -1, -2, -3 of a sum are theirs, which no lobe has.
-vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
-{
+vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
     return vec4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
@@ -357,8 +319,7 @@ vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
 // any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
 // step(phase, width). The phase of 0 is 0.
-vec2 gabor_phasor(vec2 value)
-{
+vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
     return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
@@ -367,8 +328,7 @@ vec2 gabor_phasor(vec2 value)
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
-float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
-{
+float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place_tiled(p, max(period, vec2(0.0009765625)));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
@@ -376,16 +336,14 @@ float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation,
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
 // gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
 // itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
-float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-{
+float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed) {
     GaborPlace place = GaborPlace(ivec2(0), p * GABOR_RADIUS, vec2(GABOR_RADIUS), ivec2(0), true, time);
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
 // keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-float gabor_unorm(float noise)
-{
+float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 

@@ -45,8 +45,7 @@ struct GaborLobes {
     int count;
 };
 
-void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude, float slope)
-{
+void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude, float slope) {
     sum.value += amplitude * field.value;
     sum.slope_x += slope * field.slope_x;
     sum.slope_y += slope * field.slope_y;
@@ -54,8 +53,7 @@ void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitu
 
 // The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
 // rounded to a float: within a period, or without one as p is.
-GaborPlace gabor_place_scaled(GaborPlace place, float radius)
-{
+GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     ivec2 cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     vec2 unit = 1.0 / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((vec2(cell) + place.local) * unit, vec2(place.period) * unit);
@@ -65,8 +63,7 @@ GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 }
 
 // The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
-GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
-{
+GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
@@ -89,14 +86,12 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 // noise is continuous in frequency and spread.
 
 // Of `c`: how many lobes there are, of both numbers where one fades.
-int gabor_impl_pieces(float c)
-{
+int gabor_impl_pieces(float c) {
     return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
 // Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
-vec3 gabor_impl_piece(int i, float c)
-{
+vec3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float share = min(5.0 - 5.0 * fract(c), 1.0);
     if (i >= n) {
@@ -110,8 +105,7 @@ vec3 gabor_impl_piece(int i, float c)
 
 // The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
-                              float orientation_spread, uint seed)
-{
+                              float orientation_spread, uint seed) {
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
@@ -166,16 +160,14 @@ struct GaborFootprint {
 };
 
 // A symmetric matrix (xx, yy, xy) times a vector.
-vec2 gabor_impl_symmetric(vec3 matrix, vec2 v)
-{
+vec2 gabor_impl_symmetric(vec3 matrix, vec2 v) {
     return matrix.xy * v + matrix.z * v.yx;
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
 // normal, of variance 1/12 along each axis, as Hann's window has it,
 //     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
-float gabor_impl_transmitted(vec2 wave, vec3 covariance)
-{
+float gabor_impl_transmitted(vec2 wave, vec3 covariance) {
     vec3 widened = vec3(1.0, 1.0, 0.0) + 6.5797363 * covariance;
     float determinant = widened.x * widened.y - widened.z * widened.z;
     vec2 through = gabor_impl_symmetric(vec3(widened.y, widened.x, -widened.z), wave) / determinant;
@@ -188,8 +180,7 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance)
 // 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
 //   variance  S along the axis
 //   blurred   S F
-void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred)
-{
+void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
     vec2 turn = gabor_impl_wave(axis.turns);
@@ -207,8 +198,7 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred)
 }
 
 // The noise at a place, filtered by three waves along each axis.
-GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint seed)
-{
+GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint seed) {
     uint salt = gabor_impl_salt(seed);
     vec2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -246,8 +236,7 @@ struct GaborBand {
 };
 
 // With the windows; `m` is r M.
-GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, vec2 step)
-{
+GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, vec2 step) {
     GaborBand b;
     b.g = 19.739209 * m;
     b.c = c;
@@ -284,8 +273,7 @@ struct GaborLine {
 };
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index)
-{
+GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index) {
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = gabor_impl_product(line.turn, vec2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
     line.phase = gabor_impl_product(line.phase, b.back);
@@ -303,16 +291,14 @@ GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index)
 }
 
 // Adds a node to the sums of a row.
-void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_word, bool animated, float time)
-{
+void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_word, bool animated, float time) {
     vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row.real += a.x * column.window.real - a.y * column.window.imaginary;
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
-{
+GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b) {
     float z = inversesqrt(2.0 * b.g);
     return GaborFactors(z * vec3(f.real.y, f.real.z + 0.5 * f.real.x, f.real.y) + b.c * f.real,
                         z * vec3(f.imaginary.y, f.imaginary.z + 0.5 * f.imaginary.x, f.imaginary.y)
@@ -320,15 +306,13 @@ GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
 }
 
 // The sum over the factors of both axes.
-vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights)
-{
+vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights) {
     return vec2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int rows, uint seed)
-{
+GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int rows, uint seed) {
     vec2 m = s.xy + 0.13069097; // v
     vec2 blurred = gabor_impl_symmetric(s, wave);
     vec2 c = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -379,8 +363,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int row
 // functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
 // place.radius / GABOR_RADIUS.
 GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
-                                out float removed)
-{
+                                out float removed) {
     vec2 stretch = place.radius / GABOR_RADIUS;
     vec2 wave = kernel.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -415,8 +398,7 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootp
 //   radius                  of its kernel, positive: the lobe's bandwidth falls with it, as 1/sqrt(12) / radius cycles
 //                           (standard deviation along each axis)
 //   power                   in proportion to other lobes', not negative
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
-{
+GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
     return GaborLobe(frequency, orientation, radius, power);
 }
 
@@ -427,21 +409,18 @@ GaborLobe gabor_lobe(float frequency, float orientation, float radius, float pow
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
-float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
-{
+float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed) {
     return gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
-vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
-{
+vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed) {
     GaborField field = gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The same with its quadrature, as gabor_noise_complex.
-vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
-{
+vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed) {
     return gabor_field_lobes(gabor_place(ivec2(0), p * GABOR_RADIUS), lobes, seed).value;
 }
 
@@ -454,16 +433,14 @@ vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
 // 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up
 // to 16; at some arguments, a fifth of all, two such numbers next to each other together.
 float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
-                         uint seed)
-{
+                         uint seed) {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
-                                 float orientation_spread, uint seed)
-{
+                                 float orientation_spread, uint seed) {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     GaborField field = gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
@@ -471,8 +448,7 @@ vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, flo
 
 // The same with its quadrature, as gabor_noise_complex.
 vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
-                                float orientation_spread, uint seed)
-{
+                                float orientation_spread, uint seed) {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
@@ -480,8 +456,7 @@ vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, floa
 #if GABOR_TAPS == 3
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
 // filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
-GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
-{
+GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // or not a number: nothing is left of any wave
         dx = vec2(1.0e3, 0.0);
         dy = vec2(0.0, 1.0e3);
@@ -512,8 +487,7 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
 // one; what covers more fades as it should. Continuous in the place and in both steps.
 // Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
-vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-{
+vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS),
                                             gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
@@ -522,8 +496,7 @@ vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, fl
 }
 
 // The same without the gradient: (noise, removed).
-vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-{
+vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
     return vec2(field.x, field.w);
 }
@@ -531,8 +504,7 @@ vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orien
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
 // each.
 vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,
-                               out float removed)
-{
+                               out float removed) {
     vec4 four;
     for (int i = 0; i < 4; ++i) {
         vec4 noise = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation,
@@ -544,8 +516,7 @@ vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float 
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
-vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
-{
+vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed) {
     vec4 sum = vec4(0.0);
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
@@ -560,8 +531,7 @@ vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lo
 }
 
 // The same without the gradient: (noise, removed).
-vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
-{
+vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed) {
     vec4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
     return vec2(field.x, field.w);
 }

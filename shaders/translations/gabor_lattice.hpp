@@ -350,30 +350,26 @@ GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
 // A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
-GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt)
-{
+GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
 // The seed of noise `index` of a sum: those of different indices are independent.
-GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index)
-{
+GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index) {
     return gabor_impl_mix(seed + std::uint32_t(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
 #define GABOR_IMPL_ROWS 0x5bd1e995u
 // The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
-GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed)
-{
+GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
 // The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
 // products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
-GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt)
-{
+GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
     std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return (word >> 8u) | 0x800001u;
@@ -384,8 +380,7 @@ GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt)
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
 // the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
 // there, and 0.001 on average.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word) {
     gabor_vec2 u = gabor_vec2(float(int(word)), float(int(word << 16u)));
     return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
 }
@@ -393,25 +388,21 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word)
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // Product of complex numbers.
-GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b) {
     return a.x * b + a.y * gabor_vec2(-b.y, b.x);
 }
 
 // Adds to two sums the pair of complex numbers times z.
-GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z)
-{
+GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z) {
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
 // y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
-GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
     t -= gabor_cpp_floor(t + 0.5f);
     float y = gabor_cpp_abs(t) - 0.25f;
-    float s = y * y;
-    float r = s * s;
+    float s = y * y, r = s * s;
     float cosine = (41.341655f * s - 6.2831852f) + r * ((76.549782f * s - 81.601004f) - 39.536707f * r);
     float sine = (1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r);
     return gabor_vec2(y * cosine, t < 0.0f ? -sine : sine);
@@ -420,8 +411,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_wave(float t)
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
 // kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of their squares
-GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope)
-{
+GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
 #if GABOR_TAPS == 2
     // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
     // but the variances of their derivatives vary.
@@ -443,8 +433,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
     float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
-    float c = cosine - sine;
-    float s = cosine + sine;
+    float c = cosine - sine, s = cosine + sine;
     value = 0.5f + gabor_vec4(-s, c, s, -c);
     slope = 3.1415927f * gabor_vec4(-c, -s, c, s);
 #endif
@@ -452,9 +441,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-struct GaborKernel { // see gabor_kernel
-    gabor_vec2 wave; // F, cycles per kernel radius
-};
+struct GaborKernel { gabor_vec2 wave; }; // F, cycles per kernel radius: see gabor_kernel
 
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {
@@ -466,8 +453,7 @@ struct GaborPlace {
     float time;    // in periods of time
 };
 
-// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
-// derivatives per kernel radius. Compilers leave out what is not used.
+// The noise as a complex number, the imaginary part the noise itself, and its derivatives per kernel radius.
 struct GaborField {
     gabor_vec2 value;
     gabor_vec2 slope_x;
@@ -475,10 +461,8 @@ struct GaborField {
 };
 
 // An index within a period.
-GABOR_INLINE int gabor_impl_wrap(int index, int period)
-{
-    if (period == 0)
-        return index;
+GABOR_INLINE int gabor_impl_wrap(int index, int period) {
+    if (period == 0) return index;
     int within = index - index / period * period;
     return within < 0 ? within + period : within;
 }
@@ -492,14 +476,12 @@ struct GaborAxis {
 };
 
 // With `wave` cycles and `radius` nodes per kernel radius.
-GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius)
-{
+GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius) {
     GaborAxis axis;
     float zero = gabor_cpp_floor(local + (2.0f - GABOR_RADIUS));
     axis.offset = local - zero;
     axis.turns = wave / radius;
-    gabor_vec4 value;
-    gabor_vec4 slope;
+    gabor_vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
     gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
@@ -518,11 +500,9 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
 
 // The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
 // squares sum to 1 and which at time 0 are 1, 0, 0.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float time)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float time) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
-    if (!animated)
-        return amplitude;
+    if (!animated) return amplitude;
     std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
     gabor_vec2 turn = gabor_impl_wave(time);
@@ -532,36 +512,29 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animate
 
 // Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
 // x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
-GABOR_INLINE void gabor_impl_add_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated, float time)
-{
+GABOR_INLINE void gabor_impl_add_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     gabor_vec4 row = gabor_vec4(0.0f);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
-    if (GABOR_TAPS > 2)
-        gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
-    if (GABOR_TAPS > 3)
-        gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     {
         gabor_impl_add(sum, row, y.node[j].xy());
         gabor_impl_add(slope, row, y.node[j].zw());
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, gabor_vec4& sum, gabor_vec4& slope)
-{
+GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
     gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
     gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2)
-        gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3)
-        gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
 // The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
 // times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
-GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor_vec2 turn, gabor_vec2 wave, gabor_vec2 stretch)
-{
+GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor_vec2 turn, gabor_vec2 wave, gabor_vec2 stretch) {
     turn *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_vec2 value = gabor_impl_product(sum.xy(), turn);
     gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
@@ -570,32 +543,27 @@ GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor
 }
 
 // The noise at a place: what the functions below call.
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed)
-{
-    gabor_vec2 wave = kernel.wave;
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel.wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel.wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    gabor_vec4 sum;
-    gabor_vec4 slope;
+    gabor_vec4 sum, slope;
     gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
-    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+    return gabor_impl_field(sum, slope, turn, kernel.wave, place.radius / GABOR_RADIUS);
 }
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
-GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
-{
+GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
     return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), false, 0.0f};
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
 // is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
-GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period)
-{
+GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
     gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
     place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / period.x : GABOR_RADIUS,
@@ -606,14 +574,12 @@ GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period)
 }
 
 // The kernel of a frequency and an orientation, with the ranges of gabor_noise.
-GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
-{
+GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel{gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * orientation)};
 }
 
 // The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
@@ -625,31 +591,27 @@ GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKerne
 //   seed         any; each seed is another instance, independent of the others
 // Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
 // turns about its own node. A slope of theirs adds to that of the noise.
-GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 // Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
 // of their deviation at frequency 1, by 1.1 of it at 0.
-GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
 // have mean 0 and variance 1, and at one place are independent.
-GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
 // Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
 // seeds -1, -2, -3 of a sum are theirs, which no lobe has.
-GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_vec4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
@@ -659,8 +621,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float or
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
 // any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
 // step(phase, width). The phase of 0 is 0.
-GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
-{
+GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
     float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
@@ -669,8 +630,7 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
-GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place_tiled(p, gabor_cpp_max(period, gabor_vec2(0.0009765625f)));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
@@ -678,16 +638,14 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
 // gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
 // itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = GaborPlace{gabor_ivec2(0), p * GABOR_RADIUS, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), true, time};
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
 // keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-GABOR_INLINE float gabor_unorm(float noise)
-{
+GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }
 

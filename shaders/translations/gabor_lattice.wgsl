@@ -236,10 +236,6 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     }
 }
 
-struct GaborKernel {
-    wave: vec2<f32>,
-}
-
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {
     cell: vec2<i32>,
@@ -250,8 +246,7 @@ struct GaborPlace {
     time: f32,
 }
 
-// The noise as a complex number, whose imaginary part is the noise itself and whose real part its quadrature, and its
-// derivatives per kernel radius. Compilers leave out what is not used.
+// The noise as a complex number, the imaginary part the noise itself, and its derivatives per kernel radius.
 struct GaborField {
     value: vec2<f32>,
     slope_x: vec2<f32>,
@@ -763,7 +758,6 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
-        var wave_2: vec2<f32>;
         var salt_3: u32;
         var x_3: GaborAxis;
         var y_3: GaborAxis;
@@ -772,38 +766,35 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
-        let _e4 = kernel_1;
-        wave_2 = _e4.wave;
-        let _e7 = gabor_impl_salt(seed);
-        salt_3 = _e7;
-        let _e15 = salt_3;
-        let _e16 = wave_2;
-        let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
-        let _e22 = salt_3;
-        salt_3 = (_e22 ^ 1540483477u);
-        let _e31 = salt_3;
-        let _e32 = wave_2;
-        let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_3 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_3;
-        let _e45 = y_3;
-        let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
-        turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_3;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e61 = sum_3;
-        let _e62 = slope_5;
-        let _e63 = turn_4;
-        let _e64 = wave_2;
-        let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(1f)));
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_3 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_3;
+        let _e44 = y_3;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_3;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
         return _e72;
     } else if GABOR_TAPS == 4 {
         var kernel_1: GaborKernel;
-        var wave_2: vec2<f32>;
         var salt_3: u32;
         var x_3: GaborAxis;
         var y_4: GaborAxis;
@@ -812,38 +803,35 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
-        let _e4 = kernel_1;
-        wave_2 = _e4.wave;
-        let _e7 = gabor_impl_salt(seed);
-        salt_3 = _e7;
-        let _e15 = salt_3;
-        let _e16 = wave_2;
-        let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
-        let _e22 = salt_3;
-        salt_3 = (_e22 ^ 1540483477u);
-        let _e31 = salt_3;
-        let _e32 = wave_2;
-        let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_4 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_4;
-        let _e45 = y_4;
-        let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
-        turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_4;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e61 = sum_3;
-        let _e62 = slope_5;
-        let _e63 = turn_4;
-        let _e64 = wave_2;
-        let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(2f)));
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_4 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_4;
+        let _e44 = y_4;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_4;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
         return _e72;
     } else {
         var kernel_1: GaborKernel;
-        var wave_2: vec2<f32>;
         var salt_3: u32;
         var x_3: GaborAxis;
         var y_4: GaborAxis;
@@ -852,34 +840,32 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var slope_5: vec4<f32>;
 
         kernel_1 = kernel;
-        let _e4 = kernel_1;
-        wave_2 = _e4.wave;
-        let _e7 = gabor_impl_salt(seed);
-        salt_3 = _e7;
-        let _e15 = salt_3;
-        let _e16 = wave_2;
-        let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e15, _e16.x, place.radius.x);
-        x_3 = _e20;
-        let _e22 = salt_3;
-        salt_3 = (_e22 ^ 1540483477u);
-        let _e31 = salt_3;
-        let _e32 = wave_2;
-        let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e31, _e32.y, place.radius.y);
-        y_4 = _e36;
-        let _e38 = x_3;
-        let _e40 = x_3;
-        let _e43 = y_4;
-        let _e45 = y_4;
-        let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
-        turn_4 = _e49;
-        let _e53 = x_3;
-        let _e54 = y_4;
-        gabor_impl_sum(_e53, _e54, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e61 = sum_3;
-        let _e62 = slope_5;
-        let _e63 = turn_4;
-        let _e64 = wave_2;
-        let _e72 = gabor_impl_field(_e61, _e62, _e63, _e64, (place.radius / vec2(1.5f)));
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_4 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_4;
+        let _e44 = y_4;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_4;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
         return _e72;
     }
 }

@@ -57,8 +57,7 @@ struct GaborAxes3d {
     gabor_vec2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
 };
 
-GABOR_INLINE GaborAxes3d gabor_impl_axes(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
+GABOR_INLINE GaborAxes3d gabor_impl_axes(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed) {
     GaborAxes3d n;
     std::uint32_t salt = gabor_impl_salt(seed);
     n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
@@ -70,15 +69,13 @@ GABOR_INLINE GaborAxes3d gabor_impl_axes(GaborPlace3d place, gabor_vec3 wave, st
 }
 
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice)
-{
+GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Adds slice k of nodes, a sum as in the plane: to `sum` the noise, in zw with the derivatives of windows along x, to
 // `slopes` with those along y, in zw along z.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxes3d n, int k, GaborPlace3d place)
-{
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxes3d n, int k, GaborPlace3d place) {
     GaborAxis rows = n.y;
     rows.word[0] = gabor_impl_slice_word(n.y.word[0], n.z.word[k]);
     rows.word[1] = gabor_impl_slice_word(n.y.word[1], n.z.word[k]);
@@ -90,8 +87,7 @@ GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, Gabo
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), n.z.node[k].xy()), gabor_impl_product(slice.xy(), n.z.node[k].zw()));
 }
 
-GABOR_INLINE GaborField3d gabor_impl_windowed(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_impl_windowed(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed) {
     GaborAxes3d n = gabor_impl_axes(place, wave, seed);
     gabor_vec4 sum = gabor_vec4(0.0f);
     gabor_vec4 slopes = gabor_vec4(0.0f);
@@ -114,14 +110,12 @@ struct GaborMatrix {
     gabor_mat3 imaginary;
 };
 
-GABOR_INLINE GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
-{
+GABOR_INLINE GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n) {
     return GaborMatrix{m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real};
 }
 
 // The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
-GABOR_INLINE GaborMatrix gabor_impl_slice(GaborAxes3d n, std::uint32_t slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y)
-{
+GABOR_INLINE GaborMatrix gabor_impl_slice(GaborAxes3d n, std::uint32_t slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y) {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
         std::uint32_t row = gabor_impl_slice_word(n.y.word[j], slice);
@@ -137,8 +131,7 @@ GABOR_INLINE GaborMatrix gabor_impl_slice(GaborAxes3d n, std::uint32_t slice, Ga
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-GABOR_INLINE GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
-{
+GABOR_INLINE GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation) {
     gabor_vec3 d = (axis.offset + gabor_vec3(1.0f, 0.0f, -1.0f)) / GABOR_RADIUS;
     gabor_vec2 step = gabor_impl_wave(axis.turns);
     gabor_vec3 reach = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / gabor_cpp_max(0.5f * deviation, 1.0e-6f), 0.0f, 1.0f);
@@ -155,8 +148,7 @@ GABOR_INLINE GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
-GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed) {
     gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f);
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f);
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
@@ -204,33 +196,28 @@ GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wav
 // ---- By place ------------------------------------------------------------------------------------------------------
 
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
-GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local)
-{
+GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
     return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
-GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v)
-{
+GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     v = gabor_cpp_clamp(v, -1.0e15f, 1.0e15f);
     return v * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(v, v), 1.0e-30f));
 }
 
-GABOR_INLINE gabor_vec3 gabor_wave_3d(float frequency, gabor_vec3 direction)
-{
+GABOR_INLINE gabor_vec3 gabor_wave_3d(float frequency, gabor_vec3 direction) {
     return gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_unit(direction);
 }
 
-GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed) {
     if (place.filtered)
         return gabor_impl_filtered(place, wave, seed);
     return gabor_impl_windowed(place, wave, seed);
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
-GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed, int index, float power)
-{
+GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed, int index, float power) {
     GaborField3d term = gabor_field_3d(place, wave, gabor_lobe_seed(seed, index));
     sum.value += gabor_cpp_sqrt(power) * term.value;
     sum.slope_x += gabor_cpp_sqrt(power) * term.slope_x;
@@ -241,8 +228,7 @@ GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborPlace3d place, gab
 
 // Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
 // power, so that all is continuous in frequency.
-GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, std::uint32_t seed) {
     float count = 8.0f + 8.0f * gabor_cpp_min(frequency * frequency, 64.0f);
     GaborField3d sum = GaborField3d{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f};
     for (int i = 0; i < int(gabor_cpp_ceil(count)); ++i) {
@@ -255,15 +241,13 @@ GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency
 }
 
 // The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
-GABOR_INLINE float gabor_impl_takeover(float low, float high, float x)
-{
+GABOR_INLINE float gabor_impl_takeover(float low, float high, float x) {
     float share = gabor_cpp_smoothstep(low, high, x);
     return share * share / (share * share + (1.0f - share) * (1.0f - share));
 }
 
 // Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
-GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     gabor_vec3 other = gabor_cpp_cross(direction, gabor_cpp_abs(direction.z) < 0.7f ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f));
@@ -279,8 +263,7 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
-GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed)
-{
+GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     float count = 2.0f + 4.5f * gabor_cpp_min(gabor_cpp_abs(frequency), 32.0f);
     float power = gabor_impl_takeover(0.25f, 0.5f, gabor_cpp_dot(normal.xy(), normal.xy()));
@@ -301,8 +284,7 @@ GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_v
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // gabor_noise_3d with its quadrature, for gabor_phasor: see gabor_noise_complex.
-GABOR_INLINE gabor_vec2 gabor_noise_3d_complex(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_3d_complex(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     return gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).value;
 }
 
@@ -312,23 +294,20 @@ GABOR_INLINE gabor_vec2 gabor_noise_3d_complex(gabor_vec3 p, float frequency, ga
 //   direction  of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
 //   seed       any; each seed is another instance, independent of the others
 // Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
-GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     return gabor_noise_3d_complex(p, frequency, direction, seed).y;
 }
 
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
 // normal.
-GABOR_INLINE gabor_vec4 gabor_noise_3d_gradient(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec4 gabor_noise_3d_gradient(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
     GaborField3d field = gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed);
     return gabor_vec4(field.value.y, field.slope_x.y, field.slope_y.y, field.slope_z.y);
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
-GABOR_INLINE gabor_vec4 gabor_noise_3d_four(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec4 gabor_noise_3d_four(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     return gabor_vec4(gabor_noise_3d(p, frequency, direction, seed),
                 gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
                 gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
@@ -336,8 +315,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_3d_four(gabor_vec3 p, float frequency, gabor
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
-GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     period = gabor_cpp_max(period, gabor_vec3(0.0009765625f));
     gabor_vec3 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec3(3.0f));
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), (p - gabor_cpp_floor(p / period) * period) * (nodes / period));
@@ -347,8 +325,7 @@ GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float f
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
-GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
     place.animated = true;
     place.time = time;
@@ -359,8 +336,7 @@ GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequ
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
-GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gabor_vec3 dy, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gabor_vec3 dy, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
     place.filtered = true;
     place.dx = dx;
@@ -370,21 +346,18 @@ GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gab
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
-GABOR_INLINE float gabor_noise_3d_isotropic(gabor_vec3 p, float frequency, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_3d_isotropic(gabor_vec3 p, float frequency, std::uint32_t seed) {
     return gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).value.y;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
 // The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
-GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     return gabor_surface_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).value.y;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
-GABOR_INLINE float gabor_noise_surface_isotropic(gabor_vec3 p, gabor_vec3 normal, float frequency, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_surface_isotropic(gabor_vec3 p, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     return gabor_surface_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).value.y;
 }
 

@@ -61,8 +61,7 @@ struct GaborAxes3d {
     float2 base; // K times the wave at the middle node: E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1
 };
 
-inline GaborAxes3d gabor_impl_axes(GaborPlace3d place, float3 wave, uint seed)
-{
+inline GaborAxes3d gabor_impl_axes(GaborPlace3d place, float3 wave, uint seed) {
     GaborAxes3d n;
     uint salt = gabor_impl_salt(seed);
     n.x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
@@ -74,15 +73,13 @@ inline GaborAxes3d gabor_impl_axes(GaborPlace3d place, float3 wave, uint seed)
 }
 
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-inline uint gabor_impl_slice_word(uint row, uint slice)
-{
+inline uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Adds slice k of nodes, a sum as in the plane: to `sum` the noise, in zw with the derivatives of windows along x, to
 // `slopes` with those along y, in zw along z.
-inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborAxes3d n, int k, GaborPlace3d place)
-{
+inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborAxes3d n, int k, GaborPlace3d place) {
     GaborAxis rows = n.y;
     rows.word[0] = gabor_impl_slice_word(n.y.word[0], n.z.word[k]);
     rows.word[1] = gabor_impl_slice_word(n.y.word[1], n.z.word[k]);
@@ -94,8 +91,7 @@ inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, Gabo
     slopes += float4(gabor_impl_product(slope.xy, n.z.node[k].xy), gabor_impl_product(slice.xy, n.z.node[k].zw));
 }
 
-inline GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed)
-{
+inline GaborField3d gabor_impl_windowed(GaborPlace3d place, float3 wave, uint seed) {
     GaborAxes3d n = gabor_impl_axes(place, wave, seed);
     float4 sum = float4(0.0);
     float4 slopes = float4(0.0);
@@ -118,14 +114,12 @@ struct GaborMatrix {
     float3x3 imaginary;
 };
 
-inline GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n)
-{
+inline GaborMatrix gabor_impl_matrix_product(GaborMatrix m, GaborMatrix n) {
     return GaborMatrix{m.real * n.real - m.imaginary * n.imaginary, m.real * n.imaginary + m.imaginary * n.real};
 }
 
 // The amplitudes of a slice of nodes, a column for each row, as `x` and `y` take them from nodes to waves.
-inline GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y)
-{
+inline GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d place, GaborMatrix x, GaborMatrix y) {
     GaborMatrix m;
     for (int j = 0; j < 3; ++j) {
         uint row = gabor_impl_slice_word(n.y.word[j], slice);
@@ -141,8 +135,7 @@ inline GaborMatrix gabor_impl_slice(GaborAxes3d n, uint slice, GaborPlace3d plac
 // What an axis' three nodes add to the three waves that they are together between nodes:
 //     h(x - c) e^(2 pi i F (x - c)) = sum_a h_a e^(2 pi i (F + a/2) (x - c)),   a = -1, 0, 1,   h_a = 1/4, 1/2, 1/4.
 // Within half a deviation of the filter from its window's end a node fades, so that nothing jumps.
-inline GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
-{
+inline GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation) {
     float3 d = (axis.offset + float3(1.0, 0.0, -1.0)) / GABOR_RADIUS;
     float2 step = gabor_impl_wave(axis.turns);
     float3 reach = clamp((1.0 - abs(d)) / max(0.5 * deviation, 1.0e-6), 0.0, 1.0);
@@ -159,8 +152,7 @@ inline GaborMatrix gabor_impl_waves(GaborAxis axis, float deviation)
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: (det(1 + S^2))^(-1/4).
-inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint seed)
-{
+inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint seed) {
     float3 dx = clamp(place.dx, -1.0e6, 1.0e6);
     float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     float3 stretch = place.radius / GABOR_RADIUS;
@@ -208,33 +200,28 @@ inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, uint se
 // ---- By place ------------------------------------------------------------------------------------------------------
 
 // (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
-inline GaborPlace3d gabor_place_3d(int3 cell, float3 local)
-{
+inline GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
     return GaborPlace3d{cell, local, float3(GABOR_RADIUS), int3(0), false, 0.0, false, float3(0.0), float3(0.0)};
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
-inline float3 gabor_impl_unit(float3 v)
-{
+inline float3 gabor_impl_unit(float3 v) {
     v = clamp(v, -1.0e15, 1.0e15);
     return v * rsqrt(max(dot(v, v), 1.0e-30));
 }
 
-inline float3 gabor_wave_3d(float frequency, float3 direction)
-{
+inline float3 gabor_wave_3d(float frequency, float3 direction) {
     return min(abs(frequency), 1.0e6) * gabor_impl_unit(direction);
 }
 
-inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
-{
+inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
     if (place.filtered)
         return gabor_impl_filtered(place, wave, seed);
     return gabor_impl_windowed(place, wave, seed);
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
-inline void gabor_impl_add_term(thread GaborField3d& sum, GaborPlace3d place, float3 wave, uint seed, int index, float power)
-{
+inline void gabor_impl_add_term(thread GaborField3d& sum, GaborPlace3d place, float3 wave, uint seed, int index, float power) {
     GaborField3d term = gabor_field_3d(place, wave, gabor_lobe_seed(seed, index));
     sum.value += sqrt(power) * term.value;
     sum.slope_x += sqrt(power) * term.slope_x;
@@ -245,8 +232,7 @@ inline void gabor_impl_add_term(thread GaborField3d& sum, GaborPlace3d place, fl
 
 // Directions evenly along a spiral over half the sphere. Their number is real and the last one has what is left of the
 // power, so that all is continuous in frequency.
-inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
-{
+inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
     float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
     GaborField3d sum = GaborField3d{float2(0.0), float2(0.0), float2(0.0), float2(0.0), 0.0};
     for (int i = 0; i < int(ceil(count)); ++i) {
@@ -259,15 +245,13 @@ inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint
 }
 
 // The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
-inline float gabor_impl_takeover(float low, float high, float x)
-{
+inline float gabor_impl_takeover(float low, float high, float x) {
     float share = smoothstep(low, high, x);
     return share * share / (share * share + (1.0 - share) * (1.0 - share));
 }
 
 // Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
-inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
-{
+inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
@@ -283,8 +267,7 @@ inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float fr
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
-inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
-{
+inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
     float power = gabor_impl_takeover(0.25, 0.5, dot(normal.xy, normal.xy));
@@ -305,8 +288,7 @@ inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // gabor_noise_3d with its quadrature, for gabor_phasor: see gabor_noise_complex.
-inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
-{
+inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed) {
     return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), gabor_wave_3d(frequency, direction), seed).value;
 }
 
@@ -316,23 +298,20 @@ inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction
 //   direction  of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
 //   seed       any; each seed is another instance, independent of the others
 // Where frequency and direction vary continuously so does the noise; a slope of theirs adds to that of the noise.
-inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
-{
+inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
     return gabor_noise_3d_complex(p, frequency, direction, seed).y;
 }
 
 // The noise at p and its gradient: (noise, d/dx, d/dy, d/dz), per kernel radius. For bumps take away the part along the
 // normal.
-inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
-{
+inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     GaborField3d field = gabor_field_3d(place, gabor_wave_3d(frequency, direction), seed);
     return float4(field.value.y, field.slope_x.y, field.slope_y.y, field.slope_z.y);
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
-inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
-{
+inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed) {
     return float4(gabor_noise_3d(p, frequency, direction, seed),
                 gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
                 gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
@@ -340,8 +319,7 @@ inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, u
 }
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
-inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
-{
+inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed) {
     period = max(period, float3(0.0009765625));
     float3 nodes = max(floor(period * GABOR_RADIUS + 0.5), float3(3.0));
     GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
@@ -351,8 +329,7 @@ inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, floa
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
-inline float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
-{
+inline float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     place.animated = true;
     place.time = time;
@@ -363,8 +340,7 @@ inline float gabor_noise_3d_animated(float3 p, float time, float frequency, floa
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
 // is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
-inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
-{
+inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     place.filtered = true;
     place.dx = dx;
@@ -374,21 +350,18 @@ inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float freq
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
-inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
-{
+inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
     return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).value.y;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
 // The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
-inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
-{
+inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
     return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).value.y;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
-inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
-{
+inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
     return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).value.y;
 }
 

@@ -74,8 +74,7 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered)
 
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
-float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed)
-{
+float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
     if (!pixel.filtered)
@@ -87,14 +86,12 @@ float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.
-float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed)
-{
+float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
-float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed)
-{
+float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = (float3)(0.0);
     float power = 0.0;
     float amplitude = 1.0;
@@ -109,8 +106,7 @@ float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gai
 }
 
 // The place moved by two noises, and its steps with it.
-GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed)
-{
+GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed) {
     GaborPlace place = gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
     GaborField field = gabor_field(place, gabor_kernel(0.0, 0.0), seed);
     float2 along_x = amplitude * density.x * field.slope_x;
@@ -120,8 +116,7 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
 }
 
 // The place in axes turned by an angle.
-GaborPixel gabor_impl_turned(GaborPixel pixel, float angle)
-{
+GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(-0.15915494 * angle);
     return GaborPixel_of(gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
                       gabor_impl_product(turn, pixel.dy), pixel.filtered);
@@ -131,41 +126,35 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle)
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
-float gabor_impl_above(float noise, float removed, float threshold, float softness)
-{
+float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float x = clamp((noise - threshold) * rsqrt(softness * softness + removed), -8.0, 8.0);
     return 1.0 / (1.0 + exp(-x * (1.5976 + 0.07056 * x * x)));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-float gabor_impl_line(float noise, float removed, float width)
-{
+float gabor_impl_line(float noise, float removed, float width) {
     float variance = width * width + removed;
     return width * rsqrt(variance) * exp(-0.5 * noise * noise / variance);
 }
 
 // A factor of mean 1: exp(contrast noise - contrast^2 / 2).
-float gabor_impl_tone(float noise, float removed, float contrast)
-{
+float gabor_impl_tone(float noise, float removed, float contrast) {
     return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
 }
 
 // The unit vector of a complex noise's phase, of which its mean is shorter.
-float2 gabor_impl_phase(float3 layer)
-{
+float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
 // A phase that grows evenly, likewise: what a normal filter leaves of the wave.
-float2 gabor_impl_turns(float turns, float dx, float dy)
-{
+float2 gabor_impl_turns(float turns, float dx, float dy) {
     return exp(-min(4.9348022 * (dx * dx + dy * dy), 40.0)) * gabor_impl_wave(turns);
 }
 
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
-float gabor_impl_rise(float2 phase)
-{
+float gabor_impl_rise(float2 phase) {
     float sum = 0.33333333;
     float damping = dot(phase, phase);
     float power = 1.0;
@@ -181,16 +170,14 @@ float gabor_impl_rise(float2 phase)
 }
 
 // Colours and heights are bounded where a product of tones is not.
-GaborMaterial gabor_impl_material(float3 colour, float height, float roughness, float metalness)
-{
+GaborMaterial gabor_impl_material(float3 colour, float height, float roughness, float metalness) {
     return GaborMaterial_of(clamp(colour, 0.0, 1.0), height, roughness, metalness);
 }
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
 // Rings are lines of equal x that slow noise bends until they close: a board cut beside the pith.
-GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed) {
     GaborPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(0.43, 0.0), gabor_lobe_seed(seed, 0));
     board = gabor_impl_warp(board, float2(4.0, 0.9), float2(0.018, 0.0), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.035, 0.0), gabor_lobe_seed(seed, 2));
@@ -207,8 +194,7 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed)
     return gabor_impl_material(colour, height, 0.5 - 0.1 * ring, 0.0);
 }
 
-GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
     const float count = 12.0; // threads to the unit
     GaborPixel cloth = gabor_impl_warp(pixel, (float2)(0.7), (float2)(0.02), gabor_lobe_seed(seed, 0));
     float3 upright = gabor_impl_spots(cloth, float2(0.7 * count, 1.1), gabor_lobe_seed(seed, 1)); // uneven along y
@@ -241,8 +227,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed)
 }
 
 // Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
-GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014), gabor_lobe_seed(seed, 1));
     float3 one = gabor_impl_layer(skin, (float2)(4.3), 1.6, 0.2, gabor_lobe_seed(seed, 2));
@@ -265,13 +250,11 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed)
 }
 
 // A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
-float gabor_impl_vein(float3 layer, float width, float threshold)
-{
+float gabor_impl_vein(float3 layer, float width, float threshold) {
     return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5);
 }
 
-GaborMaterial gabor_impl_marble(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_marble(GaborPixel pixel, uint seed) {
     GaborPixel stone = gabor_impl_warp(pixel, (float2)(1.1), (float2)(0.17), gabor_lobe_seed(seed, 0));
     stone = gabor_impl_warp(stone, (float2)(4.0), (float2)(0.038), gabor_lobe_seed(seed, 1));
     stone = gabor_impl_warp(stone, (float2)(13.0), (float2)(0.010), gabor_lobe_seed(seed, 2));
@@ -294,8 +277,7 @@ GaborMaterial gabor_impl_marble(GaborPixel pixel, uint seed)
     return gabor_impl_material(colour, 0.00012 * crystal.y, 0.2, 0.0);
 }
 
-GaborMaterial gabor_impl_sand(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_sand(GaborPixel pixel, uint seed) {
     GaborPixel dune = gabor_impl_warp(pixel, (float2)(0.8), (float2)(0.15), gabor_lobe_seed(seed, 0));
     dune = gabor_impl_warp(dune, (float2)(3.0), (float2)(0.02), gabor_lobe_seed(seed, 1));
     float3 wind = gabor_impl_layer(dune, float2(0.9, 1.7), 2.3, 1.4, gabor_lobe_seed(seed, 2));
@@ -313,8 +295,7 @@ GaborMaterial gabor_impl_sand(GaborPixel pixel, uint seed)
 
 // A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of what a filter
 // took away has mean 0.
-GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed) {
     float height = 0.0;
     float crest = 0.0;
     float removed = 0.0;
@@ -333,8 +314,7 @@ GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed)
     return gabor_impl_material(lerp(float3(0.004, 0.06, 0.085), float3(0.03, 0.25, 0.27), light), height, 0.1, 0.0);
 }
 
-GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, uint seed) {
     float height = 0.0;
     float2 tone = (float2)(0.0);
     for (int i = 0; i < 5; ++i) {
@@ -347,8 +327,7 @@ GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, uint seed)
 }
 
 // Needles are the tops of noise in kernels a hundred times as long as wide, in as many directions.
-GaborMaterial gabor_impl_scratches(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_scratches(GaborPixel pixel, uint seed) {
     float whole = 1.0;
     float height = 0.0;
     for (int i = 0; i < 14; ++i) {
@@ -364,8 +343,7 @@ GaborMaterial gabor_impl_scratches(GaborPixel pixel, uint seed)
     return gabor_impl_material(colour, height, 0.3, 0.0);
 }
 
-GaborMaterial gabor_impl_zebra(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_zebra(GaborPixel pixel, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.14), gabor_lobe_seed(seed, 0));
     float lean = gabor_field(gabor_place((int2)(0), 0.6 * GABOR_RADIUS * pixel.p), gabor_kernel(0.0, 0.0),
                              gabor_lobe_seed(seed, 1)).value.x;
@@ -381,8 +359,7 @@ GaborMaterial gabor_impl_zebra(GaborPixel pixel, uint seed)
     return gabor_impl_material(colour, 0.002 * hair.x, 0.7, 0.0);
 }
 
-GaborMaterial gabor_impl_bark(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_bark(GaborPixel pixel, uint seed) {
     GaborPixel trunk = gabor_impl_warp(pixel, float2(0.8, 0.35), float2(0.22, 0.1), gabor_lobe_seed(seed, 0));
     trunk = gabor_impl_warp(trunk, float2(3.0, 1.6), float2(0.05, 0.05), gabor_lobe_seed(seed, 1));
     trunk = gabor_impl_warp(trunk, (float2)(10.0), (float2)(0.013), gabor_lobe_seed(seed, 2));
@@ -403,8 +380,7 @@ GaborMaterial gabor_impl_bark(GaborPixel pixel, uint seed)
 }
 
 // A 2/2 twill: each tow goes over two, under two, and each row is one further on.
-GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed) {
     const float count = 4.0; // tows to the unit
     GaborPixel cloth = gabor_impl_warp(pixel, (float2)(0.8), (float2)(0.008), gabor_lobe_seed(seed, 0));
     float3 upright = gabor_impl_spots(cloth, float2(20.0, 0.6) * count, gabor_lobe_seed(seed, 1));
@@ -425,8 +401,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed)
     return gabor_impl_material(colour, (0.16 * bulge + 0.006 * fibre.x) / count, 0.3, 0.0);
 }
 
-GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed)
-{
+GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed) {
     GaborPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, 0.2), gabor_lobe_seed(seed, 0));
     rock = gabor_impl_warp(rock, float2(1.6, 2.6), float2(0.016, 0.022), gabor_lobe_seed(seed, 1));
     rock = gabor_impl_warp(rock, float2(7.0, 10.0), (float2)(0.004), gabor_lobe_seed(seed, 2));
@@ -449,124 +424,100 @@ GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed)
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // The materials listed above, at p.
-GaborMaterial gabor_wood(float2 p, uint seed)
-{
+GaborMaterial gabor_wood(float2 p, uint seed) {
     return gabor_impl_wood(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_fabric(float2 p, uint seed)
-{
+GaborMaterial gabor_fabric(float2 p, uint seed) {
     return gabor_impl_fabric(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_leather(float2 p, uint seed)
-{
+GaborMaterial gabor_leather(float2 p, uint seed) {
     return gabor_impl_leather(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_marble(float2 p, uint seed)
-{
+GaborMaterial gabor_marble(float2 p, uint seed) {
     return gabor_impl_marble(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_sand(float2 p, uint seed)
-{
+GaborMaterial gabor_sand(float2 p, uint seed) {
     return gabor_impl_sand(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_ripples(float2 p, uint seed)
-{
+GaborMaterial gabor_ripples(float2 p, uint seed) {
     return gabor_impl_ripples(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_brushed_metal(float2 p, uint seed)
-{
+GaborMaterial gabor_brushed_metal(float2 p, uint seed) {
     return gabor_impl_brushed_metal(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_scratches(float2 p, uint seed)
-{
+GaborMaterial gabor_scratches(float2 p, uint seed) {
     return gabor_impl_scratches(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_zebra(float2 p, uint seed)
-{
+GaborMaterial gabor_zebra(float2 p, uint seed) {
     return gabor_impl_zebra(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_bark(float2 p, uint seed)
-{
+GaborMaterial gabor_bark(float2 p, uint seed) {
     return gabor_impl_bark(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_carbon_fibre(float2 p, uint seed)
-{
+GaborMaterial gabor_carbon_fibre(float2 p, uint seed) {
     return gabor_impl_carbon_fibre(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
-GaborMaterial gabor_strata(float2 p, uint seed)
-{
+GaborMaterial gabor_strata(float2 p, uint seed) {
     return gabor_impl_strata(GaborPixel_of(p, (float2)(0.0), (float2)(0.0), false), seed);
 }
 
 // The same as a pixel sees them that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p).
-GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_wood(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_fabric(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_leather(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_marble(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_sand(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_ripples(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_brushed_metal(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_scratches_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_scratches_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_scratches(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_zebra(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_bark(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_carbon_fibre(GaborPixel_of(p, dx, dy, true), seed);
 }
 
-GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed)
-{
+GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_strata(GaborPixel_of(p, dx, dy, true), seed);
 }
 

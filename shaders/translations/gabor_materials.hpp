@@ -54,8 +54,7 @@ struct GaborPixel {
 
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
-GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
     if (!pixel.filtered)
@@ -67,14 +66,12 @@ GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, f
 }
 
 // The same without waves, of frequency 0: spots as large as a kernel.
-GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, std::uint32_t seed) {
     return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
 }
 
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
-GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
     gabor_vec3 sum = gabor_vec3(0.0f);
     float power = 0.0f;
     float amplitude = 1.0f;
@@ -89,8 +86,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density,
 }
 
 // The place moved by two noises, and its steps with it.
-GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed)
-{
+GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborField field = gabor_field(place, gabor_kernel(0.0f, 0.0f), seed);
     gabor_vec2 along_x = amplitude * density.x * field.slope_x;
@@ -100,8 +96,7 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
 }
 
 // The place in axes turned by an angle.
-GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle)
-{
+GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(-0.15915494f * angle);
     return GaborPixel{gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
                       gabor_impl_product(turn, pixel.dy), pixel.filtered};
@@ -111,41 +106,35 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle)
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
-GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness)
-{
+GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float x = gabor_cpp_clamp((noise - threshold) * gabor_cpp_inversesqrt(softness * softness + removed), -8.0f, 8.0f);
     return 1.0f / (1.0f + gabor_cpp_exp(-x * (1.5976f + 0.07056f * x * x)));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-GABOR_INLINE float gabor_impl_line(float noise, float removed, float width)
-{
+GABOR_INLINE float gabor_impl_line(float noise, float removed, float width) {
     float variance = width * width + removed;
     return width * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * noise * noise / variance);
 }
 
 // A factor of mean 1: exp(contrast noise - contrast^2 / 2).
-GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast)
-{
+GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
     return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
 }
 
 // The unit vector of a complex noise's phase, of which its mean is shorter.
-GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
 
 // A phase that grows evenly, likewise: what a normal filter leaves of the wave.
-GABOR_INLINE gabor_vec2 gabor_impl_turns(float turns, float dx, float dy)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_turns(float turns, float dx, float dy) {
     return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * (dx * dx + dy * dy), 40.0f)) * gabor_impl_wave(turns);
 }
 
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
-GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase)
-{
+GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
     float sum = 0.33333333f;
     float damping = gabor_cpp_dot(phase, phase);
     float power = 1.0f;
@@ -161,16 +150,14 @@ GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase)
 }
 
 // Colours and heights are bounded where a product of tones is not.
-GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, float roughness, float metalness)
-{
+GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, float roughness, float metalness) {
     return GaborMaterial{gabor_cpp_clamp(colour, 0.0f, 1.0f), height, roughness, metalness};
 }
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
 // Rings are lines of equal x that slow noise bends until they close: a board cut beside the pith.
-GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(0.43f, 0.0f), gabor_lobe_seed(seed, 0));
     board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(0.018f, 0.0f), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.035f, 0.0f), gabor_lobe_seed(seed, 2));
@@ -187,8 +174,7 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed)
     return gabor_impl_material(colour, height, 0.5f - 0.1f * ring, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t seed) {
     const float count = 12.0f; // threads to the unit
     GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 0));
     gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(0.7f * count, 1.1f), gabor_lobe_seed(seed, 1)); // uneven along y
@@ -221,8 +207,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
 }
 
 // Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
-GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f), gabor_lobe_seed(seed, 1));
     gabor_vec3 one = gabor_impl_layer(skin, gabor_vec2(4.3f), 1.6f, 0.2f, gabor_lobe_seed(seed, 2));
@@ -245,13 +230,11 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t se
 }
 
 // A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
-GABOR_INLINE float gabor_impl_vein(gabor_vec3 layer, float width, float threshold)
-{
+GABOR_INLINE float gabor_impl_vein(gabor_vec3 layer, float width, float threshold) {
     return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_marble(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_marble(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(0.17f), gabor_lobe_seed(seed, 0));
     stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(0.038f), gabor_lobe_seed(seed, 1));
     stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(0.010f), gabor_lobe_seed(seed, 2));
@@ -274,8 +257,7 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborPixel pixel, std::uint32_t see
     return gabor_impl_material(colour, 0.00012f * crystal.y, 0.2f, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_sand(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_sand(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), gabor_lobe_seed(seed, 0));
     dune = gabor_impl_warp(dune, gabor_vec2(3.0f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 1));
     gabor_vec3 wind = gabor_impl_layer(dune, gabor_vec2(0.9f, 1.7f), 2.3f, 1.4f, gabor_lobe_seed(seed, 2));
@@ -293,8 +275,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborPixel pixel, std::uint32_t seed)
 
 // A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of what a filter
 // took away has mean 0.
-GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t seed) {
     float height = 0.0f;
     float crest = 0.0f;
     float removed = 0.0f;
@@ -313,8 +294,7 @@ GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t se
     return gabor_impl_material(gabor_cpp_mix(gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), light), height, 0.1f, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, std::uint32_t seed) {
     float height = 0.0f;
     gabor_vec2 tone = gabor_vec2(0.0f);
     for (int i = 0; i < 5; ++i) {
@@ -327,8 +307,7 @@ GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, std::uint3
 }
 
 // Needles are the tops of noise in kernels a hundred times as long as wide, in as many directions.
-GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborPixel pixel, std::uint32_t seed) {
     float whole = 1.0f;
     float height = 0.0f;
     for (int i = 0; i < 14; ++i) {
@@ -344,8 +323,7 @@ GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborPixel pixel, std::uint32_t 
     return gabor_impl_material(colour, height, 0.3f, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), gabor_lobe_seed(seed, 0));
     float lean = gabor_field(gabor_place(gabor_ivec2(0), 0.6f * GABOR_RADIUS * pixel.p), gabor_kernel(0.0f, 0.0f),
                              gabor_lobe_seed(seed, 1)).value.x;
@@ -361,8 +339,7 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborPixel pixel, std::uint32_t seed
     return gabor_impl_material(colour, 0.002f * hair.x, 0.7f, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_bark(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_bark(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), gabor_lobe_seed(seed, 0));
     trunk = gabor_impl_warp(trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), gabor_lobe_seed(seed, 1));
     trunk = gabor_impl_warp(trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), gabor_lobe_seed(seed, 2));
@@ -383,8 +360,7 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborPixel pixel, std::uint32_t seed)
 }
 
 // A 2/2 twill: each tow goes over two, under two, and each row is one further on.
-GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32_t seed) {
     const float count = 4.0f; // tows to the unit
     GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), gabor_lobe_seed(seed, 0));
     gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(20.0f, 0.6f) * count, gabor_lobe_seed(seed, 1));
@@ -405,8 +381,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32
     return gabor_impl_material(colour, (0.16f * bulge + 0.006f * fibre.x) / count, 0.3f, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, 0.2f), gabor_lobe_seed(seed, 0));
     rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), gabor_vec2(0.016f, 0.022f), gabor_lobe_seed(seed, 1));
     rock = gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(0.004f), gabor_lobe_seed(seed, 2));
@@ -429,124 +404,100 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t see
 // ---- The functions to call -----------------------------------------------------------------------------------------
 
 // The materials listed above, at p.
-GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_wood(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_fabric(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_leather(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_marble(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_sand(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_ripples(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_brushed_metal(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_scratches(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_zebra(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_bark(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_carbon_fibre(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_strata(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
 // The same as a pixel sees them that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p).
-GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_wood(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_fabric(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_leather(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_marble(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_sand(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_ripples(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_brushed_metal(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_scratches(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_zebra(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_bark(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_carbon_fibre(GaborPixel{p, dx, dy, true}, seed);
 }
 
-GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed)
-{
+GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_strata(GaborPixel{p, dx, dy, true}, seed);
 }
 

@@ -208,7 +208,7 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var sum_12: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
-    var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
+    var wave_8: vec2<f32> = vec2<f32>(1f, 0f);
     var m_2: i32 = 1i;
     var x_6: f32;
     var r_2: f32;
@@ -221,9 +221,9 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
         }
         {
             let _e20 = power_4;
-            let _e21 = wave_9;
+            let _e21 = wave_8;
             let _e22 = gabor_impl_product(_e21, phase);
-            wave_9 = (_e20 * _e22);
+            wave_8 = (_e20 * _e22);
             let _e24 = power_4;
             let _e25 = damping;
             power_4 = (_e24 * _e25);
@@ -236,8 +236,8 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             let _e40 = x_6;
             let _e42 = r_2;
             let _e44 = r_2;
-            let _e45 = wave_9;
-            let _e48 = wave_9;
+            let _e45 = wave_8;
+            let _e48 = wave_8;
             sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
@@ -733,7 +733,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var i_8: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_10: vec3<f32>;
+    var wave_9: vec3<f32>;
     var amplitude_7: f32;
     var light_1: f32;
 
@@ -752,25 +752,25 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e43 = i_8;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
-            wave_10 = _e45;
+            wave_9 = _e45;
             let _e48 = waves;
             amplitude_7 = (0.018f / pow(_e48, 1.35f));
             let _e53 = height_3;
             let _e54 = amplitude_7;
-            let _e55 = wave_10;
-            let _e58 = wave_10;
-            let _e60 = wave_10;
-            let _e63 = wave_10;
-            let _e65 = wave_10;
+            let _e55 = wave_9;
+            let _e58 = wave_9;
+            let _e60 = wave_9;
+            let _e63 = wave_9;
+            let _e65 = wave_9;
             height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
             let _e73 = crest_1;
             let _e74 = amplitude_7;
-            let _e75 = wave_10;
+            let _e75 = wave_9;
             crest_1 = (_e73 + (_e74 * _e75.x));
             let _e79 = removed_7;
             let _e80 = amplitude_7;
             let _e81 = amplitude_7;
-            let _e83 = wave_10;
+            let _e83 = wave_9;
             removed_7 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
             let _e88 = amplitude_7;

@@ -54,8 +54,7 @@
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 #endif
-void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, float3 window)
-{
+void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, float3 window) {
 }
 void gabor_impl_check_macros() // a macro of another type ends in an error here
 {
@@ -68,29 +67,25 @@ void gabor_impl_check_macros() // a macro of another type ends in an error here
 
 // A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
 // The salt enters between them, so that the sequences of two salts share no run.
-uint gabor_impl_mix(uint word, uint salt)
-{
+uint gabor_impl_mix(uint word, uint salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
 // From the word of a seed follow those of the rows of cells, and from them those of the impulses.
-uint gabor_impl_seed_word(uint seed)
-{
+uint gabor_impl_seed_word(uint seed) {
     return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
 
-uint gabor_impl_row_word(int row, uint seed_word)
-{
+uint gabor_impl_row_word(int row, uint seed_word) {
     return gabor_impl_mix(uint(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
 }
 
 // The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
 // phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
 // of x: only offsets in x below 1/256 of a cell depend on y.
-uint gabor_impl_impulse_word(int column, uint row_word, int index)
-{
+uint gabor_impl_impulse_word(int column, uint row_word, int index) {
     uint salt = row_word + uint(index) * 0x85ebca6bu;
     return gabor_impl_mix(uint(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
@@ -113,8 +108,7 @@ GaborImpulse GaborImpulse_of(float2 position_plus_one, float phase, float phase_
     return made;
 }
 
-GaborImpulse gabor_impl_impulse(uint word)
-{
+GaborImpulse gabor_impl_impulse(uint word) {
     float2 position_plus_one = float2(asfloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
                                   asfloat(0x3f800000u | (word & 0x7fffffu)));
     float rate = float((word >> 8u) & 7u) - 4.0;
@@ -123,8 +117,7 @@ GaborImpulse gabor_impl_impulse(uint word)
 }
 
 // sin(2 pi t) by t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1], and as t is rounded beyond.
-float gabor_impl_sine(float t)
-{
+float gabor_impl_sine(float t) {
     t = frac(t) - 0.5;
     float s = t * t;
     float p = 12.233303 * s - 38.123196;
@@ -135,8 +128,7 @@ float gabor_impl_sine(float t)
 }
 
 // The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials, within 1e-7.
-float2 gabor_impl_direction(float angle)
-{
+float2 gabor_impl_direction(float angle) {
     float quarter = floor(angle * 0.63661977 + 0.5);
     float r = angle - quarter * 1.5703125;
     r -= quarter * 4.837512969970703e-4;
@@ -168,8 +160,7 @@ GaborEnergy GaborEnergy_of(float4 e4567, float e8, float sum)
     return made;
 }
 
-GaborEnergy gabor_impl_energy()
-{
+GaborEnergy gabor_impl_energy() {
     float3 c = GABOR_WINDOW;
     float4 e4567 = float4(256.0 / 315.0, 512.0 / 693.0, 2048.0 / 3003.0, 4096.0 / 6435.0)
                * float4(c.x * c.x, 2.0 * c.x * c.y, c.y * c.y + 2.0 * c.x * c.z, 2.0 * c.y * c.z);
@@ -181,8 +172,7 @@ GaborEnergy gabor_impl_energy()
 // a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
 // series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-float gabor_impl_relative_energy(float k, GaborEnergy energy)
-{
+float gabor_impl_relative_energy(float k, GaborEnergy energy) {
     float a = 12.566371 * k;
     float z = a * a;
     float4 d4567;
@@ -230,8 +220,7 @@ GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor)
 }
 
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
-float2 gabor_impl_window(float x)
-{
+float2 gabor_impl_window(float x) {
     float3 c = GABOR_WINDOW;
     float u = max(1.0 - x * x, 0.0);
     return float2(u * u * (c.x + u * (c.y + u * c.z)), -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z))));
@@ -274,8 +263,7 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 }
 
 // A cell's coordinate within a period.
-int gabor_impl_wrap(int cell, int period)
-{
+int gabor_impl_wrap(int cell, int period) {
     if (period == 0)
         return cell;
     int within = cell - cell / period * period;
@@ -284,8 +272,7 @@ int gabor_impl_wrap(int cell, int period)
 
 // Keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is multiplied by
 // 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-float gabor_impl_phase_gain(GaborKernel kernel_, float time)
-{
+float gabor_impl_phase_gain(GaborKernel kernel_, float time) {
     if (GABOR_PHASES != 2 || time == 0.0)
         return 1.0;
     float4 sines = float4(gabor_impl_sine(time), gabor_impl_sine(2.0 * time),
@@ -296,8 +283,7 @@ float gabor_impl_phase_gain(GaborKernel kernel_, float time)
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 // (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
-GaborPlace gabor_place(int2 cell, float2 local)
-{
+GaborPlace gabor_place(int2 cell, float2 local) {
     return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), 0.0);
 }
 
@@ -305,8 +291,7 @@ GaborPlace gabor_place(int2 cell, float2 local)
 // so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
-GaborKernel gabor_kernel(float frequency, float orientation)
-{
+GaborKernel gabor_kernel(float frequency, float orientation) {
     float2 wave = min(abs(frequency) > 1.0e-6 ? abs(frequency) : 1.0e-6, 1.0e6) * gabor_impl_direction(orientation);
     GaborEnergy energy = gabor_impl_energy();
     float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
@@ -321,8 +306,7 @@ GaborKernel gabor_kernel(float frequency, float orientation)
 }
 
 // The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
-GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
-{
+GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
     float2 whole = floor(place.local);
     float2 local = place.local - whole;
@@ -364,8 +348,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed)
 }
 
 // gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed)
-{
+float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed) {
     return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
 }
 
@@ -379,29 +362,25 @@ float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed)
 //   seed         any; each seed is another instance, independent of the others
 // Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
 // turns about its own impulse. A slope of theirs adds to that of the noise.
-float gabor_noise(float2 p, float frequency, float orientation, uint seed)
-{
+float gabor_noise(float2 p, float frequency, float orientation, uint seed) {
     return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
-float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
-{
+float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed) {
     GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return float3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The noise at p, the imaginary part, with its quadrature, the real one, which has cosines for sines: at one place both
 // have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
-float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
-{
+float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
 // any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
-float2 gabor_phasor(float2 value)
-{
+float2 gabor_phasor(float2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan2(value.y, value.x) * 0.15915494 : 0.0;
     return float2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
@@ -411,8 +390,7 @@ float2 gabor_phasor(float2 value)
 // Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
 // fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
 // square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
-float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
-{
+float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
     period = max(period, (float2)(2.0));
     float2 cells = floor(period * GABOR_RADIUS);
     float2 radius = cells / period;
@@ -424,8 +402,7 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
 // is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
 // a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
-float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
-{
+float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
     place.time = time;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
@@ -433,8 +410,7 @@ float gabor_noise_animated(float2 p, float time, float frequency, float orientat
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
 // keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-float gabor_unorm(float noise)
-{
+float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 

@@ -368,8 +368,7 @@ GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 #endif
-GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window)
-{
+GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window) {
 }
 GABOR_INLINE void gabor_impl_check_macros() // a macro of another type ends in an error here
 {
@@ -382,29 +381,25 @@ GABOR_INLINE void gabor_impl_check_macros() // a macro of another type ends in a
 
 // A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
 // The salt enters between them, so that the sequences of two salts share no run.
-GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt)
-{
+GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
     return word ^ (word >> 15u);
 }
 
 // From the word of a seed follow those of the rows of cells, and from them those of the impulses.
-GABOR_INLINE std::uint32_t gabor_impl_seed_word(std::uint32_t seed)
-{
+GABOR_INLINE std::uint32_t gabor_impl_seed_word(std::uint32_t seed) {
     return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
 
-GABOR_INLINE std::uint32_t gabor_impl_row_word(int row, std::uint32_t seed_word)
-{
+GABOR_INLINE std::uint32_t gabor_impl_row_word(int row, std::uint32_t seed_word) {
     return gabor_impl_mix(std::uint32_t(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
 }
 
 // The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
 // phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
 // of x: only offsets in x below 1/256 of a cell depend on y.
-GABOR_INLINE std::uint32_t gabor_impl_impulse_word(int column, std::uint32_t row_word, int index)
-{
+GABOR_INLINE std::uint32_t gabor_impl_impulse_word(int column, std::uint32_t row_word, int index) {
     std::uint32_t salt = row_word + std::uint32_t(index) * 0x85ebca6bu;
     return gabor_impl_mix(std::uint32_t(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
@@ -417,8 +412,7 @@ struct GaborImpulse {
     float magnitude;  // of the weight
 };
 
-GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word)
-{
+GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word) {
     gabor_vec2 position_plus_one = gabor_vec2(gabor_cpp_uintBitsToFloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
                                   gabor_cpp_uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
     float rate = float((word >> 8u) & 7u) - 4.0f;
@@ -427,8 +421,7 @@ GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word)
 }
 
 // sin(2 pi t) by t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1], and as t is rounded beyond.
-GABOR_INLINE float gabor_impl_sine(float t)
-{
+GABOR_INLINE float gabor_impl_sine(float t) {
     t = gabor_cpp_fract(t) - 0.5f;
     float s = t * t;
     float p = 12.233303f * s - 38.123196f;
@@ -439,8 +432,7 @@ GABOR_INLINE float gabor_impl_sine(float t)
 }
 
 // The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials, within 1e-7.
-GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
     float quarter = gabor_cpp_floor(angle * 0.63661977f + 0.5f);
     float r = angle - quarter * 1.5703125f;
     r -= quarter * 4.837512969970703e-4f;
@@ -463,8 +455,7 @@ struct GaborEnergy {
     float sum;
 };
 
-GABOR_INLINE GaborEnergy gabor_impl_energy()
-{
+GABOR_INLINE GaborEnergy gabor_impl_energy() {
     gabor_vec3 c = GABOR_WINDOW;
     gabor_vec4 e4567 = gabor_vec4(256.0f / 315.0f, 512.0f / 693.0f, 2048.0f / 3003.0f, 4096.0f / 6435.0f)
                * gabor_vec4(c.x * c.x, 2.0f * c.x * c.y, c.y * c.y + 2.0f * c.x * c.z, 2.0f * c.y * c.z);
@@ -476,8 +467,7 @@ GABOR_INLINE GaborEnergy gabor_impl_energy()
 // a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
 // series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-GABOR_INLINE float gabor_impl_relative_energy(float k, GaborEnergy energy)
-{
+GABOR_INLINE float gabor_impl_relative_energy(float k, GaborEnergy energy) {
     float a = 12.566371f * k;
     float z = a * a;
     gabor_vec4 d4567;
@@ -516,8 +506,7 @@ struct GaborKernel { // see gabor_kernel
 };
 
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
-GABOR_INLINE gabor_vec2 gabor_impl_window(float x)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_window(float x) {
     gabor_vec3 c = GABOR_WINDOW;
     float u = gabor_cpp_max(1.0f - x * x, 0.0f);
     return gabor_vec2(u * u * (c.x + u * (c.y + u * c.z)), -2.0f * x * u * (2.0f * c.x + u * (3.0f * c.y + u * (4.0f * c.z))));
@@ -540,8 +529,7 @@ struct GaborField {
 };
 
 // A cell's coordinate within a period.
-GABOR_INLINE int gabor_impl_wrap(int cell, int period)
-{
+GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
     if (period == 0)
         return cell;
     int within = cell - cell / period * period;
@@ -550,8 +538,7 @@ GABOR_INLINE int gabor_impl_wrap(int cell, int period)
 
 // Keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is multiplied by
 // 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time)
-{
+GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time) {
     if (GABOR_PHASES != 2 || time == 0.0f)
         return 1.0f;
     gabor_vec4 sines = gabor_vec4(gabor_impl_sine(time), gabor_impl_sine(2.0f * time),
@@ -562,8 +549,7 @@ GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time)
 
 // ---- The functions to call -----------------------------------------------------------------------------------------
 // (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
-GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
-{
+GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
     return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
 }
 
@@ -571,8 +557,7 @@ GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local)
 // so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
-GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
-{
+GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency) > 1.0e-6f ? gabor_cpp_abs(frequency) : 1.0e-6f, 1.0e6f) * gabor_impl_direction(orientation);
     GaborEnergy energy = gabor_impl_energy();
     float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
@@ -587,8 +572,7 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation)
 }
 
 // The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed)
-{
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
     gabor_vec2 local = place.local - whole;
@@ -630,8 +614,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
 }
 
 // gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
@@ -645,29 +628,25 @@ GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKerne
 //   seed         any; each seed is another instance, independent of the others
 // Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
 // turns about its own impulse. A slope of theirs adds to that of the noise.
-GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 // The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
-GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The noise at p, the imaginary part, with its quadrature, the real one, which has cosines for sines: at one place both
 // have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
-GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
 // any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
-GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
-{
+GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
     float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
@@ -677,8 +656,7 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value)
 // Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
 // fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
 // square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
-GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
     period = gabor_cpp_max(period, gabor_vec2(2.0f));
     gabor_vec2 cells = gabor_cpp_floor(period * GABOR_RADIUS);
     gabor_vec2 radius = cells / period;
@@ -690,8 +668,7 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
 // is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
 // a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     place.time = time;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
@@ -699,8 +676,7 @@ GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequenc
 
 // Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
 // keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-GABOR_INLINE float gabor_unorm(float noise)
-{
+GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }
 

@@ -44,8 +44,7 @@ struct GaborLobes {
     int count;
 };
 
-GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float amplitude, float slope)
-{
+GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float amplitude, float slope) {
     sum.value += amplitude * field.value;
     sum.slope_x += slope * field.slope_x;
     sum.slope_y += slope * field.slope_y;
@@ -53,8 +52,7 @@ GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float
 
 // The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
 // rounded to a float: within a period, or without one as p is.
-GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius)
-{
+GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     gabor_vec2 unit = 1.0f / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
@@ -64,8 +62,7 @@ GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 }
 
 // The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
-GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed) {
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     float power = 0.0f;
     for (int i = 0; i < lobes.count; ++i) {
@@ -88,14 +85,12 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
 // noise is continuous in frequency and spread.
 
 // Of `c`: how many lobes there are, of both numbers where one fades.
-GABOR_INLINE int gabor_impl_pieces(float c)
-{
+GABOR_INLINE int gabor_impl_pieces(float c) {
     return gabor_cpp_fract(c) > 0.8f ? 2 * int(c) + 1 : int(c);
 }
 
 // Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
-GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c)
-{
+GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float share = gabor_cpp_min(5.0f - 5.0f * gabor_cpp_fract(c), 1.0f);
     if (i >= n) {
@@ -109,8 +104,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c)
 
 // The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
-                              float orientation_spread, std::uint32_t seed)
-{
+                              float orientation_spread, std::uint32_t seed) {
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     frequency_spread = gabor_cpp_clamp(frequency_spread, 0.0f, 1.0f);
@@ -165,16 +159,14 @@ struct GaborFootprint {
 };
 
 // A symmetric matrix (xx, yy, xy) times a vector.
-GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
     return matrix.xy() * v + matrix.z * v.yx();
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
 // normal, of variance 1/12 along each axis, as Hann's window has it,
 //     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
-GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance)
-{
+GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
     gabor_vec3 widened = gabor_vec3(1.0f, 1.0f, 0.0f) + 6.5797363f * covariance;
     float determinant = widened.x * widened.y - widened.z * widened.z;
     gabor_vec2 through = gabor_impl_symmetric(gabor_vec3(widened.y, widened.x, -widened.z), wave) / determinant;
@@ -187,8 +179,7 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
 // 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
 //   variance  S along the axis
 //   blurred   S F
-GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred)
-{
+GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
@@ -206,8 +197,7 @@ GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurr
 }
 
 // The noise at a place, filtered by three waves along each axis.
-GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t seed)
-{
+GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -245,8 +235,7 @@ struct GaborBand {
 };
 
 // With the windows; `m` is r M.
-GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, std::uint32_t salt, gabor_vec2 step)
-{
+GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborBand b;
     b.g = 19.739209f * m;
     b.c = c;
@@ -283,8 +272,7 @@ struct GaborLine {
 };
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index)
-{
+GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index) {
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = gabor_impl_product(line.turn, gabor_vec2(0.30901699f, -0.95105652f)); // 2/3 of a kernel radius
     line.phase = gabor_impl_product(line.phase, b.back);
@@ -302,16 +290,14 @@ GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int
 }
 
 // Adds a node to the sums of a row.
-GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, std::uint32_t row_word, bool animated, float time)
-{
+GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, std::uint32_t row_word, bool animated, float time) {
     gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row.real += a.x * column.window.real - a.y * column.window.imaginary;
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-GABOR_INLINE GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
-{
+GABOR_INLINE GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b) {
     float z = gabor_cpp_inversesqrt(2.0f * b.g);
     return GaborFactors{z * gabor_vec3(f.real.y, f.real.z + 0.5f * f.real.x, f.real.y) + b.c * f.real,
                         z * gabor_vec3(f.imaginary.y, f.imaginary.z + 0.5f * f.imaginary.x, f.imaginary.y)
@@ -319,15 +305,13 @@ GABOR_INLINE GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
 }
 
 // The sum over the factors of both axes.
-GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights)
-{
+GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights) {
     return gabor_vec2(gabor_cpp_dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t seed)
-{
+GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t seed) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -378,8 +362,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
 // functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
 // place.radius / GABOR_RADIUS.
 GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed,
-                                float& removed)
-{
+                                float& removed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     gabor_vec2 wave = kernel.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -414,8 +397,7 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
 //   radius                  of its kernel, positive: the lobe's bandwidth falls with it, as 1/sqrt(12) / radius cycles
 //                           (standard deviation along each axis)
 //   power                   in proportion to other lobes', not negative
-GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
-{
+GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
     return GaborLobe{frequency, orientation, radius, power};
 }
 
@@ -426,21 +408,18 @@ GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radi
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
-GABOR_INLINE float gabor_noise_lobes(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE float gabor_noise_lobes(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed) {
     return gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
-GABOR_INLINE gabor_vec3 gabor_noise_lobes_gradient(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec3 gabor_noise_lobes_gradient(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed) {
     GaborField field = gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The same with its quadrature, as gabor_noise_complex.
-GABOR_INLINE gabor_vec2 gabor_noise_lobes_complex(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_lobes_complex(gabor_vec2 p, GaborLobes lobes, std::uint32_t seed) {
     return gabor_field_lobes(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), lobes, seed).value;
 }
 
@@ -453,16 +432,14 @@ GABOR_INLINE gabor_vec2 gabor_noise_lobes_complex(gabor_vec2 p, GaborLobes lobes
 // 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up
 // to 16; at some arguments, a fifth of all, two such numbers next to each other together.
 GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
-                         std::uint32_t seed)
-{
+                         std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_noise_spread_gradient(gabor_vec2 p, float frequency, float orientation, float frequency_spread,
-                                 float orientation_spread, std::uint32_t seed)
-{
+                                 float orientation_spread, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     GaborField field = gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
@@ -470,8 +447,7 @@ GABOR_INLINE gabor_vec3 gabor_noise_spread_gradient(gabor_vec2 p, float frequenc
 
 // The same with its quadrature, as gabor_noise_complex.
 GABOR_INLINE gabor_vec2 gabor_noise_spread_complex(gabor_vec2 p, float frequency, float orientation, float frequency_spread,
-                                float orientation_spread, std::uint32_t seed)
-{
+                                float orientation_spread, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
@@ -479,8 +455,7 @@ GABOR_INLINE gabor_vec2 gabor_noise_spread_complex(gabor_vec2 p, float frequency
 #if GABOR_TAPS == 3
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
 // filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
-GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy)
-{
+GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // or not a number: nothing is left of any wave
         dx = gabor_vec2(1.0e3f, 0.0f);
         dy = gabor_vec2(0.0f, 1.0e3f);
@@ -511,8 +486,7 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy)
 // one; what covers more fades as it should. Continuous in the place and in both steps.
 // Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
-GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),
                                             gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
@@ -521,8 +495,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 d
 }
 
 // The same without the gradient: (noise, removed).
-GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     gabor_vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
     return gabor_vec2(field.x, field.w);
 }
@@ -530,8 +503,7 @@ GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
 // each.
 GABOR_INLINE gabor_vec4 gabor_noise_four_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed,
-                               float& removed)
-{
+                               float& removed) {
     gabor_vec4 four;
     for (int i = 0; i < 4; ++i) {
         gabor_vec4 noise = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation,
@@ -543,8 +515,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_four_filtered(gabor_vec2 p, gabor_vec2 dx, g
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
-GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed) {
     gabor_vec4 sum = gabor_vec4(0.0f);
     float power = 0.0f;
     for (int i = 0; i < lobes.count; ++i) {
@@ -559,8 +530,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_
 }
 
 // The same without the gradient: (noise, removed).
-GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed)
-{
+GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed) {
     gabor_vec4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
     return gabor_vec2(field.x, field.w);
 }

@@ -48,8 +48,7 @@ struct GaborLobes {
     int count;
 };
 
-inline void gabor_impl_accumulate(thread GaborField& sum, GaborField field, float amplitude, float slope)
-{
+inline void gabor_impl_accumulate(thread GaborField& sum, GaborField field, float amplitude, float slope) {
     sum.value += amplitude * field.value;
     sum.slope_x += slope * field.slope_x;
     sum.slope_y += slope * field.slope_y;
@@ -57,8 +56,7 @@ inline void gabor_impl_accumulate(thread GaborField& sum, GaborField field, floa
 
 // The same place, period and time for a kernel whose radius is `radius` times that of the place's. Its position is
 // rounded to a float: within a period, or without one as p is.
-inline GaborPlace gabor_place_scaled(GaborPlace place, float radius)
-{
+inline GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     float2 unit = 1.0 / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((float2(cell) + place.local) * unit, float2(place.period) * unit);
@@ -68,8 +66,7 @@ inline GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 }
 
 // The noise of a sum of lobes at a place, with its quadrature and derivatives per kernel radius of the place.
-inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
-{
+inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0)};
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
@@ -92,14 +89,12 @@ inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint see
 // noise is continuous in frequency and spread.
 
 // Of `c`: how many lobes there are, of both numbers where one fades.
-inline int gabor_impl_pieces(float c)
-{
+inline int gabor_impl_pieces(float c) {
     return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
 // Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
-inline float3 gabor_impl_piece(int i, float c)
-{
+inline float3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float share = min(5.0 - 5.0 * fract(c), 1.0);
     if (i >= n) {
@@ -113,8 +108,7 @@ inline float3 gabor_impl_piece(int i, float c)
 
 // The noise of a range of waves at a place, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 inline GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
-                              float orientation_spread, uint seed)
-{
+                              float orientation_spread, uint seed) {
     GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0)};
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
@@ -169,16 +163,14 @@ struct GaborFootprint {
 };
 
 // A symmetric matrix (xx, yy, xy) times a vector.
-inline float2 gabor_impl_symmetric(float3 matrix_, float2 v)
-{
+inline float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
 // normal, of variance 1/12 along each axis, as Hann's window has it,
 //     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
-inline float gabor_impl_transmitted(float2 wave, float3 covariance)
-{
+inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     float3 widened = float3(1.0, 1.0, 0.0) + 6.5797363 * covariance;
     float determinant = widened.x * widened.y - widened.z * widened.z;
     float2 through = gabor_impl_symmetric(float3(widened.y, widened.x, -widened.z), wave) / determinant;
@@ -191,8 +183,7 @@ inline float gabor_impl_transmitted(float2 wave, float3 covariance)
 // 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
 //   variance  S along the axis
 //   blurred   S F
-inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blurred)
-{
+inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
     float2 turn = gabor_impl_wave(axis.turns);
@@ -210,8 +201,7 @@ inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blur
 }
 
 // The noise at a place, filtered by three waves along each axis.
-inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint seed)
-{
+inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint seed) {
     uint salt = gabor_impl_salt(seed);
     float2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -249,8 +239,7 @@ struct GaborBand {
 };
 
 // With the windows; `m` is r M.
-inline GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, float2 step)
-{
+inline GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, float2 step) {
     GaborBand b;
     b.g = 19.739209 * m;
     b.c = c;
@@ -287,8 +276,7 @@ struct GaborLine {
 };
 
 // Line `index`, 0 to 4, from the turn and the phase of the one before.
-inline GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index)
-{
+inline GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index) {
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = gabor_impl_product(line_.turn, float2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
     line_.phase = gabor_impl_product(line_.phase, b.back);
@@ -306,16 +294,14 @@ inline GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int inde
 }
 
 // Adds a node to the sums of a row.
-inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float time)
-{
+inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float time) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row.real += a.x * column.window.real - a.y * column.window.imaginary;
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
 // q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-inline GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
-{
+inline GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b) {
     float z = rsqrt(2.0 * b.g);
     return GaborFactors{z * float3(f.real.y, f.real.z + 0.5 * f.real.x, f.real.y) + b.c * f.real,
                         z * float3(f.imaginary.y, f.imaginary.z + 0.5 * f.imaginary.x, f.imaginary.y)
@@ -323,15 +309,13 @@ inline GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b)
 }
 
 // The sum over the factors of both axes.
-inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights)
-{
+inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
     return float2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int rows, uint seed)
-{
+inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int rows, uint seed) {
     float2 m = s.xy + 0.13069097; // v
     float2 blurred = gabor_impl_symmetric(s, wave);
     float2 c = gabor_impl_symmetric(float3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -382,8 +366,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
 // functions below call. For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times
 // place.radius / GABOR_RADIUS.
 inline GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed,
-                                thread float& removed)
-{
+                                thread float& removed) {
     float2 stretch = place.radius / GABOR_RADIUS;
     float2 wave = kernel_.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -418,8 +401,7 @@ inline GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, Ga
 //   radius                  of its kernel, positive: the lobe's bandwidth falls with it, as 1/sqrt(12) / radius cycles
 //                           (standard deviation along each axis)
 //   power                   in proportion to other lobes', not negative
-inline GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
-{
+inline GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
     return GaborLobe{frequency, orientation, radius, power};
 }
 
@@ -430,21 +412,18 @@ inline GaborLobe gabor_lobe(float frequency, float orientation, float radius, fl
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
-inline float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed)
-{
+inline float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed) {
     return gabor_field_lobes(gabor_place(int2(0), p * GABOR_RADIUS), lobes, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
-inline float3 gabor_noise_lobes_gradient(float2 p, GaborLobes lobes, uint seed)
-{
+inline float3 gabor_noise_lobes_gradient(float2 p, GaborLobes lobes, uint seed) {
     GaborField field = gabor_field_lobes(gabor_place(int2(0), p * GABOR_RADIUS), lobes, seed);
     return float3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
 // The same with its quadrature, as gabor_noise_complex.
-inline float2 gabor_noise_lobes_complex(float2 p, GaborLobes lobes, uint seed)
-{
+inline float2 gabor_noise_lobes_complex(float2 p, GaborLobes lobes, uint seed) {
     return gabor_field_lobes(gabor_place(int2(0), p * GABOR_RADIUS), lobes, seed).value;
 }
 
@@ -457,16 +436,14 @@ inline float2 gabor_noise_lobes_complex(float2 p, GaborLobes lobes, uint seed)
 // 10 for isotropic noise of frequency 2, and of frequencies in the same way 2.86 frequency_spread frequency + 0.8, up
 // to 16; at some arguments, a fifth of all, two such numbers next to each other together.
 inline float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
-                         uint seed)
-{
+                         uint seed) {
     GaborPlace place = gabor_place(int2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value.y;
 }
 
 // The same with its analytic gradient: (noise, d/dx, d/dy).
 inline float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
-                                 float orientation_spread, uint seed)
-{
+                                 float orientation_spread, uint seed) {
     GaborPlace place = gabor_place(int2(0), p * GABOR_RADIUS);
     GaborField field = gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed);
     return float3(field.value.y, field.slope_x.y, field.slope_y.y);
@@ -474,8 +451,7 @@ inline float3 gabor_noise_spread_gradient(float2 p, float frequency, float orien
 
 // The same with its quadrature, as gabor_noise_complex.
 inline float2 gabor_noise_spread_complex(float2 p, float frequency, float orientation, float frequency_spread,
-                                float orientation_spread, uint seed)
-{
+                                float orientation_spread, uint seed) {
     GaborPlace place = gabor_place(int2(0), p * GABOR_RADIUS);
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
@@ -483,8 +459,7 @@ inline float2 gabor_noise_spread_complex(float2 p, float frequency, float orient
 #if GABOR_TAPS == 3
 // What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
 // filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
-inline GaborFootprint gabor_footprint(float2 dx, float2 dy)
-{
+inline GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // or not a number: nothing is left of any wave
         dx = float2(1.0e3, 0.0);
         dy = float2(0.0, 1.0e3);
@@ -515,8 +490,7 @@ inline GaborFootprint gabor_footprint(float2 dx, float2 dy)
 // one; what covers more fades as it should. Continuous in the place and in both steps.
 // Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
 // Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
-inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-{
+inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(int2(0), p * GABOR_RADIUS),
                                             gabor_kernel(frequency, orientation), gabor_footprint(dx, dy), seed,
@@ -525,8 +499,7 @@ inline float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, floa
 }
 
 // The same without the gradient: (noise, removed).
-inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-{
+inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed) {
     float4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
     return float2(field.x, field.w);
 }
@@ -534,8 +507,7 @@ inline float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequen
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
 // each.
 inline float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed,
-                               thread float& removed)
-{
+                               thread float& removed) {
     float4 four;
     for (int i = 0; i < 4; ++i) {
         float4 noise = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation,
@@ -547,8 +519,7 @@ inline float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float fr
 }
 
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
-inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
-{
+inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed) {
     float4 sum = float4(0.0);
     float power = 0.0;
     for (int i = 0; i < lobes.count; ++i) {
@@ -563,8 +534,7 @@ inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy
 }
 
 // The same without the gradient: (noise, removed).
-inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
-{
+inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed) {
     float4 field = gabor_noise_lobes_filtered_gradient(p, dx, dy, lobes, seed);
     return float2(field.x, field.w);
 }

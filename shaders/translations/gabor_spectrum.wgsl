@@ -467,7 +467,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var inside: f32;
     var fade: f32;
     var mean: vec4<f32>;
-    var wave_4: vec4<f32>;
+    var wave_3: vec4<f32>;
     var other: vec4<f32>;
 
     rise = exp((19.739208f * blurred));
@@ -501,10 +501,10 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
             let _e92 = i_4;
             let _e95 = (*axis).node[_e92];
             let _e96 = mean;
-            wave_4 = (_e95 - _e96);
-            let _e100 = wave_4;
+            wave_3 = (_e95 - _e96);
+            let _e100 = wave_3;
             let _e102 = (0.3183099f * _e100.zw);
-            let _e105 = wave_4;
+            let _e105 = wave_3;
             let _e107 = (-3.1415927f * _e105.xy);
             other = vec4<f32>(_e102.x, _e102.y, _e107.x, _e107.y);
             let _e115 = other;
@@ -516,7 +516,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
             let _e129 = fade;
             let _e133 = mean;
             let _e134 = part;
-            let _e136 = wave_4;
+            let _e136 = wave_3;
             (*axis).node[_e121] = (((_e124 * _e125) * (3f - (2f * _e129))) * (_e133 + (_e134.x * _e136)));
         }
         continuing {
@@ -605,7 +605,7 @@ fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u
     var fall_4_: f32;
     var rise_1: f32;
     var rises: vec4<f32>;
-    var wave_6: vec4<f32> = vec4<f32>(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f);
+    var wave_5: vec4<f32> = vec4<f32>(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f);
     var q: vec4<f32> = vec4<f32>(0.3f, 0.6f, 0.9f, 1.2f);
     var z_1: f32;
 
@@ -632,7 +632,7 @@ fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u
     let _e52 = rise_1;
     let _e54 = rise_1;
     rises = vec4<f32>(_e40, (_e41 * _e42), ((_e44 * _e45) * _e47), (((_e49 * _e50) * _e52) * _e54));
-    let _e65 = wave_6;
+    let _e65 = wave_5;
     let _e66 = center;
     let _e67 = fall;
     let _e68 = fall_4_;
@@ -643,7 +643,7 @@ fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u
     let _e75 = fall_4_;
     let _e77 = fall_4_;
     let _e79 = fall_4_;
-    wave_6 = (_e65 * (_e66 * vec4<f32>(_e67, _e68, ((_e69 * _e70) * _e72), (((_e74 * _e75) * _e77) * _e79))));
+    wave_5 = (_e65 * (_e66 * vec4<f32>(_e67, _e68, ((_e69 * _e70) * _e72), (((_e74 * _e75) * _e77) * _e79))));
     let _e91 = b_2;
     z_1 = sqrt((2f * _e91.g));
     let _e98 = center;
@@ -651,14 +651,14 @@ fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u
     let _e104 = z_1;
     let _e106 = z_1;
     b_2.mean = ((0.3f * _e98) * vec3<f32>(1f, (-(_e101) * c), ((((_e104 * c) * _e106) * c) - 0.5f)));
-    let _e114 = wave_6;
+    let _e114 = wave_5;
     let _e115 = rises;
-    let _e117 = wave_6;
+    let _e117 = wave_5;
     let _e118 = rises;
     b_2.even_0_ = ((_e114 * _e115) + (_e117 / _e118));
-    let _e122 = wave_6;
+    let _e122 = wave_5;
     let _e123 = rises;
-    let _e125 = wave_6;
+    let _e125 = wave_5;
     let _e126 = rises;
     b_2.odd_0_ = ((_e122 * _e123) - (_e125 / _e126));
     let _e130 = z_1;
@@ -1012,7 +1012,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_7: GaborKernel;
     var stretch_1: vec2<f32>;
-    var wave_8: vec2<f32>;
+    var wave_7: vec2<f32>;
     var transmitted: f32;
     var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var s_4: vec3<f32>;
@@ -1027,8 +1027,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     stretch_1 = (place.radius / vec2(1.5f));
     let _e14 = kernel_7;
     let _e16 = stretch_1;
-    wave_8 = (_e14.wave / _e16);
-    let _e19 = wave_8;
+    wave_7 = (_e14.wave / _e16);
+    let _e19 = wave_7;
     let _e21 = gabor_impl_transmitted(_e19, footprint.covariance);
     transmitted = _e21;
     let _e24 = transmitted;
@@ -1042,7 +1042,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     if any((footprint.resolved != footprint.covariance)) {
         let _e46 = amplitude_4;
         let _e47 = transmitted;
-        let _e48 = wave_8;
+        let _e48 = wave_7;
         let _e49 = s_4;
         let _e50 = gabor_impl_transmitted(_e48, _e49);
         amplitude_4 = (_e46 * sqrt((_e47 / _e50)));
@@ -1056,7 +1056,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e72 = wide;
             let _e74 = amplitude_4;
             share_1 = ((1f - _e72) * _e74);
-            let _e78 = wave_8;
+            let _e78 = wave_7;
             let _e79 = s_4;
             let _e80 = gabor_impl_filtered_narrow(place, _e78, _e79, seed);
             let _e81 = share_1;
@@ -1078,7 +1078,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             }
             let _e97 = local_15;
             rows_2 = _e97;
-            let _e100 = wave_8;
+            let _e100 = wave_7;
             let _e101 = s_4;
             let _e102 = rows_2;
             let _e103 = gabor_impl_filtered_wide(place, _e100, _e101, _e102, seed);
