@@ -22,6 +22,7 @@ constexpr double moving_budget =
     0.022; // seconds of a frame for the noise, in which there must be time for the rest
 constexpr double resting_budget = 0.030;
 constexpr double sampling_budget = 0.004; // while time plays
+constexpr double rest = 0.3;              // seconds without a change, after which it is measured
 
 constexpr std::uint32_t most_samples = 1 << 21;
 constexpr double reload_interval = 0.25; // seconds
@@ -134,6 +135,7 @@ void App::load_shaders() {
     for (Pane& pane : panes_) {
         pane.canvas->replace(spirv_[pane.canvas->noise().shader]);
         pane.sampler.reset();
+        pane.measured = {};
     }
 }
 
@@ -234,22 +236,27 @@ bool App::refine(Extent window) {
             pane.canvas = std::make_unique<Canvas>(device_, wanted[index], required(wanted[index].shader));
         const Extent extent =
             session_.tiling ? session_.tiling->tile : Extent{where[index].width, where[index].height};
-        if (pane.canvas->refine(wanted[index], camera, extent, budget)) {
-            more = true;
-            pane.picture_measured = false;
-        }
+        more |= pane.canvas->refine(wanted[index], camera, extent, budget);
     }
     timing_.set(wanted);
-    const bool quiet = !more && !moving && !session_.exporter.running() && measuring_.idle();
-    if (quiet && !timing_.done()) {
+    if (more || moving || wanted != shown_ || camera != shown_from_) {
+        shown_ = wanted;
+        shown_from_ = camera;
+        changed_ = glfwGetTime();
+        for (Pane& pane : panes_)
+            pane.picture_measured = false;
+    }
+    const bool rested = glfwGetTime() - changed_ >= rest && !session_.exporter.running();
+    if (rested && measuring_.idle() && !timing_.done()) {
         timing_.run();
         more = true;
     } else {
         for (std::size_t index = 0; index < wanted.size(); ++index) {
             if (has_law(wanted[index])) {
-                measure(index, wanted[index]);
+                measure(index, wanted[index], rested || session_.playing);
                 more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
             } else if (std::exchange(panes_[index].sampler, nullptr)) {
+                panes_[index].measured = {};
                 measuring_.reset(index);
             }
         }
@@ -268,20 +275,20 @@ bool App::refine(Extent window) {
 
 // While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
 // them with every frame.
-void App::measure(std::size_t index, const NoisePass& noise) {
+void App::measure(std::size_t index, const NoisePass& noise, bool rested) {
     Pane& pane = panes_[index];
-    NoisePass values = value_pass(noise);
-    if (!pane.sampler || pane.sampler->noise() != values) {
-        if (pane.sampler && pane.sampler->noise().same_pipeline(values))
-            pane.sampler->set(std::move(values));
-        else
-            pane.sampler = std::make_unique<ValueSampler>(device_, values, required(values.shader));
+    const NoisePass values = value_pass(noise);
+    if (pane.measured != values) {
+        pane.measured = values;
         pane.samples = 0;
         pane.picture_measured = false;
         measuring_.reset(index);
     }
-    if (!measuring_.idle())
+    if (!rested || !measuring_.idle())
         return;
+    if (!pane.sampler || !pane.sampler->noise().same_pipeline(values))
+        pane.sampler = std::make_unique<ValueSampler>(device_, values, required(values.shader));
+    pane.sampler->set(values);
     const Canvas& canvas = *pane.canvas;
     if (canvas.fine() && !pane.picture_measured) {
         pane.picture_measured = true;

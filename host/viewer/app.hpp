@@ -52,6 +52,7 @@ class App {
     struct Pane {
         std::unique_ptr<Canvas> canvas;
         std::unique_ptr<ValueSampler> sampler;
+        NoisePass measured; ///< whose values are
         std::uint32_t samples = 0;
         std::uint32_t draws = 0;
         bool picture_measured = false;
@@ -63,7 +64,7 @@ class App {
     void poll_shaders();
     std::vector<Area> areas(Extent window) const;
     bool refine(Extent window); ///< whether anything is left to do
-    void measure(std::size_t index, const NoisePass& noise);
+    void measure(std::size_t index, const NoisePass& noise, bool rested);
     float view_width() const; ///< in Dear ImGui's units
     void panels();
     void draw(const Target& target);
@@ -92,6 +93,9 @@ class App {
     MeasuringThread measuring_;
     Timing timing_;
     std::vector<Pane> panes_;
+    std::vector<NoisePass> shown_; ///< in the last frame
+    Camera shown_from_;
+    double changed_ = 0;                           ///< when it was something else
     std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
     std::optional<vulkan::Buffer> photograph_pixels_;
     std::size_t presets_drawn_ = 0; ///< of those whose pixels these are

@@ -159,14 +159,14 @@ void Gui::begin() {
     io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     // A frame takes the presses up to the first with other modifiers, or of a key that must be seen released
     // before it is pressed again: one that the last frame or this one has seen pressed.
-    const auto seen = [&](int key) {
-        return io.KeysDownDuration[key] >= 0 || std::ranges::find(released_, key) != released_.end();
-    };
+    std::vector<int> taken;
+    const auto is_taken = [&](int key) { return std::ranges::find(taken, key) != taken.end(); };
     const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;
     for (; !key_presses.empty(); key_presses.pop_front()) {
         const auto [key, with] = key_presses.front();
-        if (with != modifiers || seen(key))
+        if (with != modifiers || io.KeysDownDuration[key] >= 0 || is_taken(key))
             break;
+        taken.push_back(key);
         io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
         io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
         if (!io.KeysDown[key]) {
@@ -175,7 +175,8 @@ void Gui::begin() {
         }
     }
     for (const KeyPress& later : key_presses)
-        io.KeysDown[later.key] = false;
+        if (!is_taken(later.key))
+            io.KeysDown[later.key] = false;
 }
 
 void Gui::end() {

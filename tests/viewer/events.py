@@ -14,7 +14,7 @@ from viewer import ViewerTest
 
 WATCHED_VIEWER = os.environ["GABOR_WATCHED_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
-PATIENCE = 240 # seconds, after which something is wrong on any machine
+PATIENCE = 120 # seconds, after which something is wrong on any machine
 
 
 class EventsTest(ViewerTest):

@@ -1,0 +1,102 @@
+"""What is taken home is what is seen: the code that is copied and the files that are exported, of any output."""
+
+import json
+
+import numpy as np
+
+from viewer import SHADERS, ViewerTest  # noqa: I001 (it finds the next two)
+from exr import Exr
+from png import read_colour_png
+
+WIDTH, HEIGHT = 480, 320
+OUTPUTS = ("value", "gradient", "phase", "intensity", "variance")
+VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE = range(5)
+NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed"}
+COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea")
+LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
+
+
+class OutputsTest(ViewerTest):
+    """Cases are parameters, an output, a colour map and a contrast."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        import moderngl
+        cls.context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
+
+    def take(self, cases):
+        """Copies, shows and exports each case in one viewer whose view has the picture's size."""
+        script = ["key h"]
+        for number, (parameters, output, colours, contrast) in enumerate(cases.values()):
+            shown = {"output": OUTPUTS[output], "colours": COLOURS[colours], "contrast": contrast}
+            (self.folder / f"{number}.json").write_text(
+                json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown}))
+            script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png",
+                       f"export {number}-out.exr", "exported"]
+        self.play("\n".join(script + ["quit"]), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
+
+    def check(self, cases, tolerances):
+        self.take(cases)
+        for number, (name, (parameters, output, _, _)) in enumerate(cases.items()):
+            with self.subTest(name):
+                seen = read_colour_png(self.folder / f"{number}.png") / 255
+                exported = Exr(self.folder / f"{number}-out.exr")
+                expected = quantity(exported.channels, output)
+                covered = exported.channels.get("A", np.ones((HEIGHT, WIDTH))) == 1
+                self.assertGreater(covered.mean(), 0.2)
+                self.assertGreater(seen[covered].std(), 0.05)
+                snippet = (self.folder / f"{number}.glsl").read_text()
+                found, colours = self.draw(parameters, snippet, output)
+                off = np.abs(found - expected)[covered]
+                print(f"{name}: off by {off.max():.2g}, colours by {np.abs(colours - seen)[covered].max():.2g}")
+                quantile, largest = tolerances.get(name, (2e-3, 1e-2))
+                self.assertLess(np.quantile(off, 0.999), quantile * max(1, expected.std()))
+                self.assertLess(off.max(), largest * max(1, expected.std()))
+                shift = np.abs(colours - seen)[covered]
+                if output == PHASE: # which ends where it begins, and is anything where the intensity is none
+                    shift = shift[np.hypot(expected[..., 0], expected[..., 1])[covered] > 0.1]
+                self.assertLess(np.quantile(shift, 0.99), quantile + 1 / 255)
+                # The file shows the same as the window, but for the outline of a body.
+                taken = read_colour_png(self.folder / f"{number}-out.png") / 255
+                differing = np.abs(taken - seen).max(axis=2)
+                self.assertLess((differing[covered] > 1.5 / 255).mean(), 1e-3)
+
+    def draw(self, parameters, snippet, output):
+        """The output's quantity and its colours, as the code that was copied has them."""
+        raise NotImplementedError
+
+    def run_code(self, snippet, main, **textures):
+        """What `main` puts into `pixels` and `colour` for each pixel `at`, beside the code that was copied."""
+        for include in [line for line in snippet.splitlines() if line.startswith("#include")]:
+            snippet = snippet.replace(include, (SHADERS / include.split('"')[1]).read_text())
+        uniforms = "".join(f"uniform sampler2D {name};\n" for name in textures)
+        fragment = ("#version 330 core\n" + uniforms + snippet
+                    + "layout(location = 0) out vec4 pixels;\nlayout(location = 1) out vec3 colour;\n"
+                    + "void main() { vec2 at = gl_FragCoord.xy;\n" + main + " }\n")
+        vertex = "#version 330 core\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }\n"
+        program = self.context.program(vertex_shader=vertex, fragment_shader=fragment)
+        for unit, (name, texels) in enumerate(textures.items()):
+            if name in program: # and not optimized away
+                texture = self.context.texture((WIDTH, HEIGHT), 3, texels.astype("f4").tobytes(), dtype="f4")
+                texture.use(unit)
+                program[name] = unit
+        corners = self.context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
+        target = self.context.framebuffer([self.context.texture((WIDTH, HEIGHT), size, dtype="f4") for size in (4, 3)])
+        target.use()
+        self.context.vertex_array(program, corners, "corner").render(vertices=3)
+        return [np.frombuffer(target.read(components=size, dtype="f4", attachment=i), "f4").reshape(HEIGHT, WIDTH, size)
+                for i, size in enumerate((4, 3))]
+
+
+def padded(call, components):
+    """GLSL of a vec4 that begins with what is called."""
+    return f"vec4({', '.join([call] + ['0.0'] * (4 - components))})"
+
+
+def quantity(channels, output):
+    if output == GRADIENT:
+        return np.stack([channels["gradient.x"], channels["gradient.y"]], axis=-1)
+    if output in (PHASE, INTENSITY):
+        return np.stack([channels["quadrature"], channels["Y"]], axis=-1)
+    return channels["removed" if output == VARIANCE else "Y"]

@@ -1,0 +1,76 @@
+"""What is taken home is what is seen, of noise in space."""
+
+import math
+import unittest
+
+import numpy as np
+
+from outputs import GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, WIDTH, OutputsTest, padded
+
+BODIES = {
+    "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
+    "torus": ({"view": "torus", "filter": False, "solid": True, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
+    "slice": ({"view": "slice", "depth": 0.3, "orientation": 50, "lobes": LOBES}, INTENSITY, 0, 2),
+}
+
+
+class Bodies(OutputsTest):
+    def test_bodies(self):
+        # Rays that graze a torus meet it elsewhere for the smallest difference.
+        self.check(BODIES, {"torus": (1e-2, 2)})
+
+    def draw(self, parameters, snippet, output):
+        points, normals = places(parameters)
+        value = padded(f"{NAMES[output]}_of_body(p, n)", 3 if output == GRADIENT else 2)
+        main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
+                f"pixels = {value}; colour = colour_of_body(p, n);")
+        pixels, colours = self.run_code(snippet, main, places=points, normals=normals)
+        if output == GRADIENT: # in the picture's plane
+            right, up = axes(parameters)[:2]
+            pixels = np.stack([pixels[..., :3] @ right, -pixels[..., :3] @ up], axis=-1)
+        return pixels[..., :2], colours
+
+
+# Bodies are in the unit of the sphere's radius, seen from a distance of 4 by a camera that looks at their centre.
+
+def axes(parameters):
+    if parameters["view"] == "slice":
+        return np.eye(3) * [[1], [-1], [1]]
+    yaw, pitch = (math.radians(parameters.get(name, default)) for name, default in (("yaw", 0), ("pitch", 30)))
+    right = np.array([math.cos(yaw), math.sin(yaw), 0])
+    eye = np.array([math.sin(yaw) * math.cos(pitch), -math.cos(yaw) * math.cos(pitch), math.sin(pitch)])
+    return right, np.cross(eye, right), eye
+
+
+def places(parameters):
+    """Where each pixel's ray meets the body, in kernel radii, and the normal there."""
+    scale = parameters.get("scale", 24)
+    y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
+    if parameters["view"] == "slice":
+        points = np.stack([x / scale, y / scale, np.full_like(x, parameters["depth"])], axis=-1)
+        return points, np.broadcast_to([0.0, 0.0, 1.0], points.shape)
+    right, up, toward = axes(parameters)
+    side = 2 * 1.05 * math.tan(math.asin(0.25)) / min(WIDTH, HEIGHT)
+    unit = 1 / (3 * side * scale)
+    ray = side * ((x - WIDTH / 2)[..., None] * right - (y - HEIGHT / 2)[..., None] * up) - toward
+    ray /= np.linalg.norm(ray, axis=-1, keepdims=True)
+    large, small = (0.68, 0.3) if parameters["view"] == "torus" else (0, 1)
+
+    def gap(p):
+        return np.hypot(np.linalg.norm(p[..., :2], axis=-1) - large if large else np.linalg.norm(p[..., :2], axis=-1),
+                        p[..., 2]) - small
+
+    # By steps that never reach past the surface.
+    distance = np.full(x.shape, 2.9)
+    for _ in range(400):
+        distance = np.minimum(distance + gap(4 * toward + distance[..., None] * ray), 6)
+    p = 4 * toward + distance[..., None] * ray
+    ring = np.zeros_like(p)
+    if large:
+        ring[..., :2] = large * p[..., :2] / np.linalg.norm(p[..., :2], axis=-1, keepdims=True)
+    normal = (p - ring) / np.linalg.norm(p - ring, axis=-1, keepdims=True)
+    return unit * p, normal
+
+
+if __name__ == "__main__":
+    unittest.main()
