@@ -209,7 +209,7 @@ Tables figure5(const vulkan::Device& device, const Effort& effort) {
                  [&device, stratified] {
                      Ingredients poisson = stratified;
                      poisson.points = Points::poisson;
-                     const Noises noises = alone(Noise(device, stratified));
+                     Noises noises = alone(Noise(device, stratified));
                      noises->emplace_back(device, poisson);
                      return noises;
                  },
@@ -232,8 +232,8 @@ Tables figure5(const vulkan::Device& device, const Effort& effort) {
                  [stratified](const ValueStatistics& values, const Seconds& rounds) -> Numbers {
                      const double n_star = seminal_equivalent(values, stratified);
                      const Seconds s = median_seconds(rounds, 3);
-                     const double seminal = n_star * s[2];
-                     return {n_star, s[0], s[1], seminal, seminal / s[0], s[1] / s[0]};
+                     const double same_quality = n_star * s[2];
+                     return {n_star, s[0], s[1], same_quality, same_quality / s[0], s[1] / s[0]};
                  })});
     }
     return {table};
@@ -280,7 +280,7 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         "interdecile_recommended",
         {}};
     const auto noises = [&device] {
-        const auto all = std::make_shared<std::vector<Noise>>(six_lobes(device, seminal));
+        auto all = std::make_shared<std::vector<Noise>>(six_lobes(device, seminal));
         std::ranges::move(six_lobes(device, recommended), std::back_inserter(*all));
         return all;
     };

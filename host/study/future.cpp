@@ -84,7 +84,7 @@ Table kernels(const vulkan::Device& device, const Effort& effort) {
                          [&device, count, step, n] {
                              Ingredients ingredients = recommended;
                              ingredients.impulses = n;
-                             const auto sum = std::make_shared<std::vector<Noise>>();
+                             auto sum = std::make_shared<std::vector<Noise>>();
                              for (int i = 0; i < count; ++i)
                                  sum->emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
                              return sum;

@@ -36,7 +36,7 @@ using Noises = std::shared_ptr<std::vector<Noise>>;
 
 /// One noise.
 inline Noises alone(Noise noise) {
-    const auto noises = std::make_shared<std::vector<Noise>>();
+    auto noises = std::make_shared<std::vector<Noise>>();
     noises->push_back(std::move(noise));
     return noises;
 }
