@@ -62,8 +62,7 @@ precision highp int;
 #endif
 void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, vec3 window) {
 }
-void gabor_impl_check_macros() // a macro of another type ends in an error here
-{
+void gabor_impl_check_macros() { // a macro of another type ends in an error here
     gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
                                                        GABOR_WINDOW);
 }

@@ -52,8 +52,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Waves { BakeWave waves[]; };
 layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
 
-vec2 rotated(vec2 z, vec2 by)
-{
+vec2 rotated(vec2 z, vec2 by) {
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
 }
 
@@ -65,8 +64,7 @@ struct Depth {
     vec2 factor[3];
 };
 
-Depth depth_of(float wave, uint salt)
-{
+Depth depth_of(float wave, uint salt) {
     Depth depth;
 #if GABOR_TAPS == 3
     if (slice) {
@@ -83,8 +81,7 @@ Depth depth_of(float wave, uint salt)
     return depth;
 }
 
-vec2 node_amplitude(uint column, uint row, Depth depth)
-{
+vec2 node_amplitude(uint column, uint row, Depth depth) {
 #if GABOR_TAPS == 3
     if (slice) {
         vec2 sum = vec2(0.0);
@@ -101,15 +98,13 @@ vec2 node_amplitude(uint column, uint row, Depth depth)
 #endif
 
 // Writes a channel of the first noise, and adds those of the others.
-void put(int at, float value, uint index)
-{
+void put(int at, float value, uint index) {
     if (sum && index > 0u)
         value += picture[at];
     picture[at] = value;
 }
 
-void fill(Run across, Run down, uint index)
-{
+void fill(Run across, Run down, uint index) {
     vec2 wave = waves[index].wave;
     vec2 column_turn = waves[index].column_turn;
     vec2 row_turn = waves[index].row_turn;
@@ -242,8 +237,7 @@ void fill(Run across, Run down, uint index)
     }
 }
 
-void main()
-{
+void main() {
     if (gl_GlobalInvocationID.x >= column_runs)
         return;
     Run across = columns[first_column_run + gl_GlobalInvocationID.x];

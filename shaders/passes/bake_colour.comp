@@ -12,8 +12,7 @@ layout(local_size_x = bake_group) in;
 
 layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
 
-void main()
-{
+void main() {
     if (gl_GlobalInvocationID.x >= uint(width))
         return;
     int at = (before + int(gl_GlobalInvocationID.y) * width + int(gl_GlobalInvocationID.x)) * channels;

@@ -15,16 +15,14 @@ struct Axes {
     vec3 toward_eye;
 };
 
-Axes camera_axes()
-{
+Axes camera_axes() {
     vec3 right = vec3(yaw.x, yaw.y, 0.0);
     vec3 toward_eye = vec3(yaw.y * pitch.x, -yaw.x * pitch.x, pitch.y);
     return Axes(right, vec3(-yaw.y * pitch.y, yaw.x * pitch.y, pitch.x), toward_eye);
 }
 
 // A vector along the picture's right and down, and to the eye.
-vec3 in_picture(vec3 v, Axes axes)
-{
+vec3 in_picture(vec3 v, Axes axes) {
     return vec3(dot(v, axes.right), -dot(v, axes.up), dot(v, axes.toward_eye));
 }
 
@@ -36,26 +34,22 @@ struct Hit {
     vec3 normal;
 };
 
-float distance_to_torus(vec3 p)
-{
+float distance_to_torus(vec3 p) {
     return length(vec2(length(p.xy) - torus_large, p.z)) - torus_small;
 }
 
-vec3 torus_normal(vec3 p)
-{
+vec3 torus_normal(vec3 p) {
     return normalize(p - vec3(torus_large * normalize(p.xy), 0.0));
 }
 
 // A ray from the eye; its direction has length 1 along the axis of the camera.
-vec3 ray_of(vec2 at, Axes axes)
-{
+vec3 ray_of(vec2 at, Axes axes) {
     vec2 plane = pixel * (at - center);
     return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
 }
 
 // From the ray's foot, where it is nearest to the centre: the quadratic equation without its cancellation.
-Hit sphere_hit(vec3 eye, vec3 ray)
-{
+Hit sphere_hit(vec3 eye, vec3 ray) {
     float foot = -dot(eye, ray) / dot(ray, ray);
     vec3 nearest = eye + foot * ray;
     float square = 1.0 - dot(nearest, nearest);
@@ -66,8 +60,7 @@ Hit sphere_hit(vec3 eye, vec3 ray)
 
 // By sphere tracing with a shortest step: what it steps over is a chord of 0.001, 10^-6 below the surface. A step that
 // ends inside the body is halved until the surface is found.
-Hit torus_hit(vec3 eye, vec3 ray)
-{
+Hit torus_hit(vec3 eye, vec3 ray) {
     float side = length(ray);
     float t = (eye_distance - torus_large - torus_small) / side;
     float gap = distance_to_torus(eye + t * ray);
@@ -89,8 +82,7 @@ Hit torus_hit(vec3 eye, vec3 ray)
     return Hit(found, least, t, p - distance_to_torus(p) * normal, normal);
 }
 
-Hit hit_of(vec2 at, Axes axes)
-{
+Hit hit_of(vec2 at, Axes axes) {
     vec3 eye = eye_distance * axes.toward_eye;
     if (view == 1)
         return sphere_hit(eye, ray_of(at, axes));
@@ -109,15 +101,13 @@ struct Seen {
 
 // Whether all rays of the pixel hit, or none: they are at most `reach` apart on the body, and a body is at least as
 // deep under a point of its surface as the tube of the torus.
-bool all_alike(Hit hit, vec3 ray)
-{
+bool all_alike(Hit hit, vec3 ray) {
     float reach = 0.75 * pixel * (eye_distance + 1.0);
     float facing = dot(normalize(ray), hit.normal);
     return hit.found ? 0.5 * torus_small * facing * facing > reach : hit.gap > 2.0 * reach;
 }
 
-Seen seen_at(vec2 corner, Axes axes)
-{
+Seen seen_at(vec2 corner, Axes axes) {
     Hit hit = hit_of(corner + 0.5, axes);
     float coverage = hit.found ? 1.0 : 0.0;
     if (!all_alike(hit, ray_of(corner + 0.5, axes))) {

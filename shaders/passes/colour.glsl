@@ -6,8 +6,7 @@ layout(std430, set = 0, binding = 4) readonly buffer Colour { PixelsColour colou
 
 // Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
 // mean of that over what was removed: of z^n over a normal rest of variance v.
-vec3 colour_of(vec3 z, vec3 v)
-{
+vec3 colour_of(vec3 z, vec3 v) {
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;
     vec3 even = colour.histogram[0].xyz + colour.histogram[2].xyz * (s + v)

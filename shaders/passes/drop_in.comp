@@ -6,8 +6,7 @@
 #include "recipe.glsl"
 #include "places.glsl"
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;

@@ -21,8 +21,7 @@ layout(local_size_x = material_group, local_size_y = material_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
-GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
-{
+GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     if (filtered)
         return GABOR_MATERIAL_FILTERED(p, dx, dy, seed);
     return GABOR_MATERIAL(p, seed);
@@ -34,19 +33,16 @@ struct Plane {
     vec3 down;
 };
 
-Plane plane_along(int axis)
-{
+Plane plane_along(int axis) {
     return Plane(axis == 0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
                  axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0));
 }
 
-vec2 on_plane(vec3 p, Plane plane)
-{
+vec2 on_plane(vec3 p, Plane plane) {
     return vec2(dot(p, plane.right), dot(p, plane.down));
 }
 
-void main()
-{
+void main() {
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

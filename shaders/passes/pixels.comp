@@ -31,8 +31,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; //
 layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
 
 // Frequency and orientation at a pixel, between the samples of the paint around it.
-vec2 painted_at(vec2 pixel)
-{
+vec2 painted_at(vec2 pixel) {
     vec2 at = clamp(paint_corner + (pixel + 0.5) * paint_scale - 0.5, vec2(0.0), vec2(paint_size - 1));
     ivec2 low = ivec2(at);
     ivec2 high = min(low + 1, paint_size - 1);
@@ -60,8 +59,7 @@ struct Footprint {
     vec2 dy;
 };
 
-Values wave_at(PixelsWave wave, Footprint here)
-{
+Values wave_at(PixelsWave wave, Footprint here) {
     Line column = columns[here.pixel.x * tables + wave.table];
     Line row = rows[here.pixel.y * tables + wave.table];
     vec2 local = horizon ? here.from_camera * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
@@ -100,8 +98,7 @@ Values wave_at(PixelsWave wave, Footprint here)
     return result;
 }
 
-Values values_at(Footprint here)
-{
+Values values_at(Footprint here) {
     Values sum = nothing;
     for (int i = 0; i < waves; ++i) {
         PixelsWave wave = wave_table[i];
@@ -122,8 +119,7 @@ Values values_at(Footprint here)
     return sum;
 }
 
-void write_pixel(int at, Values here)
-{
+void write_pixel(int at, Values here) {
     if (coloured) {
         vec3 shown = colour_of(here.components, here.components_removed);
         for (int i = 0; i < 3; ++i)
@@ -147,8 +143,7 @@ void write_pixel(int at, Values here)
         picture[at++] = here.removed;
 }
 
-void main()
-{
+void main() {
     ivec2 pixel_at = ivec2(gl_GlobalInvocationID.xy);
     if (pixel_at.x >= width || pixel_at.y >= height)
         return;

@@ -9,16 +9,14 @@ layout(local_size_x = places_group) in;
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
 
 // Two numbers in [0, 1).
-vec2 place_random(uint instance)
-{
+vec2 place_random(uint instance) {
     uint x = gabor_impl_mix(instance * 0x9e3779b1u, place_seed);
     uint y = gabor_impl_mix(x, place_seed ^ 0x85ebca6bu);
     return vec2(ivec2(x >> 8u, y >> 8u)) / 16777216.0;
 }
 
 // The place of a value, in cells, and the seed of its instance.
-vec2 place_of(uint index, out uint seed)
-{
+vec2 place_of(uint index, out uint seed) {
     uint instance = first + (index >> (2u * grid_bits));
     seed = gabor_impl_mix(instance * 0x9e3779b1u + noise_seed, noise_seed);
     uint mask = (1u << grid_bits) - 1u;

@@ -11,8 +11,7 @@ layout(local_size_x = points_group, local_size_y = points_group) in;
 layout(std430, set = 0, binding = 0) writeonly buffer Counts { int counts[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Places { vec2 places[]; };
 
-void main()
-{
+void main() {
     uvec2 cell = gl_GlobalInvocationID.xy;
     if (cell.x >= side || cell.y >= side)
         return;

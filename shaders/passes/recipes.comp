@@ -19,8 +19,7 @@ layout(constant_id = 9) const float window_z = 0.0;
 #include "gabor_noise.glsl"
 #include "places.glsl"
 
-float magnitude(uint word)
-{
+float magnitude(uint word) {
     float u = (float(int(word >> 8u)) + 0.5) / 16777216.0;
     if (magnitudes == 2)
         return sqrt(-2.0 * log(u));
@@ -29,8 +28,7 @@ float magnitude(uint word)
     return weight_floor + (1.0 - weight_floor) * u;
 }
 
-float envelope(vec2 d)
-{
+float envelope(vec2 d) {
     if (window == 0)
         return gabor_impl_window(d.x).x * gabor_impl_window(d.y).x;
     if (window == 1)
@@ -38,8 +36,7 @@ float envelope(vec2 d)
     return dot(d, d) <= 1.0 ? exp(-3.14159265 * dot(d, d)) : 0.0;
 }
 
-float noise(vec2 p, uint seed)
-{
+float noise(vec2 p, uint seed) {
     float largest_shift = brick == 1 ? 0.5 : 0.0;
     int columns = int(ceil(2.0 * radius + largest_shift)) + 1;
     int rows = int(ceil(2.0 * radius)) + 1;
@@ -65,8 +62,7 @@ float noise(vec2 p, uint seed)
     return sum;
 }
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;

@@ -30,8 +30,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[];
 
 #include "body.glsl"
 
-GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal)
-{
+GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
     if (some_isotropic && (!some_directed || wave.isotropic == 1u)) {
         if (on_surface)
             return gabor_surface_isotropic_3d(place, normal, wave.frequency, wave.seed);
@@ -49,8 +48,7 @@ struct Values {
     vec3 slope;
 };
 
-Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
-{
+Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
     Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0));
     for (int i = 0; i < waves; ++i) {
         SolidWave wave = wave_table[i];
@@ -74,8 +72,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy)
     return sum;
 }
 
-void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes)
-{
+void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes) {
     for (int i = 0; i < values; ++i)
         picture[at++] = here.values[i];
     if (with_quadrature)
@@ -98,8 +95,7 @@ void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes)
     picture[at] = coverage;
 }
 
-void main()
-{
+void main() {
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

@@ -370,8 +370,7 @@ GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
 #endif
 GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window) {
 }
-GABOR_INLINE void gabor_impl_check_macros() // a macro of another type ends in an error here
-{
+GABOR_INLINE void gabor_impl_check_macros() { // a macro of another type ends in an error here
     gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
                                                        GABOR_WINDOW);
 }

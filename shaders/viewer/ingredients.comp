@@ -16,8 +16,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Waves { PixelsWave wave_table[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
 
-float value_at(PixelsWave wave, ivec2 here)
-{
+float value_at(PixelsWave wave, ivec2 here) {
     Line column = columns[here.x * tables + wave.table];
     Line row = rows[here.y * tables + wave.table];
     vec2 local = vec2(column.local, row.local);
@@ -30,8 +29,7 @@ float value_at(PixelsWave wave, ivec2 here)
     return wave.amplitude * gabor_ingredients(ivec2(column.cell, row.cell), local, vector, wave.seed);
 }
 
-void main()
-{
+void main() {
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

@@ -10,14 +10,12 @@ layout(local_size_x = show_group) in;
 layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
 
-float value_at(vec2 pixel, int channel)
-{
+float value_at(vec2 pixel, int channel) {
     ivec2 at = ivec2(pixel) - ivec2(0, first_row);
     return values[(at.y * grid.x + at.x) * channels + channel];
 }
 
-void main()
-{
+void main() {
     int at = int(gl_GlobalInvocationID.x);
     if (at >= count)
         return;

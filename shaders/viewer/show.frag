@@ -9,15 +9,13 @@ layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 
 layout(location = 0) out vec4 colour;
 
-float value_of(ivec2 at, int channel)
-{
+float value_of(ivec2 at, int channel) {
     at = clamp(at, ivec2(0), grid - 1);
     return values[(at.y * grid.x + at.x) * channels + channel];
 }
 
 // Linear between the values of a coarse grid; exactly the value where there is one for each pixel.
-float value_at(vec2 pixel, int channel)
-{
+float value_at(vec2 pixel, int channel) {
     if (tiles)
         pixel = mod(pixel, size);
     if (!coarse)
@@ -29,7 +27,6 @@ float value_at(vec2 pixel, int channel)
                mix(value_of(corner + ivec2(0, 1), channel), value_of(corner + 1, channel), f.x), f.y);
 }
 
-void main()
-{
+void main() {
     colour = vec4(shown(gl_FragCoord.xy - origin), 1.0);
 }

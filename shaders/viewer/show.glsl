@@ -19,20 +19,17 @@ layout(constant_id = 7) const bool tiles = false;   // whether the canvas is rep
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
 
-vec3 three_at(vec2 pixel, int first)
-{
+vec3 three_at(vec2 pixel, int first) {
     return vec3(value_at(pixel, first), value_at(pixel, first + 1), value_at(pixel, first + 2));
 }
 
-vec3 srgb(vec3 light)
-{
+vec3 srgb(vec3 light) {
     light = clamp(light, 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 
 // The noise as a height: a body has its own normal, after the gradient along the picture.
-vec3 lit_noise(vec2 pixel, vec3 colour)
-{
+vec3 lit_noise(vec2 pixel, vec3 colour) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
     vec3 bump = vec3(value_at(pixel, companion), value_at(pixel, companion + 1), 0.0);
     if (normal_at >= 0) {
@@ -47,8 +44,7 @@ vec3 lit_noise(vec2 pixel, vec3 colour)
     return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)));
 }
 
-vec3 material(vec2 pixel)
-{
+vec3 material(vec2 pixel) {
     const int height = 3;
     if (output_shown == 8)
         return srgb(three_at(pixel, 6));
@@ -64,8 +60,7 @@ vec3 material(vec2 pixel)
     return vec3(value_at(pixel, output_shown == 12 ? 4 : 5));
 }
 
-vec3 shown(vec2 pixel)
-{
+vec3 shown(vec2 pixel) {
     float noise = value_at(pixel, 0);
     vec3 seen;
     if (output_shown >= 8)

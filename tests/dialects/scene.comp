@@ -4,8 +4,7 @@
 layout(local_size_x = 8) in;
 layout(std430, binding = 0) writeonly buffer Values { float values[]; };
 
-void main()
-{
+void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     vec2 p = (vec2(pixel) + 0.5) / 32.0;
     values[pixel.y * 256u + pixel.x] = pixel.y < 256u ? gabor_noise(p, 4.0, 0.7854, 7u)

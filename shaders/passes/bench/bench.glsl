@@ -14,15 +14,13 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 float value(vec2 p, uint instance);
 
 // Any generator of good words would do: PCG-RXS-M-XS of O'Neill, HMC-CS-2014-0905.
-uint random_word(inout uint state)
-{
+uint random_word(inout uint state) {
     state = state * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
-void main()
-{
+void main() {
     uvec2 here = gl_GlobalInvocationID.xy;
     if (here.x >= width || here.y >= height)
         return;

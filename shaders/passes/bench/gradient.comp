@@ -7,8 +7,7 @@
 #include "bench.glsl"
 #include "corner.glsl"
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     p *= 2.0 * frequency;
     vec2 corner = floor(p);
     ivec2 cell = ivec2(corner);

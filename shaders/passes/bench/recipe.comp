@@ -11,8 +11,7 @@
 
 layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     switch (function) {
     case 1:
         vec3 bump = gabor_noise_gradient(p, frequency, orientation, instance);

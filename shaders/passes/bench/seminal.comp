@@ -19,21 +19,18 @@ const float pi = 3.14159265;
 uint generator;
 vec2 wave; // radians per kernel radius, where hoisted
 
-void seed_generator(ivec2 cell, uint instance)
-{
+void seed_generator(ivec2 cell, uint instance) {
     uint word = uint(cell.x) * 0x9e3779b1u ^ (uint(cell.y) * 0x85ebca6bu + instance * 0xc2b2ae35u);
     generator = (word ^ (word >> 15u)) * 0x846ca68bu | 1u;
 }
 
 // A multiplicative congruential generator: uniform in [0, 1).
-float uniform_value()
-{
+float uniform_value() {
     generator *= 3039177861u;
     return float(generator) / 4294967296.0;
 }
 
-int poisson(float mean)
-{
+int poisson(float mean) {
     float limit = exp(-mean);
     int count = 0;
     float product = uniform_value();
@@ -44,16 +41,14 @@ int poisson(float mean)
     return count;
 }
 
-float kernel(vec2 d)
-{
+float kernel(vec2 d) {
     float envelope = exp(-pi * dot(d, d));
     float phase = hoisted ? dot(wave, d)
                           : 2.0 * pi * frequency * (d.x * cos(orientation) + d.y * sin(orientation));
     return envelope * (advice ? sin(phase) : cos(phase));
 }
 
-float cell_value(ivec2 cell, vec2 offset, uint instance)
-{
+float cell_value(ivec2 cell, vec2 offset, uint instance) {
     seed_generator(cell, instance);
     int count = advice ? mean_impulses : poisson(float(mean_impulses));
     float sum = 0.0;
@@ -69,8 +64,7 @@ float cell_value(ivec2 cell, vec2 offset, uint instance)
     return sum;
 }
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     vec2 corner = floor(p);
     ivec2 cell = ivec2(corner);
     vec2 f = p - corner;

@@ -8,15 +8,13 @@
 #include "corner.glsl"
 
 // What the gradient of a corner adds around it.
-float corner_value(ivec2 corner, vec2 offset, uint instance)
-{
+float corner_value(ivec2 corner, vec2 offset, uint instance) {
     float near = max(0.5 - dot(offset, offset), 0.0);
     near *= near;
     return near * near * slope(corner, offset, instance);
 }
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     p *= 2.0 * frequency;
     const float skew = 0.36602540; // (sqrt(3) - 1) / 2
     const float back = 0.21132487; // (3 - sqrt(3)) / 6

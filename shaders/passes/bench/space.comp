@@ -9,8 +9,7 @@
 
 layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     vec3 place = vec3(p, 0.5);
     vec3 direction = vec3(cos(orientation), sin(orientation), 0.0);
     vec3 normal = vec3(0.0, 0.0, 1.0);

@@ -5,7 +5,6 @@
 
 #include "bench.glsl"
 
-float value(vec2 p, uint instance)
-{
+float value(vec2 p, uint instance) {
     return frequency;
 }

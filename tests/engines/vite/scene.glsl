@@ -1,8 +1,7 @@
 uniform bool shown;
 out vec4 value;
 
-void main()
-{
+void main() {
     vec2 p = gl_FragCoord.xy / 32.0;
     float n = gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
         : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);

@@ -10,8 +10,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Values { float values[]; };
 
-void main()
-{
+void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     vec2 p = (vec2(pixel) + 0.5) / 32.0;
     values[pixel.y * 256u + pixel.x] = gabor_noise(p, 4.0, radians(45.0), 7u);

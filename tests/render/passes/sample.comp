@@ -47,8 +47,7 @@ layout(push_constant) uniform Push {
     int wanted; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`
 };
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;

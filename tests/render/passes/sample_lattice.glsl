@@ -46,8 +46,7 @@ layout(push_constant) uniform Push {
     int wanted; // 0: all the answers, 1: only `at`, 2: `tiled` and `animated`, 3: `complex`, `gradient` and `four`
 };
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;

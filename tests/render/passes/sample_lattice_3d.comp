@@ -42,13 +42,11 @@ layout(push_constant) uniform Push {
     int wanted; // not used
 };
 
-vec3 vector(float v[3])
-{
+vec3 vector(float v[3]) {
     return vec3(v[0], v[1], v[2]);
 }
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;

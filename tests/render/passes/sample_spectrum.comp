@@ -61,8 +61,7 @@ layout(push_constant) uniform Push {
     uint wanted;
 };
 
-void main()
-{
+void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count)
         return;
