@@ -41,8 +41,8 @@ double variance(const Recipe& recipe, double frequency, double orientation, doub
         oscillating = window_energy(recipe, a * std::cos(orientation)) *
                       window_energy(recipe, a * std::sin(orientation));
         double turned = 0;
-        for (int tempo = 1; tempo <= 4; ++tempo)
-            turned += std::cos(4 * pi * tempo * time) / 4;
+        for (int turns = 1; turns <= 4; ++turns)
+            turned += std::cos(4 * pi * turns * time) / 4;
         oscillating *= turned;
     }
     return density * power * (whole * whole - oscillating) / 2;

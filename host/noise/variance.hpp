@@ -9,8 +9,8 @@ double window_energy(const Recipe& recipe, double a);
 
 /// Variance of sum_i w_i q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)) by Campbell's theorem: the number of
 /// impulses per unit area times E[w^2] times the mean energy of the kernels. `frequency` in cycles per kernel
-/// radius, `orientation` in radians, `time` in periods of the animation that turns the phases by tempos of 1
-/// to 4 either way.
+/// radius, `orientation` in radians, `time` in periods of the animation, in which phases turn 1 to 4 times
+/// either way.
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
 /// How much a lattice's window bends: integral of h'^2 over integral of h^2, per kernel radius squared. The
