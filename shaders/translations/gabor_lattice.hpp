@@ -415,8 +415,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
 #if GABOR_TAPS == 2
     // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
     // but the variances of their derivatives vary.
-    float t = x + 1.0f;
-    float s = t * t * (3.0f - 2.0f * t);
+    float t = x + 1.0f, s = t * t * (3.0f - 2.0f * t);
     float scale = gabor_cpp_inversesqrt(1.0f - 2.0f * s * (1.0f - s));
     value = scale * gabor_vec4(1.0f - s, s, 0.0f, 0.0f);
     slope = 6.0f * t * (1.0f - t) * scale * scale * scale * gabor_vec4(-s, 1.0f - s, 0.0f, 0.0f);
@@ -429,8 +428,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     value = gabor_vec4(a - s, 0.5f + c, a + s, 0.0f);
     slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
 #else
-    float z = x - 0.5f;
-    float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
+    float z = x - 0.5f, y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
     float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
     float c = cosine - sine, s = cosine + sine;
@@ -441,7 +439,9 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-struct GaborKernel { gabor_vec2 wave; }; // F, cycles per kernel radius: see gabor_kernel
+struct GaborKernel { // see gabor_kernel
+    gabor_vec2 wave; // F, cycles per kernel radius
+};
 
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {

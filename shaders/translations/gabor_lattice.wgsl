@@ -236,6 +236,10 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     }
 }
 
+struct GaborKernel {
+    wave: vec2<f32>,
+}
+
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {
     cell: vec2<i32>,

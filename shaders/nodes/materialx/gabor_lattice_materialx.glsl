@@ -114,8 +114,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
     // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
     // but the variances of their derivatives vary.
-    float t = x + 1.0;
-    float s = t * t * (3.0 - 2.0 * t);
+    float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * vec4(1.0 - s, s, 0.0, 0.0);
     slope = 6.0 * t * (1.0 - t) * scale * scale * scale * vec4(-s, 1.0 - s, 0.0, 0.0);
@@ -128,8 +127,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5;
-    float y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -140,7 +138,9 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-struct GaborKernel { vec2 wave; }; // F, cycles per kernel radius: see gabor_kernel
+struct GaborKernel { // see gabor_kernel
+    vec2 wave; // F, cycles per kernel radius
+};
 
 // Where to evaluate, and how space and time close upon themselves.
 struct GaborPlace {
