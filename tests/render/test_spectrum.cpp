@@ -336,7 +336,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
 TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
           "[filter][law]") {
     const vulkan::Device device;
-    constexpr std::size_t count = 24;
+    constexpr std::size_t count = 40;
     Sampler sampler(device, count);
     Draw draw(32);
     fmt::print("  RMSE and largest error in 1 % of the deviation, error of the removed variance in 1 %\n");
