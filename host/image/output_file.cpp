@@ -4,11 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fcntl.h>
 #include <random>
 #include <string>
 #include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -40,14 +44,20 @@ fs::path resolve(fs::path path) {
     return path;
 }
 
+/// What the hidden names of `target` begin with; eight hexadecimal digits follow.
+std::string hidden_stem(const fs::path& target) {
+    return fmt::format(".{}.gabor-",
+                       target.filename().string().substr(0, 200)); // a name holds at most 255 bytes
+}
+
 /// Offers hidden names beside `target` to `claim` until one is not taken yet. Returns that name and what
 /// `claim` made of it: negative, with errno set, when it failed for another reason.
 template <class Claim>
 std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
-    const std::string stem = target.filename().string().substr(0, 200); // a name holds no more than 255 bytes
+    const std::string stem = hidden_stem(target);
     std::random_device random;
     for (;;) {
-        fs::path name = folder_of(target) / fmt::format(".{}.{:08x}", stem, random());
+        fs::path name = folder_of(target) / fmt::format("{}{:08x}", stem, random());
         const int result = claim(name.c_str());
         if (result >= 0 || errno != EEXIST)
             return {std::move(name), result};
@@ -59,6 +69,40 @@ int open_nameless(const fs::path& folder) {
     if (::access("/proc/self/fd", X_OK) != 0)
         return -1;
     return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
+}
+
+/// Opens a new file under that name and locks it. A file that `remove_abandoned` took away before it was
+/// locked counts as a name that is taken.
+int open_locked(const char* name) {
+    const int descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
+    struct stat status {};
+    if (descriptor < 0 || ::flock(descriptor, LOCK_EX) != 0 || ::fstat(descriptor, &status) != 0 ||
+        status.st_nlink > 0)
+        return descriptor;
+    ::close(descriptor);
+    errno = EEXIST;
+    return -1;
+}
+
+/// Removes what killed processes have left of earlier attempts to write `target`: hidden files of its that
+/// nobody has locked any more.
+void remove_abandoned(const fs::path& target) {
+    const std::string stem = hidden_stem(target);
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder_of(target), ignored), end; entry != end;
+         entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.size() != stem.size() + 8 || !name.starts_with(stem) ||
+            !std::all_of(name.end() - 8, name.end(),
+                         [](unsigned char digit) { return std::isxdigit(digit); }))
+            continue;
+        const int descriptor = ::open(entry->path().c_str(), O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+        if (descriptor < 0)
+            continue;
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            ::unlink(entry->path().c_str());
+        ::close(descriptor);
+    }
 }
 
 /// Makes a rename last through a power cut. Without it the older file may come back, but whole: no error.
@@ -98,11 +142,11 @@ void OutputFile::open() {
     }
     const fs::path folder = folder_of(target_);
     descriptor_ = open_nameless(folder);
-    if (descriptor_ >= 0)
+    if (descriptor_ >= 0) {
+        ::flock(descriptor_, LOCK_EX);
         return;
-    auto [name, descriptor] = claim_name(target_, [](const char* candidate) {
-        return ::open(candidate, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
-    });
+    }
+    auto [name, descriptor] = claim_name(target_, open_locked);
     if (descriptor < 0)
         refuse(path_,
                fmt::format("folder {}: {}; accepted is a file in an existing folder that can be written",
@@ -171,6 +215,7 @@ void OutputFile::publish() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
         fail();
     temporary_.clear();
+    remove_abandoned(target_);
     sync_folder(folder_of(target_));
 }
 

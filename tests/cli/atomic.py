@@ -1,6 +1,7 @@
 """What a program that was killed may leave: each of its files complete, or as it was before."""
 
 import os
+import re
 
 
 def can_hide_files(folder):
@@ -21,9 +22,18 @@ def prepare(folder, names, older):
 
 
 def check_files(test, folder, complete, older):
-    """complete: bytes by name. Returns the names of those that are complete."""
+    """complete: bytes by name. Returns the names of those that are complete.
+
+    While an older file is replaced, the new one has a hidden name for an instant: it is complete, and the next
+    that replaces the file removes it."""
+    names = complete.keys()
+    for path in list(folder.iterdir()):
+        hidden = re.fullmatch(r"\.(.+)\.gabor-[0-9a-f]{8}", path.name)
+        if older and hidden and hidden[1] in names:
+            test.assertEqual(path.read_bytes(), complete[hidden[1]], f"{path.name} is not complete")
+            path.unlink()
     files = {path.name: path.read_bytes() for path in folder.iterdir()}
-    test.assertLessEqual(set(files), set(complete), "another file is left")
+    test.assertLessEqual(files.keys(), names, "another file is left")
     for name, content in complete.items():
         test.assertTrue(files.get(name) in [content, b"older" if older else None], f"{name} is not complete")
     return [name for name in files if files[name] == complete[name]]

@@ -12,6 +12,7 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <optional>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -53,6 +54,13 @@ int in_child(Body body) {
     return status;
 }
 
+template <std::size_t Size>
+bool filter_calls(sock_filter (&program)[Size]) {
+    const sock_fprog filter{Size, program};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
 /// From now on this process is on a file system without O_TMPFILE.
 bool forbid_nameless_files() {
     constexpr unsigned nameless = O_TMPFILE & ~O_DIRECTORY;
@@ -64,9 +72,18 @@ bool forbid_nameless_files() {
         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EOPNOTSUPP},
         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
     };
-    const sock_fprog filter{std::size(program), program};
-    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+    return filter_calls(program);
+}
+
+/// From now on this process is killed by that call.
+bool kill_at(unsigned call) {
+    sock_filter program[] = {
+        {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+        {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, call},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_KILL_PROCESS},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+    };
+    return filter_calls(program);
 }
 
 std::string refusal(const fs::path& path) {
@@ -261,6 +278,33 @@ TEST_CASE("A killed process leaves nothing behind", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
+TEST_CASE("What a killed process left is removed by the next that replaces the file", "[output_file]") {
+    const ScratchFolder folder;
+    const fs::path path = folder / "out";
+    write_file(path, "old");
+    const int status = in_child([&] {
+        if (!kill_at(SYS_rename))
+            return 1;
+        replace(path, "new");
+        return 2;
+    });
+    REQUIRE(WIFSIGNALED(status));
+    CHECK(read_file(path) == "old");
+    REQUIRE(folder.count() == 2);
+
+    write_file(folder / ".out.gabor-lockedfi", "no name of ours");
+    write_file(folder / ".out.gabor-00c0ffee", "somebody writes here");
+    const int writer = ::open((folder / ".out.gabor-00c0ffee").c_str(), O_WRONLY | O_CLOEXEC);
+    REQUIRE(::flock(writer, LOCK_EX) == 0);
+    replace(path, "newer");
+    CHECK(read_file(path) == "newer");
+    CHECK(folder.count() == 3);
+    ::close(writer);
+    replace(path, "newest");
+    CHECK(read_file(path) == "newest");
+    CHECK(folder.count() == 2);
+}
+
 TEST_CASE("Without nameless files a hidden one takes their place", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
@@ -271,7 +315,7 @@ TEST_CASE("Without nameless files a hidden one takes their place", "[output_file
         {
             OutputFile abandoned(path);
             const std::string name = fs::directory_iterator(folder.path())->path().filename();
-            if (folder.count() != 1 || name.size() != 13 || !name.starts_with(".out."))
+            if (folder.count() != 1 || name.size() != 19 || !name.starts_with(".out.gabor-"))
                 return 2;
         }
         if (folder.count() != 0)
