@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace gabor::noise {
 
@@ -102,36 +103,61 @@ Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t s
     : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
       wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
 
-Lattice::Field Lattice::field(const LatticePlace& place) const {
+namespace {
+
+// A column or a row of nodes whose windows reach the place.
+struct Line {
+    LatticeWindow window;
+    double slope;                       // of the window, per kernel radius
+    Complex wave;                       // the noise's, from the nodes to the place
+    std::array<std::uint32_t, 4> words; // of four noises
+};
+
+// `axis` is 0 for columns, 1 for rows; `radius` in nodes per kernel radius.
+std::vector<Line> lines_around(int taps, std::int32_t cell, double local, double radius, std::int32_t period,
+                               double wave, int axis, std::uint32_t seed) {
     // Nodes are at the integers; a window's radius is taps / 2 of them, whatever the nodes per kernel radius.
-    const double window_radius = 0.5 * taps_;
-    const auto first_x = static_cast<std::int64_t>(std::floor(place.local_x - window_radius));
-    const auto first_y = static_cast<std::int64_t>(std::floor(place.local_y - window_radius));
+    const double window_radius = 0.5 * taps;
+    std::vector<Line> lines;
+    for (auto i = static_cast<std::int64_t>(std::ceil(local - window_radius));
+         static_cast<double>(i) < local + window_radius; ++i) {
+        const double x = local - static_cast<double>(i);
+        Line line{
+            lattice_window(taps, x / window_radius), 0, std::polar(1.0, 2 * pi * wave * x / radius), {}};
+        line.slope = line.window.slope * radius / window_radius;
+        for (int c = 0; c < 4; ++c)
+            line.words.at(static_cast<std::size_t>(c)) =
+                lattice_line_word(wrapped(cell + i, period), axis, c ? lattice_lobe_seed(seed, -c) : seed);
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+} // namespace
+
+Lattice::Field Lattice::field(const LatticePlace& place) const {
+    const auto columns =
+        lines_around(taps_, place.cell_x, place.local_x, place.radius_x, place.period_x, wave_x_, 0, seed_);
+    const auto rows =
+        lines_around(taps_, place.cell_y, place.local_y, place.radius_y, place.period_y, wave_y_, 1, seed_);
     Field sum;
-    for (std::int64_t j = first_y; j <= first_y + taps_ + 1; ++j) {
-        for (std::int64_t i = first_x; i <= first_x + taps_ + 1; ++i) {
-            const double x = place.local_x - static_cast<double>(i);
-            const double y = place.local_y - static_cast<double>(j);
-            const LatticeWindow wx = lattice_window(taps_, x / window_radius);
-            const LatticeWindow wy = lattice_window(taps_, y / window_radius);
-            std::array<Complex, 4> amplitudes;
+    for (const Line& y : rows) {
+        for (const Line& x : columns) {
+            const Complex wave = x.wave * y.wave;
+            const Complex kernel = x.window.value * y.window.value * wave;
             for (std::size_t c = 0; c < 4; ++c) {
-                const std::uint32_t seed = c ? lattice_lobe_seed(seed_, -static_cast<int>(c)) : seed_;
-                const std::uint32_t word = lattice_word(wrapped(place.cell_x + i, place.period_x),
-                                                        wrapped(place.cell_y + j, place.period_y), seed);
-                amplitudes.at(c) =
+                const std::uint32_t word = x.words[c] * y.words[c];
+                const Complex amplitude =
                     place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+                sum.four[c] += (amplitude * kernel).imag();
+                if (c > 0)
+                    continue;
+                sum.value += amplitude * kernel;
+                sum.slope_x +=
+                    amplitude * (x.slope * y.window.value * wave + Complex(0, 2 * pi * wave_x_) * kernel);
+                sum.slope_y +=
+                    amplitude * (y.slope * x.window.value * wave + Complex(0, 2 * pi * wave_y_) * kernel);
             }
-            const Complex wave =
-                std::polar(1.0, 2 * pi * (wave_x_ * x / place.radius_x + wave_y_ * y / place.radius_y));
-            const Complex kernel = wx.value * wy.value * wave;
-            sum.value += amplitudes[0] * kernel;
-            sum.slope_x += amplitudes[0] * (wx.slope * place.radius_x / window_radius * wy.value * wave +
-                                            Complex(0, 2 * pi * wave_x_) * kernel);
-            sum.slope_y += amplitudes[0] * (wy.slope * place.radius_y / window_radius * wx.value * wave +
-                                            Complex(0, 2 * pi * wave_y_) * kernel);
-            for (std::size_t c = 0; c < 4; ++c)
-                sum.four[c] += (amplitudes[c] * kernel).imag();
         }
     }
     const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(taps_));

@@ -56,58 +56,81 @@ std::array<double, 2> share(int index, double count) {
 Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, bool animated)
     : wave_(wave), seed_(seed), animated_(animated) {}
 
-std::vector<Lattice3d::Node> Lattice3d::nodes(const Place& place) const {
-    struct Line {
-        std::uint32_t word;
-        double offset;
-    };
-    std::array<std::vector<Line>, 3> lines;
+Lattice3d::Nodes Lattice3d::nodes(const Place& place) const {
+    Nodes nodes{};
+    std::array<std::array<std::uint32_t, 3>, 3> words{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Three at most reach here; the windows of others end before.
+        // The windows of all but three end before.
         const auto first = static_cast<std::int64_t>(std::ceil(place.local[axis] - nodes_per_radius));
-        for (std::int64_t i = first; static_cast<double>(i) < place.local[axis] + nodes_per_radius; ++i) {
+        for (std::size_t line = 0; line < 3; ++line) {
+            const std::int64_t i = first + static_cast<std::int64_t>(line);
             auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
             if (const std::int32_t period = place.period[axis])
                 index = (index % period + period) % period;
-            lines[axis].push_back({lattice_line_word(index, static_cast<int>(axis), seed_),
-                                   place.local[axis] - static_cast<double>(i)});
+            words[axis][line] = lattice_line_word(index, static_cast<int>(axis), seed_);
+            nodes.offset[axis][line] = place.local[axis] - static_cast<double>(i);
         }
     }
-    std::vector<Node> nodes;
-    for (const Line& z : lines[2]) {
-        for (const Line& y : lines[1]) {
-            for (const Line& x : lines[0]) {
-                const std::uint32_t word = node_word(x.word, y.word, z.word);
-                // Of variance 1 in each part.
-                const std::complex<double> amplitude =
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t word = node_word(words[0][i], words[1][j], words[2][k]);
+                const Complex amplitude =
                     animated_ ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-                nodes.push_back({{x.offset, y.offset, z.offset}, amplitude / lattice_amplitude_deviation()});
+                nodes.amplitude[i][j][k] = amplitude / lattice_amplitude_deviation();
             }
         }
     }
     return nodes;
 }
 
+// Sums over the last index with factors for three new values of it, which come first: out of x, y, z become
+// z', x, y.
+Lattice3d::Cube Lattice3d::transformed(const Cube& cube,
+                                       const std::array<std::array<Complex, 3>, 3>& factors) {
+    Cube result{};
+    for (std::size_t to = 0; to < 3; ++to)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j)
+                for (std::size_t from = 0; from < 3; ++from)
+                    result[to][i][j] += factors[from][to] * cube[i][j][from];
+    return result;
+}
+
 Lattice3d::Field Lattice3d::field(const Place& place) const {
     using namespace std::complex_literals;
-    Field field{};
-    for (const Node& node : nodes(place)) {
-        double turns = 0;
-        std::array<double, 3> window{};
-        std::array<double, 3> slope{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            turns += wave_[axis] * node.offset[axis] / place.radius[axis];
-            const double x = node.offset[axis] / nodes_per_radius;
-            window[axis] = (1 + std::cos(pi * x)) / 2;
-            slope[axis] = -pi / 2 * std::sin(pi * x) * place.radius[axis] / nodes_per_radius;
+    const Nodes near = nodes(place);
+    struct Line {
+        double window;
+        double slope; // of the window, per kernel radius
+        Complex wave;
+    };
+    std::array<std::array<Line, 3>, 3> lines{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double x = near.offset[axis][i] / nodes_per_radius;
+            lines[axis][i] = {
+                (1 + std::cos(pi * x)) / 2,
+                -pi / 2 * std::sin(pi * x) * place.radius[axis] / nodes_per_radius,
+                std::exp(2i * pi * wave_[axis] * near.offset[axis][i] / double{place.radius[axis]})};
         }
-        // E[n^2] = E[|A|^2] / 2 (sum h^2)^3, sum h^2 = 9/8.
-        const std::complex<double> wave = std::pow(8.0 / 9, 1.5) * node.amplitude * std::exp(2i * pi * turns);
-        const double all = window[0] * window[1] * window[2];
-        field.value += all * wave;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double other = window[(axis + 1) % 3] * window[(axis + 2) % 3];
-            field.slope[axis] += (slope[axis] * other + 2i * pi * wave_[axis] * all) * wave;
+    }
+    // E[n^2] = E[|A|^2] / 2 (sum h^2)^3, sum h^2 = 9/8.
+    const double scale = std::pow(8.0 / 9, 1.5);
+    Field field{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Line& x = lines[0][i];
+                const Line& y = lines[1][j];
+                const Line& z = lines[2][k];
+                const Complex wave = scale * near.amplitude[i][j][k] * x.wave * y.wave * z.wave;
+                const double all = x.window * y.window * z.window;
+                field.value += all * wave;
+                field.slope[0] += (x.slope * y.window * z.window + 2i * pi * wave_[0] * all) * wave;
+                field.slope[1] += (x.window * y.slope * z.window + 2i * pi * wave_[1] * all) * wave;
+                field.slope[2] += (x.window * y.window * z.slope + 2i * pi * wave_[2] * all) * wave;
+            }
         }
     }
     return field;
@@ -127,23 +150,24 @@ Lattice3d::Field Lattice3d::filtered(const Place& place, const Vector& dx, const
     const auto turns_of = [&](std::size_t axis, std::size_t wave) {
         return wave_[axis] + (static_cast<double>(wave) - 1) / 2 * place.radius[axis] / nodes_per_radius;
     };
-    Field field{};
-    double kept = 0;
-    const std::vector<Node> all = nodes(place);
-    // What each node has of each wave along each axis.
-    std::vector<std::array<std::array<std::complex<double>, 3>, 3>> factors;
-    for (const Node& node : all) {
-        auto& factor = factors.emplace_back();
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Nodes near = nodes(place);
+    Cube waves = near.amplitude;
+    for (const std::size_t axis : {2u, 1u, 0u}) {
+        std::array<std::array<Complex, 3>, 3> factors; // what each node has of each wave
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double offset = near.offset[axis][i];
             const double width = std::hypot(dx[axis], dy[axis]) / 4 * place.radius[axis];
-            const double to_end = nodes_per_radius - std::abs(node.offset[axis]);
+            const double to_end = nodes_per_radius - std::abs(offset);
             const double reach = width > 0 ? smoothstep(0, width, to_end) : 1;
             for (std::size_t wave = 0; wave < 3; ++wave)
-                factor[axis][wave] =
+                factors[i][wave] =
                     share[wave] * reach *
-                    std::exp(2i * pi * turns_of(axis, wave) * node.offset[axis] / double{place.radius[axis]});
+                    std::exp(2i * pi * turns_of(axis, wave) * offset / double{place.radius[axis]});
         }
+        waves = transformed(waves, factors);
     }
+    Field field{};
+    double kept = 0;
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
             for (std::size_t c = 0; c < 3; ++c) {
@@ -151,10 +175,7 @@ Lattice3d::Field Lattice3d::filtered(const Place& place, const Vector& dx, const
                 const double blurred = (std::pow(dot(k, dx), 2) + std::pow(dot(k, dy), 2)) / 4;
                 const double damped = fade * std::exp(-2 * pi * pi * blurred);
                 kept += power[a] * power[b] * power[c] * damped * damped;
-                std::complex<double> sum = 0;
-                for (std::size_t i = 0; i < all.size(); ++i)
-                    sum += all[i].amplitude * factors[i][0][a] * factors[i][1][b] * factors[i][2][c];
-                const std::complex<double> one = std::pow(8.0 / 9, 1.5) * damped * sum;
+                const Complex one = std::pow(8.0 / 9, 1.5) * damped * waves[a][b][c];
                 field.value += one;
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     field.slope[axis] += 2i * pi * k[axis] * one;

@@ -41,11 +41,17 @@ class Lattice3d {
     Field filtered(const Place& place, const Vector& dx, const Vector& dy) const;
 
   private:
-    struct Node {
-        std::array<double, 3> offset; ///< of the place from it, in node spacings
-        std::complex<double> amplitude;
+    using Complex = std::complex<double>;
+    using Cube = std::array<std::array<std::array<Complex, 3>, 3>, 3>;
+
+    /// The nodes that reach a place: what their planes across each axis are away, in node spacings, and their
+    /// amplitudes by x, y and z, of variance 1 in each part.
+    struct Nodes {
+        std::array<Vector, 3> offset;
+        Cube amplitude;
     };
-    std::vector<Node> nodes(const Place& place) const;
+    Nodes nodes(const Place& place) const;
+    static Cube transformed(const Cube& cube, const std::array<std::array<Complex, 3>, 3>& factors);
 
     Vector wave_;
     std::uint32_t seed_;

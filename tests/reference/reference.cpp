@@ -29,9 +29,8 @@ struct Window {
     double slope;
 };
 
+// At |x| <= 1.
 Window window(const Recipe& recipe, double x) {
-    if (std::abs(x) >= 1)
-        return {0, 0};
     const double u = 1 - x * x;
     double power = u;
     Window q{0, 0};
@@ -94,6 +93,8 @@ Reference::Field Reference::field(const Place& place) const {
                 const double weight = word >> 31 ? 1 : recipe_.weight_floor;
                 const double dx = (place.local_x - static_cast<double>(i) - x) / radius_x;
                 const double dy = (place.local_y - static_cast<double>(j) - y) / radius_y;
+                if (std::abs(dx) >= 1 || std::abs(dy) >= 1)
+                    continue;
                 const auto wave = weight * std::exp(2i * pi * (wave_x * dx + wave_y * dy + phase));
                 const Window qx = window(recipe_, dx);
                 const Window qy = window(recipe_, dy);

@@ -46,7 +46,7 @@ T scaled(const T& value, double factor) {
 }
 
 // The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule
-// over six deviations each way: `step` is the longest allowed along an axis.
+// as far as six deviations: `step` is the longest allowed along an axis.
 template <typename Function>
 auto normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
                  const Function& function) {
@@ -61,6 +61,8 @@ auto normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, d
         for (int i = -half[0]; i <= half[0]; ++i) {
             const double u = half[0] ? 6.0 * i / half[0] : 0;
             const double v = half[1] ? 6.0 * j / half[1] : 0;
+            if (u * u + v * v > 36)
+                continue;
             const double weight = std::exp(-(u * u + v * v) / 2);
             add(sum, weight,
                 function(widening * (u * axes[0][0] + v * axes[1][0]),
