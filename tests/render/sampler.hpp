@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace gabor::test {
 
@@ -73,33 +76,53 @@ enum class Wanted : std::int32_t { all, at, moving, four };
 template <typename Sample, typename Answer>
 class Probe {
   public:
+    /// `constants`: the specialization constants of the pass, but for the last one, which says what is
+    /// wanted.
     Probe(const vulkan::Device& device, std::size_t capacity, std::span<const std::uint32_t> spirv,
           std::span<const std::uint32_t> constants)
-        : pass_(device, spirv, {2, sizeof(Push)}, constants),
+        : device_(device), spirv_(spirv), constants_(constants.begin(), constants.end()),
           samples_(device, capacity * sizeof(Sample), vulkan::Memory::upload),
-          answers_(device, capacity * sizeof(Answer), vulkan::Memory::readback),
-          job_(device, pass_, {samples_, answers_}) {}
+          answers_(device, capacity * sizeof(Answer), vulkan::Memory::readback) {}
 
     std::span<Sample> samples() { return samples_.as<Sample>(); }
 
     /// The answers to the first `count` samples, valid until the next call.
     std::span<const Answer> answers(std::size_t count, Wanted wanted = Wanted::all) {
-        const Push push{static_cast<std::uint32_t>(count), wanted};
-        job_.submit(push, {(push.count + 63) / 64});
-        job_.wait();
+        const Push push{static_cast<std::uint32_t>(count)};
+        vulkan::Job& job = job_for(wanted);
+        job.submit(push, {(push.count + 63) / 64});
+        job.wait();
         return answers_.as<Answer>().first(count);
     }
 
   private:
     struct Push {
         std::uint32_t count;
-        Wanted wanted;
+    };
+    struct Pipeline {
+        vulkan::Pass pass;
+        vulkan::Job job;
     };
 
-    vulkan::Pass pass_;
+    // A pipeline for each: drivers on CPUs evaluate both sides of a branch.
+    vulkan::Job& job_for(Wanted wanted) {
+        auto at = pipelines_.find(wanted);
+        if (at == pipelines_.end()) {
+            std::vector<std::uint32_t> constants = constants_;
+            constants.push_back(vulkan::constant(wanted));
+            vulkan::Pass pass(device_, spirv_, {2, sizeof(Push)}, constants);
+            vulkan::Job job(device_, pass, {samples_, answers_});
+            at = pipelines_.emplace(wanted, Pipeline{std::move(pass), std::move(job)}).first;
+        }
+        return at->second.job;
+    }
+
+    const vulkan::Device& device_;
+    std::span<const std::uint32_t> spirv_;
+    std::vector<std::uint32_t> constants_;
     vulkan::Buffer samples_;
     vulkan::Buffer answers_;
-    vulkan::Job job_;
+    std::map<Wanted, Pipeline> pipelines_;
 };
 
 struct Sampler : Probe<Sample, Answer> {

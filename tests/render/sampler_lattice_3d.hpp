@@ -3,8 +3,6 @@
 #include "reference/lattice_3d.hpp"
 #include "sampler.hpp"
 
-#include "passes/sample_lattice_3d.h"
-
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -53,12 +51,14 @@ enum class Entry3d : std::int32_t {
     noise_surface_isotropic
 };
 
+/// The pass that asks it.
+std::span<const std::uint32_t> spirv_of(Entry3d entry);
+
 struct LatticeSampler3d : Probe<LatticeSample3d, LatticeAnswer3d> {
     LatticeSampler3d(const vulkan::Device& device, std::size_t capacity, Entry3d entry, bool filtered = false,
                      bool animated = false)
-        : Probe(device, capacity, sample_lattice_3d_spirv,
-                std::array{static_cast<std::uint32_t>(entry), std::uint32_t{filtered},
-                           std::uint32_t{animated}}) {}
+        : Probe(device, capacity, spirv_of(entry),
+                std::array{std::uint32_t{filtered}, std::uint32_t{animated}}) {}
 };
 
 inline noise::Lattice3d::Vector wide(const std::array<float, 3>& v) {

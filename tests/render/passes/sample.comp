@@ -5,6 +5,8 @@
 
 #include "recipe.glsl"
 
+layout(constant_id = 7) const int wanted = 0; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`
+
 layout(local_size_x = 64) in;
 
 struct Sample {
@@ -44,7 +46,6 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int wanted; // 0: all the answers, 1: only `at`, 2: `complex`, `tiled` and `animated`
 };
 
 void main() {

@@ -2,6 +2,9 @@
 
 #include "gabor_lattice.glsl"
 
+// 0: all the answers, 1: only `at`, 2: `tiled` and `animated`, 3: `complex`, `gradient` and `four`
+layout(constant_id = 0) const int wanted = 0;
+
 layout(local_size_x = 64) in;
 
 struct Sample {
@@ -43,7 +46,6 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int wanted; // 0: all the answers, 1: only `at`, 2: `tiled` and `animated`, 3: `complex`, `gradient` and `four`
 };
 
 void main() {

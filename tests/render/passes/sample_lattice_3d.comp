@@ -1,17 +1,16 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What gabor_lattice_3d.glsl answers at any places, for the tests.
+// What one function of gabor_lattice_3d.glsl answers at any places, for the tests. GABOR_OF_... names it, as in
+// sampler_lattice_3d.hpp: a pipeline that chooses among all of them takes drivers seconds to compile.
 
 #include "gabor_lattice.glsl"
 #include "gabor_lattice_3d.glsl"
 
 layout(local_size_x = 64) in;
 
-// One function for each pipeline, for all of them in one take minutes to compile. As in sampler_lattice_3d.hpp.
-layout(constant_id = 0) const int entry = 0;
-layout(constant_id = 1) const int filtered = 0; // the functions by place
-layout(constant_id = 2) const int animated = 0;
+layout(constant_id = 0) const int filtered = 0; // the functions by place
+layout(constant_id = 1) const int animated = 0;
 
 // In scalars, for a vec3 would be padded.
 struct Sample {
@@ -39,7 +38,6 @@ layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]
 
 layout(push_constant) uniform Push {
     uint count;
-    int wanted; // not used
 };
 
 vec3 vector(float v[3]) {
@@ -59,57 +57,17 @@ void main() {
     GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
                                       ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
                                       filtered != 0, vector(s.dx), vector(s.dy));
-    GaborField3d field = GaborField3d(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
-    vec4 answer = vec4(0.0);
-    switch (entry) {
-    case 0:
-        field = gabor_field_3d(place, wave, s.seed);
-        break;
-    case 1:
-        field = gabor_isotropic_3d(place, f, s.seed);
-        break;
-    case 2:
-        field = gabor_surface_3d(place, normal, f, direction, s.seed);
-        break;
-    case 3:
-        field = gabor_surface_isotropic_3d(place, normal, f, s.seed);
-        break;
-    case 4:
-        answer.x = gabor_noise_3d(p, f, direction, s.seed);
-        break;
-    case 5:
-        answer.xy = gabor_noise_3d_complex(p, f, direction, s.seed);
-        break;
-    case 6:
-        answer = gabor_noise_3d_gradient(p, f, direction, s.seed);
-        break;
-    case 7:
-        answer = gabor_noise_3d_four(p, f, direction, s.seed);
-        break;
-    case 8:
-        answer.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
-        break;
-    case 9:
-        answer.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
-        break;
-    case 10:
-        answer.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
-        break;
-    case 11:
-        answer.x = gabor_noise_3d_isotropic(p, f, s.seed);
-        break;
-    case 12:
-        answer.x = gabor_noise_surface(p, normal, f, direction, s.seed);
-        break;
-    default:
-        answer.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
-        break;
-    }
-    if (entry >= 4) { // a function of a position
-        for (int c = 0; c < 4; ++c)
-            answers[i].value[c] = answer[c];
-        return;
-    }
+#if defined GABOR_OF_field || defined GABOR_OF_isotropic || defined GABOR_OF_surface || defined GABOR_OF_surface_isotropic
+    GaborField3d field;
+#if defined GABOR_OF_field
+    field = gabor_field_3d(place, wave, s.seed);
+#elif defined GABOR_OF_isotropic
+    field = gabor_isotropic_3d(place, f, s.seed);
+#elif defined GABOR_OF_surface
+    field = gabor_surface_3d(place, normal, f, direction, s.seed);
+#elif defined GABOR_OF_surface_isotropic
+    field = gabor_surface_isotropic_3d(place, normal, f, s.seed);
+#endif
     for (int c = 0; c < 2; ++c) {
         answers[i].value[c] = field.value[c];
         answers[i].value[2 + c] = field.slope_x[c];
@@ -117,4 +75,30 @@ void main() {
         answers[i].value[6 + c] = field.slope_z[c];
     }
     answers[i].value[8] = field.removed;
+#else // a function of a position
+    vec4 answer = vec4(0.0);
+#if defined GABOR_OF_noise
+    answer.x = gabor_noise_3d(p, f, direction, s.seed);
+#elif defined GABOR_OF_complex
+    answer.xy = gabor_noise_3d_complex(p, f, direction, s.seed);
+#elif defined GABOR_OF_gradient
+    answer = gabor_noise_3d_gradient(p, f, direction, s.seed);
+#elif defined GABOR_OF_four
+    answer = gabor_noise_3d_four(p, f, direction, s.seed);
+#elif defined GABOR_OF_tiled
+    answer.x = gabor_noise_3d_tiled(p, vector(s.tile), f, direction, s.seed);
+#elif defined GABOR_OF_animated
+    answer.x = gabor_noise_3d_animated(p, s.time, f, direction, s.seed);
+#elif defined GABOR_OF_filtered
+    answer.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
+#elif defined GABOR_OF_noise_isotropic
+    answer.x = gabor_noise_3d_isotropic(p, f, s.seed);
+#elif defined GABOR_OF_noise_surface
+    answer.x = gabor_noise_surface(p, normal, f, direction, s.seed);
+#elif defined GABOR_OF_noise_surface_isotropic
+    answer.x = gabor_noise_surface_isotropic(p, normal, f, s.seed);
+#endif
+    for (int c = 0; c < 4; ++c)
+        answers[i].value[c] = answer[c];
+#endif
 }

@@ -52,13 +52,13 @@ layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[];
 layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
 
 // Which of the answers are wanted; millions of some would take too long together with the others.
-#define ALL 0u
-#define FILTERED 1u
-#define SPREAD 2u
+#define ALL 0
+#define FILTERED 1
+#define SPREAD 2
+layout(constant_id = 0) const int wanted = ALL;
 
 layout(push_constant) uniform Push {
     uint count;
-    uint wanted;
 };
 
 void main() {
