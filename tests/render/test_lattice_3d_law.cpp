@@ -1,13 +1,12 @@
-// The law of gabor_lattice_3d.glsl: over independent instances at fixed places, and of its sums by their
-// parts.
+// The law of gabor_lattice_3d.glsl: over independent instances, GABOR_LAW_SAMPLES of them for a figure, and
+// of its sums by their parts.
 
+#include "law.hpp"
+#include "reference/lattice.hpp"
 #include "sampler_lattice_3d.hpp"
-#include "statistics/gaussianity.hpp"
-#include "statistics/moments.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,73 +16,124 @@ using namespace gabor;
 using noise::Lattice3d;
 using std::numbers::pi;
 using test::Entry3d;
+using test::Figure;
 using test::LatticeSample3d;
 using test::LatticeSampler3d;
 using Vector = Lattice3d::Vector;
 
 namespace {
 
-struct Law {
-    explicit Law(double deviation) : gaussianity(deviation) {}
+constexpr std::size_t per_batch = 1 << 17;
 
-    statistics::Moments moments;
-    statistics::Gaussianity gaussianity;
-};
+// Batches for a share of a figure's samples.
+int batches(double share) {
+    return static_cast<int>(std::ceil(share * test::law_samples() / per_batch));
+}
 
-// Combinations of an answer's numbers, each with the deviation that theory predicts.
+Vector random_unit(test::Draw& draw) {
+    return test::unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
+}
+
+std::array<float, 3> narrow(const Vector& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The sample in another instance.
+LatticeSample3d elsewhere(LatticeSample3d sample, test::Draw& draw) {
+    sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
+    sample.seed = draw.word();
+    return sample;
+}
+
+LatticeSample3d at(const std::array<float, 3>& local) {
+    LatticeSample3d sample;
+    sample.place.local = local;
+    sample.frequency = 1;
+    sample.direction = {0.6f, 0.48f, 0.64f};
+    return sample;
+}
+
+} // namespace
+
+TEST_CASE("noise on the lattice in space has its law at each of 4 x 4 x 4 places of a cell", "[law]") {
+    const vulkan::Device device;
+    LatticeSampler3d sampler(device, per_batch, Entry3d::field);
+    test::Draw draw(30);
+    const auto places = test::places_of_cell(4, 3);
+    const std::size_t per_place = per_batch / places.size();
+    test::Laws all(places);
+    struct Waves {
+        float frequency;
+        bool tiled;
+    };
+    for (const auto& [frequency, tiled] :
+         {Waves{0, false}, {0.7f, false}, {4, false}, {30, false}, {1.5f, true}}) {
+        test::Laws laws(places);
+        for (int batch = 0; batch < batches(1.0 / 8); ++batch) {
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                LatticeSample3d sample;
+                sample.frequency = frequency;
+                sample.direction = narrow(random_unit(draw));
+                std::ranges::copy(places[i / per_place], sample.place.local.begin());
+                for (std::size_t axis = 0; tiled && axis < 3; ++axis) {
+                    sample.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
+                    sample.place.radius[axis] = 1.5f * draw.uniform(0.8f, 1.25f);
+                }
+                sampler.samples()[i] = elsewhere(sample, draw);
+            }
+            const auto answers = sampler.answers(per_batch);
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                laws.add(i / per_place, answers[i].value[0]);
+                laws.add(i / per_place, answers[i].value[1]);
+            }
+        }
+        laws.check(fmt::format("frequency {}{}", frequency, tiled ? ", tiles" : ""));
+        all.merge(laws);
+    }
+    all.check("all waves");
+}
+
+namespace {
+
+// A sum of numbers of the answers to a group of samples, the first nine those of the first.
 struct Combination {
     std::string name;
-    std::vector<double> factors;
-    double deviation;
+    struct Term {
+        std::size_t number;
+        double factor;
+    };
+    std::vector<Term> terms;
+    double deviation; // that theory predicts
 };
 
-// The laws of combinations over instances at one place, each law normal and of the variance predicted.
-void check(LatticeSampler3d& sampler, const LatticeSample3d& sample, int batches,
-           const std::vector<Combination>& combinations, double largest_index) {
-    test::Draw draw(31);
-    std::vector<Law> laws;
+// The laws of combinations over instances of a sample; `group_of` makes an array of samples of each.
+template <typename GroupOf>
+void check(LatticeSampler3d& sampler, const LatticeSample3d& one, const GroupOf& group_of, double share,
+           const std::vector<Combination>& combinations) {
+    test::Draw draw(41);
+    std::vector<Figure> figures;
     for (const Combination& c : combinations)
-        laws.emplace_back(c.deviation);
-    const std::size_t count = sampler.samples().size();
-    for (int batch = 0; batch < batches; ++batch) {
-        for (LatticeSample3d& one : sampler.samples()) {
-            one = sample;
-            one.place.cell = {draw.cell(), draw.cell(), draw.cell()};
-            one.seed = draw.word();
-        }
-        for (const test::LatticeAnswer3d& answer : sampler.answers(count)) {
-            for (std::size_t k = 0; k < laws.size(); ++k) {
+        figures.emplace_back(c.deviation);
+    const std::size_t size = group_of(one).size();
+    for (int batch = 0; batch < batches(share); ++batch) {
+        for (std::size_t i = 0; i < per_batch; i += size)
+            std::ranges::copy(group_of(elsewhere(one, draw)), sampler.samples().subspan(i).begin());
+        const auto answers = sampler.answers(per_batch);
+        for (std::size_t i = 0; i < per_batch; i += size) {
+            for (std::size_t k = 0; k < figures.size(); ++k) {
                 double sum = 0;
-                for (std::size_t c = 0; c < combinations[k].factors.size(); ++c)
-                    sum += combinations[k].factors[c] * answer.value[c];
-                laws[k].moments.add(sum);
-                laws[k].gaussianity.add(sum);
+                for (const auto& [number, factor] : combinations[k].terms)
+                    sum += factor * answers[i + number / 9].value[number % 9];
+                figures[k].add(sum);
             }
         }
     }
-    const double samples = static_cast<double>(count) * batches;
-    for (std::size_t k = 0; k < laws.size(); ++k) {
-        const Combination& c = combinations[k];
-        const double mean = laws[k].moments.mean() / c.deviation;
-        const double variance = laws[k].moments.variance() / (c.deviation * c.deviation);
-        const statistics::Estimate index = laws[k].gaussianity.index();
-        fmt::print(
-            "  {:<28} mean {:+.5f}, variance {:.5f}, excess kurtosis {:+.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
-            c.name, mean, variance, laws[k].moments.excess_kurtosis(), index.value, index.low, index.high);
-        INFO(c.name << " at " << to_string(sample));
-        CHECK(mean == Approx(0).margin(4.5 / std::sqrt(samples)));
-        CHECK(variance == Approx(1).margin(4.5 * std::sqrt(2 / samples)));
-        CHECK(index.value < largest_index + 2.0 * statistics::cvm_scale /
-                                                samples); // which chance alone exceeds once in 10^4
-    }
-}
-
-LatticeSample3d at(const std::array<float, 3>& local, float frequency) {
-    LatticeSample3d sample;
-    sample.place.local = local;
-    sample.frequency = frequency;
-    sample.direction = {0.6f, 0.48f, 0.64f};
-    return sample;
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        figures[k].check(combinations[k].name);
 }
 
 // Both parts of the noise, those of its gradient, and sums of them: jointly normal.
@@ -99,42 +149,17 @@ std::vector<Combination> of_field(const LatticeSample3d& sample) {
     const double mixed = std::sqrt(1 + 1 + 2 * covariance / slope(0));
     const double slopes = 4 * pi * pi * sample.frequency * sample.frequency * direction[0] * direction[1];
     const double both = std::sqrt(2 + 2 * slopes / (slope(0) * slope(1)));
-    return {{"noise", {0, 1}, 1},
-            {"quadrature", {1}, 1},
-            {"their sum", {1, 1}, std::sqrt(2.0)},
-            {"d/dx", {0, 0, 0, 1}, slope(0)},
-            {"d/dy", {0, 0, 0, 0, 0, 1}, slope(1)},
-            {"d/dz", {0, 0, 0, 0, 0, 0, 0, 1}, slope(2)},
-            {"d/dx + d/dy", {0, 0, 0, 1 / slope(0), 0, 1 / slope(1)}, both},
-            {"quadrature + d/dx", {1, 0, 0, 1 / slope(0)}, mixed}};
-}
-
-Vector random_unit(test::Draw& draw) {
-    return test::unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
-}
-
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-const std::array<float, 3> places[] = {{0, 0, 0}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0}};
-
-} // namespace
-
-TEST_CASE("noise on the lattice in space is normal at fixed places, with its gradient and quadrature",
-          "[law]") {
-    const vulkan::Device device;
-    LatticeSampler3d sampler(device, 1 << 15, Entry3d::field);
-    for (const auto& place : places) {
-        const LatticeSample3d sample = at(place, 1);
-        fmt::print("at {}\n", place);
-        check(sampler, sample, 32, of_field(sample), 0.1);
-    }
+    return {{"noise", {{1, 1}}, 1},
+            {"quadrature", {{0, 1}}, 1},
+            {"their sum", {{0, 1}, {1, 1}}, std::sqrt(2.0)},
+            {"d/dx", {{3, 1}}, slope(0)},
+            {"d/dy", {{5, 1}}, slope(1)},
+            {"d/dz", {{7, 1}}, slope(2)},
+            {"d/dx + d/dy", {{3, 1 / slope(0)}, {5, 1 / slope(1)}}, both},
+            {"quadrature + d/dx", {{0, 1}, {3, 1 / slope(0)}}, mixed}};
 }
 
 // The covariance of two places along the lattice's axes, from the windows: of the nodes that reach both.
-namespace {
-
 double covariance(const LatticeSample3d& sample, const std::array<float, 3>& lag) {
     double product = 1;
     double turns = 0;
@@ -155,61 +180,71 @@ double covariance(const LatticeSample3d& sample, const std::array<float, 3>& lag
 
 } // namespace
 
-TEST_CASE("pairs of places on the lattice in space are jointly normal", "[law]") {
+TEST_CASE("noise on the lattice in space is jointly normal with its gradient and quadrature, pairs of places "
+          "and four noises are",
+          "[law]") {
     const vulkan::Device device;
-    constexpr std::size_t pairs = 1 << 16;
-    LatticeSampler3d sampler(device, 2 * pairs, Entry3d::field);
-    test::Draw draw(37);
-    for (const std::array<float, 3> lag : {std::array{0.3f, 0.0f, 0.0f}, std::array{0.0f, 0.7f, 0.7f},
-                                           std::array{0.5f, -0.5f, 1.0f}, std::array{1.5f, 0.0f, 0.4f}}) {
-        const LatticeSample3d first = at(places[draw.word() % 3], 1);
-        const double between = covariance(first, lag);
-        Law sum(std::sqrt(2 + 2 * between));
-        Law difference(std::sqrt(2 - 2 * between));
-        for (std::size_t i = 0; i < pairs; ++i) {
-            LatticeSample3d one = first;
-            one.place.cell = {draw.cell(), draw.cell(), draw.cell()};
-            one.seed = draw.word();
-            sampler.samples()[2 * i] = one;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                one.place.local[axis] += lag[axis];
-            sampler.samples()[2 * i + 1] = one;
-        }
-        const auto answers = sampler.answers(2 * pairs);
-        for (std::size_t i = 0; i < pairs; ++i) {
-            const double a = answers[2 * i].value[1];
-            const double b = answers[2 * i + 1].value[1];
-            sum.moments.add(a + b);
-            sum.gaussianity.add(a + b);
-            difference.moments.add(a - b);
-            difference.gaussianity.add(a - b);
-        }
-        const double margin = 4.5 * std::sqrt(2.0 / pairs);
-        fmt::print("  lag {}, covariance {:.3f}: cvm of the sum {:.3f}, of the difference {:.3f}\n", lag,
-                   between, sum.gaussianity.index().value, difference.gaussianity.index().value);
-        CHECK(sum.moments.variance() == Approx(2 + 2 * between).epsilon(margin));
-        CHECK(difference.moments.variance() == Approx(2 - 2 * between).epsilon(margin));
-        const double chance = 2.0 * statistics::cvm_scale / pairs;
-        CHECK(sum.gaussianity.index().value < 0.5 + chance);
-        CHECK(difference.gaussianity.index().value < 0.5 + chance);
+    LatticeSampler3d sampler(device, per_batch, Entry3d::field);
+    for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
+        fmt::print("at {}\n", place);
+        check(
+            sampler, at(place), [](const LatticeSample3d& s) { return std::array{s}; }, 1.0 / 4,
+            of_field(at(place)));
     }
+    for (const auto& lag :
+         {std::array{0.3f, 0.0f, 0.0f}, {0.0f, 0.7f, 0.7f}, {0.5f, -0.5f, 1.0f}, {1.5f, 0.0f, 0.4f}}) {
+        const LatticeSample3d first = at({0.25f, 0.5f, 0});
+        const double between = covariance(first, lag);
+        const auto pair = [&](LatticeSample3d s) {
+            std::array both{s, s};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                both[1].place.local[axis] += lag[axis];
+            return both;
+        };
+        fmt::print("lag {}, covariance {:.3f}\n", lag, between);
+        check(sampler, first, pair, 1.0 / 4,
+              {{"sum", {{1, 1}, {10, 1}}, std::sqrt(2 + 2 * between)},
+               {"difference", {{1, 1}, {10, -1}}, std::sqrt(2 - 2 * between)}});
+    }
+    const auto four = [](const LatticeSample3d& s) {
+        std::array all{s, s, s, s};
+        for (int channel = 1; channel < 4; ++channel)
+            all.at(static_cast<std::size_t>(channel)).seed = noise::lattice_lobe_seed(s.seed, -channel);
+        return all;
+    };
+    fmt::print("four at a node\n");
+    check(sampler, at({}), four, 1.0 / 4,
+          {{"first + second", {{1, 1}, {10, 1}}, std::numbers::sqrt2},
+           {"third - fourth", {{19, 1}, {28, -1}}, std::numbers::sqrt2},
+           {"all four", {{1, 1}, {10, 1}, {19, 1}, {28, 1}}, 2}});
 }
 
-TEST_CASE("surface noise on the lattice has variance 1 for every normal", "[law]") {
+TEST_CASE("surface noise on the lattice has its law for every normal", "[law]") {
     const vulkan::Device device;
     test::Draw draw(32);
+    std::vector<std::array<float, 3>> normals(32);
+    for (auto& normal : normals)
+        normal = narrow(random_unit(draw));
     for (const Entry3d entry : {Entry3d::surface, Entry3d::surface_isotropic}) {
-        LatticeSampler3d sampler(device, 1 << 15, entry);
-        for (int i = 0; i < 6; ++i) {
-            LatticeSample3d sample = at(places[i % 3], 1);
-            const Vector normal = random_unit(draw);
-            // The last three near the direction, where another one takes over.
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sample.normal[axis] = static_cast<float>(
-                    i < 3 ? normal[axis] : sample.direction[axis] + 0.15 * i * normal[axis] - 0.3);
-            check(sampler, sample, 8,
-                  {{fmt::format("normal {:.3f}", fmt::join(sample.normal, " ")), {0, 1}, 1}}, 0.5);
+        LatticeSampler3d sampler(device, per_batch, entry);
+        test::Laws laws(normals);
+        for (int batch = 0; batch < batches(1.0 / 4); ++batch) {
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                LatticeSample3d sample = at({draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
+                sample.normal = normals[i % normals.size()];
+                sample.direction = narrow(random_unit(draw));
+                // Every other direction near the normal, where another one takes over.
+                for (std::size_t axis = 0; i / normals.size() % 2 && axis < 3; ++axis)
+                    sample.direction[axis] = sample.normal[axis] + 0.45f * sample.direction[axis];
+                sampler.samples()[i] = elsewhere(sample, draw);
+            }
+            const auto answers = sampler.answers(per_batch);
+            for (std::size_t i = 0; i < per_batch; ++i) {
+                laws.add(i % normals.size(), answers[i].value[0]);
+                laws.add(i % normals.size(), answers[i].value[1]);
+            }
         }
+        laws.check(entry == Entry3d::surface ? "surface" : "surface, isotropic");
     }
 }
 

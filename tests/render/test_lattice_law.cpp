@@ -2,22 +2,21 @@
 // GABOR_LAW_SAMPLES says how many samples each figure has.
 
 #include "lattice_sampler.hpp"
+#include "law.hpp"
 #include "statistics/estimate.hpp"
-#include "statistics/gaussianity.hpp"
-#include "statistics/moments.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <random>
 
 using namespace gabor;
 using std::numbers::pi;
+using test::Figure;
 using test::LatticeSample;
 
 namespace {
@@ -27,39 +26,8 @@ constexpr float frequency = 1.5;
 constexpr float orientation = 0.4f;
 
 int batches() {
-    const char* text = std::getenv("GABOR_LAW_SAMPLES");
-    const double samples = text ? std::strtod(text, nullptr) : 1 << 21;
-    return static_cast<int>(std::ceil(samples / per_batch));
+    return static_cast<int>(std::ceil(test::law_samples() / per_batch));
 }
-
-// Random numbers against the normal law of mean 0 and a deviation that theory says.
-class Figure {
-  public:
-    explicit Figure(double deviation = 1) : deviation_(deviation), gaussianity_(deviation) {}
-
-    void add(double value) {
-        moments_.add(value);
-        gaussianity_.add(value);
-    }
-
-    void check(const std::string& name) const {
-        const statistics::Estimate cvm = gaussianity_.index();
-        const double n = static_cast<double>(gaussianity_.count());
-        const double variance = moments_.variance() / (deviation_ * deviation_);
-        fmt::print(
-            "  {:<34} mean {:8.5f}, variance {:.5f}, excess kurtosis {:7.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
-            name, moments_.mean(), variance, moments_.excess_kurtosis(), cvm.value, cvm.low, cvm.high);
-        INFO(name);
-        CHECK(std::abs(moments_.mean()) < 5 * deviation_ / std::sqrt(n));
-        CHECK(std::abs(variance - 1) < 5 * std::sqrt(2 / n));
-        CHECK(cvm.low < 0.05);
-    }
-
-  private:
-    double deviation_;
-    statistics::Moments moments_;
-    statistics::Gaussianity gaussianity_;
-};
 
 using All = std::map<std::string, Figure>;
 
@@ -95,24 +63,19 @@ LatticeSample draw_instance(std::mt19937& random) {
     return s;
 }
 
-constexpr std::size_t side = 16;
-constexpr std::size_t places = side * side; // of a cell, the first at its corner
-constexpr std::size_t per_place = per_batch / places;
-
 struct Waves {
     float frequency;
     float orientation;
     bool tiled;
 };
 
-LatticeSample draw_at(std::size_t place, int taps, const Waves& waves, std::mt19937& random) {
+LatticeSample draw_at(const std::vector<float>& local, int taps, const Waves& waves, std::mt19937& random) {
     LatticeSample s = draw_instance(random);
     s.frequency = waves.frequency;
     s.orientation = waves.orientation;
-    const std::array local{place % side, place / side};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         s.cell[axis] = static_cast<std::int32_t>(random());
-        s.local[axis] = static_cast<float>(local[axis]) / side;
+        s.local[axis] = local[axis];
         const auto least = static_cast<float>(taps);
         const float nodes = std::max(std::floor(s.tile[axis] * 0.5f * least + 0.5f), least);
         s.p[axis] = (std::floor(nodes * uniform(random)) + s.local[axis]) * s.tile[axis] / nodes;
@@ -125,13 +88,13 @@ LatticeSample draw_at(std::size_t place, int taps, const Waves& waves, std::mt19
 TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "[law]") {
     const vulkan::Device device;
     const int rounds = (batches() + 7) / 8; // batches for each wave
-    const double n = rounds * static_cast<double>(per_place);
     for (const int taps : {3, 4}) {
         test::LatticeSampler sampler(device, taps, per_batch);
         std::mt19937 random(8);
-        statistics::Moments all, cvms;
-        std::string worst;
-        fmt::print("{} taps on {}, {} values at each place of each wave\n", taps, device.info().name, n);
+        const auto places = test::places_of_cell(16, 2);
+        const std::size_t per_place = per_batch / places.size();
+        test::Laws all(places);
+        fmt::print("{} taps on {}\n", taps, device.info().name);
         for (const Waves& waves : {Waves{4, 0, false},
                                    {4, 0.4f, false},
                                    {4, 0.785398f, false},
@@ -141,53 +104,20 @@ TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "
                                    {0.7f, 0.4f, false},
                                    {30, 0.4f, false},
                                    {1.5f, 0.4f, true}}) {
-            std::vector<statistics::Moments> moments(places);
-            std::vector<statistics::Gaussianity> laws(places);
+            test::Laws laws(places);
             for (int round = 0; round < rounds; ++round) {
                 for (std::size_t i = 0; i < per_batch; ++i)
-                    sampler.samples()[i] = draw_at(i / per_place, taps, waves, random);
+                    sampler.samples()[i] = draw_at(places[i / per_place], taps, waves, random);
                 const auto answers =
                     sampler.answers(per_batch, waves.tiled ? test::Wanted::moving : test::Wanted::at);
-                for (std::size_t i = 0; i < per_batch; ++i) {
-                    const float value = waves.tiled ? answers[i].tiled : answers[i].at;
-                    moments[i / per_place].add(value);
-                    laws[i / per_place].add(value);
-                }
+                for (std::size_t i = 0; i < per_batch; ++i)
+                    laws.add(i / per_place, waves.tiled ? answers[i].tiled : answers[i].at);
             }
-
-            // Means and variances differ from place to place by chance alone: chi-square per degree of
-            // freedom.
-            double means = 0, variances = 0;
-            const std::string name = fmt::format("frequency {:<4} orientation {:.2f}{}", waves.frequency,
-                                                 waves.orientation, waves.tiled ? ", tiles" : "");
-            statistics::Moments together;
-            for (std::size_t place = 0; place < places; ++place) {
-                together.merge(moments[place]);
-                means += std::pow(moments[place].mean(), 2) * n / places;
-                variances += std::pow(moments[place].variance() - 1, 2) * n / 2 / places;
-                const double cvm = laws[place].index().value;
-                if (!(cvm < cvms.maximum()))
-                    worst = fmt::format("{}, ({}, {}) / 16", name, place % side, place / side);
-                cvms.add(cvm);
-            }
-            all.merge(together);
-            fmt::print(
-                "  {:<41} mean {:8.5f}, variance {:.5f}, chi-square of means {:.2f}, of variances {:.2f}\n",
-                name, together.mean(), together.variance(), means, variances);
-            INFO(taps << " taps, " << name);
-            CHECK(std::abs(together.mean()) < 5 / std::sqrt(n * places));
-            CHECK(std::abs(together.variance() - 1) < 5 * std::sqrt(2 / (n * places)));
-            CHECK(std::abs(means - 1) < 5 * std::sqrt(2.0 / places));
-            CHECK(std::abs(variances - 1) < 5 * std::sqrt(2.0 / places));
+            laws.check(fmt::format("frequency {:<4} orientation {:.2f}{}", waves.frequency, waves.orientation,
+                                   waves.tiled ? ", tiles" : ""));
+            all.merge(laws);
         }
-        const double error = std::sqrt(cvms.variance() / static_cast<double>(cvms.count()));
-        fmt::print("  all: mean {:8.5f}, variance {:.5f}; cvm {:.4f} +- {:.4f} on average, {:.2f} at the "
-                   "worst: {}\n",
-                   all.mean(), all.variance(), cvms.mean(), error, cvms.maximum(), worst);
-        CHECK(std::abs(all.variance() - 1) < 5 * std::sqrt(2 / static_cast<double>(all.count())));
-        CHECK(cvms.mean() - 4 * error < 0.05);
-        // Of 2304 normal laws the largest T - 1/6 is about 1.2, and in one case of 75 more than 2.
-        CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
+        all.check("all waves");
     }
 }
 

@@ -3,6 +3,7 @@
 // from node to node, which would be a peak at the lattice's frequencies, whole numbers of cycles per node
 // spacing. GABOR_LAW_SAMPLES says how many pixels there are.
 
+#include "law.hpp"
 #include "render/parameters.hpp"
 #include "render/renderer.hpp"
 #include "statistics/lines.hpp"
@@ -14,7 +15,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -26,10 +26,8 @@ constexpr int pictures = 12; // of other nodes, and so independent
 
 // The side of each, in pixels.
 int picture_side() {
-    const char* text = std::getenv("GABOR_LAW_SAMPLES");
-    const double samples = text ? std::strtod(text, nullptr) : 1 << 21;
-    return static_cast<int>(
-        std::bit_floor(static_cast<unsigned>(std::clamp(std::sqrt(samples / 6), 256.0, 4096.0))));
+    const double side = std::clamp(std::sqrt(test::law_samples() / 6), 256.0, 4096.0);
+    return static_cast<int>(std::bit_floor(static_cast<unsigned>(side)));
 }
 
 using statistics::NoiseLines;
