@@ -58,6 +58,7 @@ struct gabor_vector<T, 4> {
     GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, T z_, T w_) : x(v.x), y(v.y), z(z_), w(w_) {}
     GABOR_INLINE gabor_vector(gabor_vector<T, 2> v, gabor_vector<T, 2> u) : x(v.x), y(v.y), z(u.x), w(u.y) {}
     GABOR_INLINE gabor_vector(gabor_vector<T, 3> v, T w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    GABOR_INLINE gabor_vector(T x_, gabor_vector<T, 3> v) : x(x_), y(v.x), z(v.y), w(v.z) {}
     GABOR_INLINE explicit gabor_vector(T all) : x(all), y(all), z(all), w(all) {}
     template <typename U>
     GABOR_INLINE explicit gabor_vector(gabor_vector<U, 4> v) : x(T(v.x)), y(T(v.y)), z(T(v.z)), w(T(v.w)) {}
@@ -276,28 +277,6 @@ GABOR_INLINE gabor_vec3 gabor_cpp_normalize(gabor_vec3 v) {
 }
 GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
-}
-
-// By columns.
-struct gabor_mat3 {
-    gabor_vec3 x, y, z;
-    GABOR_INLINE gabor_vec3& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
-    GABOR_INLINE gabor_vec3 operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
-};
-GABOR_INLINE gabor_vec3 operator*(gabor_mat3 m, gabor_vec3 v) {
-    return v.x * m.x + v.y * m.y + v.z * m.z;
-}
-GABOR_INLINE gabor_mat3 operator*(gabor_mat3 m, gabor_mat3 n) {
-    return {m * n.x, m * n.y, m * n.z};
-}
-GABOR_INLINE gabor_mat3 operator+(gabor_mat3 m, gabor_mat3 n) {
-    return {m.x + n.x, m.y + n.y, m.z + n.z};
-}
-GABOR_INLINE gabor_mat3 operator-(gabor_mat3 m, gabor_mat3 n) {
-    return {m.x - n.x, m.y - n.y, m.z - n.z};
-}
-GABOR_INLINE gabor_mat3 gabor_cpp_transpose(gabor_mat3 m) {
-    return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
 
 #undef GABOR_EACH

@@ -25,18 +25,18 @@ struct Quantity {
 };
 
 constexpr Quantity value{
-    "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.value.y", "0.0"};
+    "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise.x", "0.0"};
 constexpr Quantity gradient{"The gradient, per kernel radius.",
                             "vec2",
                             "gradient",
                             "vec2(field.slope_x.y, field.slope_y.y)",
-                            "vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y)",
+                            "field.noise.yzw",
                             "vec2(0.0)"};
 constexpr Quantity complex_value{"The noise as a complex number: its quadrature, and the noise itself.",
                                  "vec2",
                                  "complex",
                                  "field.value",
-                                 "field.value",
+                                 "vec2(field.quadrature.x, field.noise.x)",
                                  "vec2(0.0)"};
 constexpr Quantity removed{
     "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};
@@ -169,7 +169,7 @@ std::string field_in_space(const render::Request& request, const passes::SolidWa
         return fmt::format("gabor_surface_3d(place, normal, {}, {}", frequency, direction);
     if (wave.isotropic == 1)
         return fmt::format("gabor_isotropic_3d(place, {}", frequency);
-    return fmt::format("gabor_field_3d(place, gabor_wave_3d({}, {})", frequency, direction);
+    return fmt::format("gabor_field_3d(place, {}, {}", frequency, direction);
 }
 
 std::string of_space(const render::Request& request, const Quantity& of) {

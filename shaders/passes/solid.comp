@@ -39,7 +39,7 @@ GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
     vec3 along = vec3(wave.direction, 0.0);
     if (on_surface)
         return gabor_surface_3d(place, normal, wave.frequency, along, wave.seed);
-    return gabor_field_3d(place, gabor_wave_3d(wave.frequency, along), wave.seed);
+    return gabor_field_3d(place, wave.frequency, along, wave.seed);
 }
 
 struct Values {
@@ -62,10 +62,10 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         for (int channel = 0; channel < values; ++channel) {
             wave.seed = channel == 0 ? seed : gabor_lobe_seed(seed, -channel);
             GaborField3d field = wave_at(wave, place, normal);
-            sum.values[channel] += wave.amplitude * field.value.y;
+            sum.values[channel] += wave.amplitude * field.noise.x;
             if (channel == 0) {
-                sum.complex += wave.amplitude * field.value;
-                sum.slope += wave.amplitude / wave.radius * vec3(field.slope_x.y, field.slope_y.y, field.slope_z.y);
+                sum.complex += wave.amplitude * vec2(field.quadrature.x, field.noise.x);
+                sum.slope += wave.amplitude / wave.radius * field.noise.yzw;
             }
         }
     }

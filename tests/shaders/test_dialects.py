@@ -239,10 +239,11 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
-        # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Besides lobes an axis' nodes are
-        # the only arrays, and are indexed by constants.
+        # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Besides lobes the only arrays are
+        # of nodes, along an axis and in space, indexed by constants and in loops of constant length.
         self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
-                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]"})
+                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 phase[3]",
+                          "vec2 number[27]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 

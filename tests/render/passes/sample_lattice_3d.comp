@@ -53,14 +53,13 @@ void main() {
     vec3 direction = vector(s.direction);
     vec3 normal = vector(s.normal);
     vec3 p = vector(s.p);
-    vec3 wave = gabor_wave_3d(f, direction);
     GaborPlace3d place = GaborPlace3d(ivec3(s.cell[0], s.cell[1], s.cell[2]), vector(s.local), vector(s.radius),
                                       ivec3(s.period[0], s.period[1], s.period[2]), animated != 0, s.time,
                                       filtered != 0, vector(s.dx), vector(s.dy));
 #if defined GABOR_OF_field || defined GABOR_OF_isotropic || defined GABOR_OF_surface || defined GABOR_OF_surface_isotropic
     GaborField3d field;
 #if defined GABOR_OF_field
-    field = gabor_field_3d(place, wave, s.seed);
+    field = gabor_field_3d(place, f, direction, s.seed);
 #elif defined GABOR_OF_isotropic
     field = gabor_isotropic_3d(place, f, s.seed);
 #elif defined GABOR_OF_surface
@@ -68,11 +67,9 @@ void main() {
 #elif defined GABOR_OF_surface_isotropic
     field = gabor_surface_isotropic_3d(place, normal, f, s.seed);
 #endif
-    for (int c = 0; c < 2; ++c) {
-        answers[i].value[c] = field.value[c];
-        answers[i].value[2 + c] = field.slope_x[c];
-        answers[i].value[4 + c] = field.slope_y[c];
-        answers[i].value[6 + c] = field.slope_z[c];
+    for (int c = 0; c < 4; ++c) {
+        answers[i].value[2 * c] = field.quadrature[c];
+        answers[i].value[2 * c + 1] = field.noise[c];
     }
     answers[i].value[8] = field.removed;
 #else // a function of a position
