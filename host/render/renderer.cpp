@@ -86,7 +86,7 @@ std::string pass_of(const Request& request) {
     }
     if (Bake::can_fill(request))
         return recipe_pass("bake", drawing_recipe(request));
-    return in_space(request) ? "passes/solid.comp" : recipe_pass("pixels", request.recipe);
+    return in_space(request) ? solid_pass(request) : recipe_pass("pixels", request.recipe);
 }
 
 std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,

@@ -3,6 +3,7 @@
 #include "noise/spectrum.hpp"
 
 #include "passes/solid.h"
+#include "passes/solid_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,12 +34,15 @@ bool along_surface(const Request& request) {
     return body && !body->solid;
 }
 
+std::string solid_pass(const Request& request) {
+    return along_surface(request) ? "passes/solid.comp@surface" : "passes/solid.comp";
+}
+
 std::vector<std::uint32_t> solid_constants(const Request& request) {
     const Body* body = std::get_if<Body>(&request.view);
     return {body ? static_cast<std::uint32_t>(body->shape) + 1 : 0,
             std::ranges::any_of(request.lobes, is_isotropic),
             !std::ranges::all_of(request.lobes, is_isotropic),
-            along_surface(request),
             request.filter,
             static_cast<std::uint32_t>(request.values),
             request.quadrature,
@@ -84,7 +88,8 @@ Solid::Solid(const vulkan::Device& device, const Request& request, const image::
 Solid::Solid(const vulkan::Device& device, const Request& request, const image::Window& region,
              const std::vector<passes::SolidWave>& waves, Code code)
     : height_(region.height),
-      pass_(device, code_or(code, solid_spirv), {2, sizeof(passes::SolidPush)}, solid_constants(request)),
+      pass_(device, code_or(code, along_surface(request) ? Code(solid_surface_spirv) : Code(solid_spirv)),
+            {2, sizeof(passes::SolidPush)}, solid_constants(request)),
       waves_(upload(device, waves)), push_(solid_push(request, request.width, request.height)) {
     push_.waves = static_cast<int>(waves.size());
     push_.width = region.width;

@@ -9,6 +9,9 @@ namespace gabor::render {
 /// Whether the waves run along a body's surface, and not through it.
 bool along_surface(const Request& request);
 
+/// The module of passes/solid.comp that draws it, as recipe_pass.
+std::string solid_pass(const Request& request);
+
 /// The specialization constants of passes/solid.comp, but for the last one.
 std::vector<std::uint32_t> solid_constants(const Request& request);
 

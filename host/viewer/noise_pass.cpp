@@ -40,7 +40,7 @@ NoisePass of_drop_in(const render::Request& request) {
     pass.channels = render::channels(request);
     pass.waves = wave_count(request);
     if (render::in_space(request)) {
-        pass.shader = "passes/solid.comp";
+        pass.shader = render::solid_pass(request);
         pass.constants = render::solid_constants(request);
         pass.name = "in space";
         pass.visited = visited_in_space(request);

@@ -65,8 +65,9 @@ std::string first_error(const std::string& log) {
 std::string macros_of(std::string_view variant) {
     if (std::isdigit(static_cast<unsigned char>(variant.front())) != 0)
         return fmt::format("#define GABOR_TAPS {}\n", variant);
-    return fmt::format(
-        "#define GABOR_MATERIAL gabor_{0}\n#define GABOR_MATERIAL_FILTERED gabor_{0}_filtered\n", variant);
+    return fmt::format("#define GABOR_OF_{0}\n#define GABOR_MATERIAL gabor_{0}\n"
+                       "#define GABOR_MATERIAL_FILTERED gabor_{0}_filtered\n",
+                       variant);
 }
 
 } // namespace

@@ -34,8 +34,8 @@ class ShaderCompiler {
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
     /// `path`: relative to shaders/, as are the files that it includes, unless they stand beside it; PATH@N
-    /// is PATH with GABOR_TAPS N, and PATH@NAME with GABOR_MATERIAL gabor_NAME and its filtered form. The
-    /// stage is told by PATH's extension.
+    /// is PATH with GABOR_TAPS N, and PATH@NAME with GABOR_OF_NAME, GABOR_MATERIAL gabor_NAME and its
+    /// filtered form. The stage is told by PATH's extension.
     Compiled compile(std::string_view path);
 
     /// Whether any file that was read has another time or size than it had then. Asking takes note: the next

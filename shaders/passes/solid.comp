@@ -1,22 +1,22 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective.
+// Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective. With
+// GABOR_OF_surface waves are tangent to the body: two modules, for drivers take seconds to compile both kinds in one.
 
 #include "passes/solid_interface.h"
 
 layout(constant_id = 0) const int view = 0;             // 0 slice, 1 sphere, 2 torus
 layout(constant_id = 1) const bool some_isotropic = false; // of the noises
 layout(constant_id = 2) const bool some_directed = false;
-layout(constant_id = 3) const bool on_surface = false;  // waves are tangent to the surface
-layout(constant_id = 4) const bool filtered = true;     // by the pixel's footprint
-layout(constant_id = 5) const int values = 1; // independent ones
-layout(constant_id = 6) const bool with_quadrature = false;
-layout(constant_id = 7) const bool with_gradient = false; // along the picture's right and down
-layout(constant_id = 8) const bool with_phasor = false;
+layout(constant_id = 3) const bool filtered = true;     // by the pixel's footprint
+layout(constant_id = 4) const int values = 1; // independent ones
+layout(constant_id = 5) const bool with_quadrature = false;
+layout(constant_id = 6) const bool with_gradient = false; // along the picture's right and down
+layout(constant_id = 7) const bool with_phasor = false;
 const int rays = 4; // through a pixel for its coverage, along each axis
-layout(constant_id = 9) const bool animated = false; // whether time is not 0
-layout(constant_id = 10) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
+layout(constant_id = 8) const bool animated = false; // whether time is not 0
+layout(constant_id = 9) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
 const int channels = values + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
@@ -31,15 +31,17 @@ layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[];
 #include "body.glsl"
 
 GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
-    if (some_isotropic && (!some_directed || wave.isotropic == 1u)) {
-        if (on_surface)
-            return gabor_surface_isotropic_3d(place, normal, wave.frequency, wave.seed);
-        return gabor_isotropic_3d(place, wave.frequency, wave.seed);
-    }
+    bool isotropic = some_isotropic && (!some_directed || wave.isotropic == 1u);
     vec3 along = vec3(wave.direction, 0.0);
-    if (on_surface)
-        return gabor_surface_3d(place, normal, wave.frequency, along, wave.seed);
+#ifdef GABOR_OF_surface
+    if (isotropic)
+        return gabor_surface_isotropic_3d(place, normal, wave.frequency, wave.seed);
+    return gabor_surface_3d(place, normal, wave.frequency, along, wave.seed);
+#else
+    if (isotropic)
+        return gabor_isotropic_3d(place, wave.frequency, wave.seed);
     return gabor_field_3d(place, wave.frequency, along, wave.seed);
+#endif
 }
 
 struct Values {

@@ -194,10 +194,8 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
     other -= gabor_cpp_dot(other, normal) * normal;
     float power = gabor_impl_takeover(0.0625f, 0.25f, gabor_cpp_dot(direction, direction));
     GaborField3d sum = GaborField3d{gabor_vec4(0.0f), gabor_vec4(0.0f), 0.0f};
-    if (power > 0.0f)
-        gabor_impl_add_term(sum, place, frequency, direction, seed, 0, power);
-    if (power < 1.0f)
-        gabor_impl_add_term(sum, place, frequency, other, seed, 1, 1.0f - power);
+    for (int i = power > 0.0f ? 0 : 1; i < (power < 1.0f ? 2 : 1); ++i)
+        gabor_impl_add_term(sum, place, frequency, i == 0 ? direction : other, seed, i, i == 0 ? power : 1.0f - power);
     return sum;
 }
 

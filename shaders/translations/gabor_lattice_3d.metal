@@ -198,10 +198,8 @@ inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float fr
     other -= dot(other, normal) * normal;
     float power = gabor_impl_takeover(0.0625, 0.25, dot(direction, direction));
     GaborField3d sum = GaborField3d{float4(0.0), float4(0.0), 0.0};
-    if (power > 0.0)
-        gabor_impl_add_term(sum, place, frequency, direction, seed, 0, power);
-    if (power < 1.0)
-        gabor_impl_add_term(sum, place, frequency, other, seed, 1, 1.0 - power);
+    for (int i = power > 0.0 ? 0 : 1; i < (power < 1.0 ? 2 : 1); ++i)
+        gabor_impl_add_term(sum, place, frequency, i == 0 ? direction : other, seed, i, i == 0 ? power : 1.0 - power);
     return sum;
 }
 

@@ -523,6 +523,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     var other: vec3<f32>;
     var power_1: f32;
     var sum_9: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 0f);
+    var local_16: i32;
+    var i_3: i32;
+    var local_17: i32;
+    var local_18: vec3<f32>;
+    var local_19: f32;
 
     normal_1 = normal;
     direction_4 = direction;
@@ -557,18 +562,51 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     power_1 = _e48;
     let _e57 = power_1;
     if (_e57 > 0f) {
-        let _e61 = direction_4;
-        let _e63 = power_1;
-        gabor_impl_add_term((&sum_9), place, frequency, _e61, seed, 0i, _e63);
+        local_16 = 0i;
+    } else {
+        local_16 = 1i;
     }
-    let _e65 = power_1;
-    if (_e65 < 1f) {
-        let _e69 = other;
-        let _e72 = power_1;
-        gabor_impl_add_term((&sum_9), place, frequency, _e69, seed, 1i, (1f - _e72));
+    let _e63 = local_16;
+    i_3 = _e63;
+    loop {
+        let _e65 = i_3;
+        let _e66 = power_1;
+        if (_e66 < 1f) {
+            local_17 = 2i;
+        } else {
+            local_17 = 1i;
+        }
+        let _e72 = local_17;
+        if !((_e65 < _e72)) {
+            break;
+        }
+        let _e79 = i_3;
+        if (_e79 == 0i) {
+            let _e82 = direction_4;
+            local_18 = _e82;
+        } else {
+            let _e83 = other;
+            local_18 = _e83;
+        }
+        let _e85 = local_18;
+        let _e86 = i_3;
+        let _e87 = i_3;
+        if (_e87 == 0i) {
+            let _e90 = power_1;
+            local_19 = _e90;
+        } else {
+            let _e92 = power_1;
+            local_19 = (1f - _e92);
+        }
+        let _e95 = local_19;
+        gabor_impl_add_term((&sum_9), place, frequency, _e85, seed, _e86, _e95);
+        continuing {
+            let _e75 = i_3;
+            i_3 = (_e75 + 1i);
+        }
     }
-    let _e75 = sum_9;
-    return _e75;
+    let _e97 = sum_9;
+    return _e97;
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
@@ -578,9 +616,9 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var power_2: f32;
     var sum_10: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 0f);
     var axis_2: i32 = 0i;
-    var local_16: vec3<f32>;
+    var local_20: vec3<f32>;
     var along: vec3<f32>;
-    var i_3: i32;
+    var i_4: i32;
     var share_2: f32;
     var turn_6: vec2<f32>;
     var direction_5: vec3<f32>;
@@ -602,17 +640,17 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
         {
             let _e40 = axis_2;
             if (_e40 == 0i) {
-                local_16 = vec3<f32>(0f, 0f, 1f);
+                local_20 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_16 = vec3<f32>(1f, 0f, 0f);
+                local_20 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e52 = local_16;
+            let _e52 = local_20;
             let _e53 = normal_3;
             let _e55 = gabor_impl_unit(cross(_e52, _e53));
             along = _e55;
-            i_3 = 0i;
+            i_4 = 0i;
             loop {
-                let _e59 = i_3;
+                let _e59 = i_4;
                 let _e60 = count_1;
                 let _e64 = power_2;
                 if !(((_e59 < i32(ceil(_e60))) && (_e64 > 0f))) {
@@ -620,10 +658,10 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                 }
                 {
                     let _e72 = count_1;
-                    let _e73 = i_3;
+                    let _e73 = i_4;
                     let _e78 = count_1;
                     share_2 = (min((_e72 - f32(_e73)), 1f) / _e78);
-                    let _e82 = i_3;
+                    let _e82 = i_4;
                     let _e84 = count_1;
                     let _e87 = share_2;
                     let _e91 = gabor_impl_wave((0.5f * ((f32(_e82) / _e84) + (0.5f * _e87))));
@@ -636,14 +674,14 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
                     direction_5 = ((_e93.x * _e95) + (_e97.y * cross(_e99, _e100)));
                     let _e106 = direction_5;
                     let _e108 = axis_2;
-                    let _e110 = i_3;
+                    let _e110 = i_4;
                     let _e112 = power_2;
                     let _e113 = share_2;
                     gabor_impl_add_term((&sum_10), place, frequency, _e106, seed, ((256i * _e108) + _e110), (_e112 * _e113));
                 }
                 continuing {
-                    let _e69 = i_3;
-                    i_3 = (_e69 + 1i);
+                    let _e69 = i_4;
+                    i_4 = (_e69 + 1i);
                 }
             }
             let _e117 = power_2;

@@ -161,8 +161,8 @@ TEST_CASE("every shader that is built in compiles") {
     ShaderCompiler shaders{{}};
     for (const char* path :
          {"passes/bake.comp", "passes/bake.comp@4", "passes/pixels.comp", "passes/pixels.comp@3",
-          "passes/solid.comp", "passes/material.comp@brushed_metal", "viewer/ingredients.comp",
-          "viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
+          "passes/solid.comp", "passes/solid.comp@surface", "passes/material.comp@brushed_metal",
+          "viewer/ingredients.comp", "viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
         const Compiled compiled = shaders.compile(path);
         INFO(path << ": " << compiled.error);
         CHECK_FALSE(compiled.spirv.empty());
