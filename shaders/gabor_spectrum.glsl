@@ -175,26 +175,30 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance) {
     return exp(-min(exponent, 80.0)) * inversesqrt(determinant);
 }
 
-// Of three waves: filters an axis. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with c and s for its even and odd part at q = 1/2 the window h becomes
-// 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
-//   variance  S along the axis
-//   blurred   S F
+// Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+vec4 gabor_impl_filtered_node(float value, float slope, vec2 part, vec2 phase) {
+    vec2 wave = vec2(value - 0.5, slope);
+    vec2 even = part.x * wave, odd = part.y * vec2(-3.1415927, 0.31830989) * wave;
+    return vec4(gabor_impl_product(vec2(0.5 + even.x, odd.y), phase),
+                gabor_impl_product(vec2(even.y, odd.x), phase));
+}
+
+// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
+// three never is.
 void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
+    vec2 inside = 0.33333333 + 0.66666667 * vec2(-axis.offset, axis.offset);
+    vec2 fade = clamp(inside / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0);
+    fade *= fade * (3.0 - 2.0 * fade);
     vec2 turn = gabor_impl_wave(axis.turns);
-    for (int i = 0; i < 3; ++i) {
-        float inside = 1.0 - abs(axis.offset + 1.0 - float(i)) / GABOR_RADIUS;
-        float fade = clamp(inside / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0);
-        vec4 mean = vec4(0.5, 0.0, 0.0, 0.0);
-        if (i != 1)
-            mean = vec4(0.5 * turn.x, (0.5 - 0.5 * float(i)) * turn.y, 0.0, 0.0);
-        vec4 wave = axis.node[i] - mean;
-        vec4 other = vec4(0.31830989 * wave.zw, -3.1415927 * wave.xy);
-        gabor_impl_add(mean, other, vec2(0.0, part.y));
-        axis.node[i] = fade * fade * (3.0 - 2.0 * fade) * (mean + part.x * wave);
-    }
+    vec4 value, slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, fade.x * turn);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, vec2(1.0, 0.0));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, fade.y * vec2(turn.x, -turn.y));
 }
 
 // The noise at a place, filtered by three waves along each axis.
@@ -340,7 +344,8 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int row
     line.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
     line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), step_y);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
-    for (int j = 0; j < rows; ++j) {
+    int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
+    do {
         line = gabor_impl_filtered_line(line, along, j);
         GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
         gabor_impl_add_filtered(row, c0, line.word, place.animated, place.time);
@@ -351,7 +356,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int row
         sum.value += gabor_impl_contracted(row, line.window, weights);
         sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
         sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
-    }
+    } while (++j < rows);
     float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
     vec2 x = 6.2831853 * (sum.slope_x + wave.x * sum.value);
     vec2 y = 6.2831853 * (sum.slope_y + wave.y * sum.value);
@@ -485,8 +490,8 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
-// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
 vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS),

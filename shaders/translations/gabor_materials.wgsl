@@ -48,7 +48,7 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     var kernel_8: GaborKernel;
     var removed_3: f32;
     var footprint_2: GaborFootprint;
-    var value_4: vec2<f32>;
+    var value_6: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
     place_13 = _e14;
@@ -66,8 +66,8 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     let _e36 = kernel_8;
     let _e37 = footprint_2;
     let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
-    value_4 = _e40.value;
-    let _e43 = value_4;
+    value_6 = _e40.value;
+    let _e43 = value_6;
     let _e44 = removed_3;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
@@ -84,11 +84,11 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
     var sum_11: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
     var amplitude_5: f32 = 1f;
-    var i_7: i32 = 0i;
+    var i_6: i32 = 0i;
 
     density_3 = density;
     loop {
-        let _e15 = i_7;
+        let _e15 = i_6;
         if !((_e15 < count)) {
             break;
         }
@@ -99,7 +99,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e24 = amplitude_5;
             let _e25 = amplitude_5;
             let _e28 = density_3;
-            let _e29 = i_7;
+            let _e29 = i_6;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
             sum_11 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
@@ -113,8 +113,8 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             density_3 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_7;
-            i_7 = (_e18 + 1i);
+            let _e18 = i_6;
+            i_6 = (_e18 + 1i);
         }
     }
     let _e44 = sum_11;
@@ -478,7 +478,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var skin: GaborPixel;
     var one: vec3<f32>;
-    var other_1: vec3<f32>;
+    var other: vec3<f32>;
     var fine: vec3<f32>;
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
@@ -506,7 +506,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e27 = skin;
     let _e33 = gabor_lobe_seed(seed, 3i);
     let _e34 = gabor_impl_layer(_e27, vec2(4.3f), 1.6f, 2.2944f, _e33);
-    other_1 = _e34;
+    other = _e34;
     let _e41 = gabor_lobe_seed(seed, 4i);
     let _e42 = gabor_impl_octaves(pixel, vec2(18f), 3i, 0.75f, _e41);
     fine = _e42;
@@ -515,13 +515,13 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     tone_2 = _e48;
     let _e50 = one;
     let _e52 = one;
-    let _e55 = other_1;
-    let _e57 = other_1;
+    let _e55 = other;
+    let _e57 = other;
     powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
     let _e62 = one;
     let _e64 = powers;
     a_4 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
-    let _e71 = other_1;
+    let _e71 = other;
     let _e73 = powers;
     b_6 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
     let _e80 = a_4;
@@ -533,7 +533,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e91 = powers;
     let _e92 = powers;
     let _e94 = one;
-    let _e96 = other_1;
+    let _e96 = other;
     shares = (_e91 / (_e92 + (2.5f * vec2<f32>(_e94.z, _e96.z))));
     let _e103 = shares;
     let _e105 = shares;
@@ -730,7 +730,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var crest_1: f32 = 0f;
     var removed_7: f32 = 0f;
     var power_5: f32 = 0f;
-    var i_8: i32 = 0i;
+    var i_7: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
     var wave_9: vec3<f32>;
@@ -738,18 +738,18 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var light_1: f32;
 
     loop {
-        let _e12 = i_8;
+        let _e12 = i_7;
         if !((_e12 < 14i)) {
             break;
         }
         {
-            let _e21 = i_8;
+            let _e21 = i_7;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e29 = i_8;
+            let _e29 = i_7;
             angle_1 = (2.3f * fract(((0.618034f * f32(_e29)) + 0.1f)));
             let _e37 = waves;
             let _e42 = angle_1;
-            let _e43 = i_8;
+            let _e43 = i_7;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
             wave_9 = _e45;
@@ -778,8 +778,8 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             power_5 = (_e87 + (_e88 * _e89));
         }
         continuing {
-            let _e16 = i_8;
-            i_8 = (_e16 + 1i);
+            let _e16 = i_7;
+            i_7 = (_e16 + 1i);
         }
     }
     let _e92 = crest_1;
@@ -797,21 +797,21 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_4: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_9: i32 = 0i;
+    var i_8: i32 = 0i;
     var fine_1: f32;
     var streak: vec3<f32>;
 
     loop {
-        let _e9 = i_9;
+        let _e9 = i_8;
         if !((_e9 < 5i)) {
             break;
         }
         {
-            let _e16 = i_9;
+            let _e16 = i_8;
             fine_1 = exp2(f32(_e16));
             let _e22 = fine_1;
             let _e26 = fine_1;
-            let _e29 = i_9;
+            let _e29 = i_8;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
             streak = _e31;
@@ -824,8 +824,8 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
         }
         continuing {
-            let _e13 = i_9;
-            i_9 = (_e13 + 1i);
+            let _e13 = i_8;
+            i_8 = (_e13 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -840,7 +840,7 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
-    var i_10: i32 = 0i;
+    var i_9: i32 = 0i;
     var size: f32;
     var turned_1: GaborPixel;
     var noise_6: vec3<f32>;
@@ -848,24 +848,24 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var colour_6: vec3<f32>;
 
     loop {
-        let _e8 = i_10;
+        let _e8 = i_9;
         if !((_e8 < 14i)) {
             break;
         }
         {
-            let _e17 = i_10;
+            let _e17 = i_9;
             size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_10;
+            let _e24 = i_9;
             let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
             turned_1 = _e28;
             let _e30 = turned_1;
-            let _e38 = i_10;
+            let _e38 = i_9;
             let _e40 = gabor_lobe_seed(seed, (2i * _e38));
             let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
             turned_1 = _e41;
             let _e42 = turned_1;
             let _e46 = size;
-            let _e50 = i_10;
+            let _e50 = i_9;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
             noise_6 = _e55;
@@ -886,8 +886,8 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             height_5 = (_e84 - ((0.0025f * _e86) * _e88));
         }
         continuing {
-            let _e12 = i_10;
-            i_10 = (_e12 + 1i);
+            let _e12 = i_9;
+            i_9 = (_e12 + 1i);
         }
     }
     let _e99 = whole;

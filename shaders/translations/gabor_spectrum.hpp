@@ -174,26 +174,30 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     return gabor_cpp_exp(-gabor_cpp_min(exponent, 80.0f)) * gabor_cpp_inversesqrt(determinant);
 }
 
-// Of three waves: filters an axis. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with c and s for its even and odd part at q = 1/2 the window h becomes
-// 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
-//   variance  S along the axis
-//   blurred   S F
+// Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
+    gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
+    gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
+    return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase),
+                gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
+}
+
+// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
+// three never is.
 GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
+    gabor_vec2 inside = 0.33333333f + 0.66666667f * gabor_vec2(-axis.offset, axis.offset);
+    gabor_vec2 fade = gabor_cpp_clamp(inside / gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f), 0.0f, 1.0f);
+    fade *= fade * (3.0f - 2.0f * fade);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
-    for (int i = 0; i < 3; ++i) {
-        float inside = 1.0f - gabor_cpp_abs(axis.offset + 1.0f - float(i)) / GABOR_RADIUS;
-        float fade = gabor_cpp_clamp(inside / gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f), 0.0f, 1.0f);
-        gabor_vec4 mean = gabor_vec4(0.5f, 0.0f, 0.0f, 0.0f);
-        if (i != 1)
-            mean = gabor_vec4(0.5f * turn.x, (0.5f - 0.5f * float(i)) * turn.y, 0.0f, 0.0f);
-        gabor_vec4 wave = axis.node[i] - mean;
-        gabor_vec4 other = gabor_vec4(0.31830989f * wave.zw(), -3.1415927f * wave.xy());
-        gabor_impl_add(mean, other, gabor_vec2(0.0f, part.y));
-        axis.node[i] = fade * fade * (3.0f - 2.0f * fade) * (mean + part.x * wave);
-    }
+    gabor_vec4 value, slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, fade.x * turn);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, gabor_vec2(1.0f, 0.0f));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, fade.y * gabor_vec2(turn.x, -turn.y));
 }
 
 // The noise at a place, filtered by three waves along each axis.
@@ -339,7 +343,8 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     line.turn = gabor_impl_wave(0.2f * (offset.y + 1.0f));
     line.phase = gabor_impl_product(gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS)), step_y);
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
-    for (int j = 0; j < rows; ++j) {
+    int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
+    do {
         line = gabor_impl_filtered_line(line, along, j);
         GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
         gabor_impl_add_filtered(row, c0, line.word, place.animated, place.time);
@@ -350,7 +355,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
         sum.value += gabor_impl_contracted(row, line.window, weights);
         sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
         sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
-    }
+    } while (++j < rows);
     float amplitude = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave + c, blurred));
     gabor_vec2 x = 6.2831853f * (sum.slope_x + wave.x * sum.value);
     gabor_vec2 y = 6.2831853f * (sum.slope_y + wave.y * sum.value);
@@ -484,8 +489,8 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
-// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),

@@ -454,76 +454,79 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(min(_e41, 80f))) * inverseSqrt(_e46));
 }
 
-// Of three waves: filters an axis. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with c and s for its even and odd part at q = 1/2 the window h becomes
-// 1/2 + c (h - 1/2) + i s h' / pi. Half a deviation from its end it begins to fade.
-//   variance  S along the axis
-//   blurred   S F
+// Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
+    var wave_3: vec2<f32>;
+    var even: vec2<f32>;
+    var odd: vec2<f32>;
+
+    wave_3 = vec2<f32>((value - 0.5f), slope);
+    let _e9 = wave_3;
+    even = (part.x * _e9);
+    let _e18 = wave_3;
+    odd = ((part.y * vec2<f32>(-3.1415927f, 0.3183099f)) * _e18);
+    let _e22 = even;
+    let _e25 = odd;
+    let _e28 = gabor_impl_product(vec2<f32>((0.5f + _e22.x), _e25.y), phase);
+    let _e29 = even;
+    let _e31 = odd;
+    let _e34 = gabor_impl_product(vec2<f32>(_e29.y, _e31.x), phase);
+    return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
+}
+
+// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
+// three never is.
 fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
     var rise: f32;
-    var part: vec2<f32>;
+    var part_1: vec2<f32>;
+    var inside: vec2<f32>;
+    var fade: vec2<f32>;
     var turn_5: vec2<f32>;
-    var i_4: i32 = 0i;
-    var inside: f32;
-    var fade: f32;
-    var mean: vec4<f32>;
-    var wave_3: vec4<f32>;
-    var other: vec4<f32>;
+    var value_5: vec4<f32>;
+    var slope_8: vec4<f32>;
 
     rise = exp((19.739208f * blurred));
     let _e13 = rise;
     let _e15 = rise;
     let _e18 = rise;
     let _e20 = rise;
-    part = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e13 + (1f / _e15)), (_e18 - (1f / _e20))));
-    let _e26 = (*axis);
-    let _e28 = gabor_impl_wave(_e26.turns);
-    turn_5 = _e28;
-    loop {
-        let _e32 = i_4;
-        if !((_e32 < 3i)) {
-            break;
-        }
-        {
-            let _e40 = (*axis);
-            let _e44 = i_4;
-            inside = (1f - (abs(((_e40.offset + 1f) - f32(_e44))) / 1.5f));
-            let _e55 = inside;
-            fade = clamp((_e55 / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
-            mean = vec4<f32>(0.5f, 0f, 0f, 0f);
-            let _e73 = i_4;
-            if (_e73 != 1i) {
-                let _e77 = turn_5;
-                let _e82 = i_4;
-                let _e86 = turn_5;
-                mean = vec4<f32>((0.5f * _e77.x), ((0.5f - (0.5f * f32(_e82))) * _e86.y), 0f, 0f);
-            }
-            let _e92 = i_4;
-            let _e95 = (*axis).node[_e92];
-            let _e96 = mean;
-            wave_3 = (_e95 - _e96);
-            let _e100 = wave_3;
-            let _e102 = (0.3183099f * _e100.zw);
-            let _e105 = wave_3;
-            let _e107 = (-3.1415927f * _e105.xy);
-            other = vec4<f32>(_e102.x, _e102.y, _e107.x, _e107.y);
-            let _e115 = other;
-            let _e117 = part;
-            gabor_impl_add((&mean), _e115, vec2<f32>(0f, _e117.y));
-            let _e121 = i_4;
-            let _e124 = fade;
-            let _e125 = fade;
-            let _e129 = fade;
-            let _e133 = mean;
-            let _e134 = part;
-            let _e136 = wave_3;
-            (*axis).node[_e121] = (((_e124 * _e125) * (3f - (2f * _e129))) * (_e133 + (_e134.x * _e136)));
-        }
-        continuing {
-            let _e36 = i_4;
-            i_4 = (_e36 + 1i);
-        }
-    }
+    part_1 = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e13 + (1f / _e15)), (_e18 - (1f / _e20))));
+    let _e28 = (*axis);
+    let _e31 = (*axis);
+    inside = (vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e28.offset), _e31.offset)));
+    let _e38 = inside;
+    fade = clamp((_e38 / vec2(clamp((0.5f * sqrt(variance)), 0.001f, 0.05f))), vec2(0f), vec2(1f));
+    let _e53 = fade;
+    let _e54 = fade;
+    let _e57 = fade;
+    fade = (_e53 * (_e54 * (vec2(3f) - (2f * _e57))));
+    let _e63 = (*axis);
+    let _e65 = gabor_impl_wave(_e63.turns);
+    turn_5 = _e65;
+    let _e69 = (*axis);
+    gabor_impl_windows(_e69.offset, (&value_5), (&slope_8));
+    let _e78 = value_5;
+    let _e80 = slope_8;
+    let _e82 = part_1;
+    let _e83 = fade;
+    let _e85 = turn_5;
+    let _e87 = gabor_impl_filtered_node(_e78.x, _e80.x, _e82, (_e83.x * _e85));
+    (*axis).node[0i] = _e87;
+    let _e91 = value_5;
+    let _e93 = slope_8;
+    let _e95 = part_1;
+    let _e99 = gabor_impl_filtered_node(_e91.y, _e93.y, _e95, vec2<f32>(1f, 0f));
+    (*axis).node[1i] = _e99;
+    let _e103 = value_5;
+    let _e105 = slope_8;
+    let _e107 = part_1;
+    let _e108 = fade;
+    let _e110 = turn_5;
+    let _e112 = turn_5;
+    let _e117 = gabor_impl_filtered_node(_e103.z, _e105.z, _e107, (_e108.y * vec2<f32>(_e110.x, -(_e112.y))));
+    (*axis).node[2i] = _e117;
     return;
 }
 
@@ -535,7 +538,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var rows: GaborAxis;
     var turn_6: vec2<f32>;
     var sum_7: vec4<f32>;
-    var slope_7: vec4<f32>;
+    var slope_9: vec4<f32>;
 
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -559,13 +562,13 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows), s.y, _e58.y);
     let _e63 = columns;
     let _e64 = rows;
-    gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_7), (&slope_7));
+    gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_7), (&slope_9));
     let _e71 = sum_7;
-    let _e73 = slope_7;
+    let _e73 = slope_9;
     let _e75 = (s.z * _e73.zw);
     sum_7 = (_e71 + vec4<f32>(_e75.x, _e75.y, 0f, 0f));
     let _e82 = sum_7;
-    let _e83 = slope_7;
+    let _e83 = slope_9;
     let _e86 = blurred_1;
     let _e90 = turn_6;
     let _e94 = gabor_impl_field(_e82, _e83, (exp((-19.739208f * dot(wave, _e86))) * _e90), wave, vec2(1f));
@@ -711,7 +714,7 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
     var fade_1: f32;
-    var phase_1: vec2<f32>;
+    var phase_2: vec2<f32>;
 
     line_1 = line;
     let _e8 = gabor_impl_wrap((b.first + index), b.period);
@@ -758,14 +761,14 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     let _e98 = fade_1;
     let _e102 = fade_1;
     let _e106 = line_1;
-    phase_1 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
-    let _e111 = phase_1;
+    phase_2 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
+    let _e111 = phase_2;
     let _e113 = real;
-    let _e115 = phase_1;
+    let _e115 = phase_2;
     let _e117 = imaginary;
-    let _e120 = phase_1;
+    let _e120 = phase_2;
     let _e122 = imaginary;
-    let _e124 = phase_1;
+    let _e124 = phase_2;
     let _e126 = real;
     line_1.window = GaborFactors(((_e111.x * _e113) - (_e115.y * _e117)), ((_e120.x * _e122) + (_e124.y * _e126)));
     let _e130 = line_1;
@@ -922,88 +925,86 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     let _e192 = gabor_impl_product(_e190, _e191);
     line_2.phase = _e192;
     loop {
-        let _e203 = j_2;
-        if !((_e203 < rows)) {
+        {
+            let _e203 = line_2;
+            let _e204 = along;
+            let _e205 = j_2;
+            let _e206 = gabor_impl_filtered_line(_e203, _e204, _e205);
+            line_2 = _e206;
+            row_2 = GaborFactors(vec3(0f), vec3(0f));
+            let _e214 = c0_;
+            let _e215 = line_2;
+            gabor_impl_add_filtered((&row_2), _e214, _e215.word, place.animated, place.time);
+            let _e221 = c1_;
+            let _e222 = line_2;
+            gabor_impl_add_filtered((&row_2), _e221, _e222.word, place.animated, place.time);
+            let _e228 = c2_;
+            let _e229 = line_2;
+            gabor_impl_add_filtered((&row_2), _e228, _e229.word, place.animated, place.time);
+            let _e235 = c3_;
+            let _e236 = line_2;
+            gabor_impl_add_filtered((&row_2), _e235, _e236.word, place.animated, place.time);
+            let _e242 = c4_;
+            let _e243 = line_2;
+            gabor_impl_add_filtered((&row_2), _e242, _e243.word, place.animated, place.time);
+            let _e249 = sum_8;
+            let _e251 = row_2;
+            let _e252 = line_2;
+            let _e254 = weights_1;
+            let _e255 = gabor_impl_contracted(_e251, _e252.window, _e254);
+            sum_8.value = (_e249.value + _e255);
+            let _e258 = sum_8;
+            let _e260 = row_2;
+            let _e261 = across;
+            let _e262 = gabor_impl_times_q(_e260, _e261);
+            let _e263 = line_2;
+            let _e265 = weights_1;
+            let _e266 = gabor_impl_contracted(_e262, _e263.window, _e265);
+            sum_8.slope_x = (_e258.slope_x + _e266);
+            let _e269 = sum_8;
+            let _e271 = row_2;
+            let _e272 = line_2;
+            let _e274 = along;
+            let _e275 = gabor_impl_times_q(_e272.window, _e274);
+            let _e276 = weights_1;
+            let _e277 = gabor_impl_contracted(_e271, _e275, _e276);
+            sum_8.slope_y = (_e269.slope_y + _e277);
+        }
+        let _e279 = j_2;
+        let _e281 = (_e279 + 1i);
+        j_2 = _e281;
+        if !((_e281 < rows)) {
             break;
         }
-        {
-            let _e209 = line_2;
-            let _e210 = along;
-            let _e211 = j_2;
-            let _e212 = gabor_impl_filtered_line(_e209, _e210, _e211);
-            line_2 = _e212;
-            row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e220 = c0_;
-            let _e221 = line_2;
-            gabor_impl_add_filtered((&row_2), _e220, _e221.word, place.animated, place.time);
-            let _e227 = c1_;
-            let _e228 = line_2;
-            gabor_impl_add_filtered((&row_2), _e227, _e228.word, place.animated, place.time);
-            let _e234 = c2_;
-            let _e235 = line_2;
-            gabor_impl_add_filtered((&row_2), _e234, _e235.word, place.animated, place.time);
-            let _e241 = c3_;
-            let _e242 = line_2;
-            gabor_impl_add_filtered((&row_2), _e241, _e242.word, place.animated, place.time);
-            let _e248 = c4_;
-            let _e249 = line_2;
-            gabor_impl_add_filtered((&row_2), _e248, _e249.word, place.animated, place.time);
-            let _e255 = sum_8;
-            let _e257 = row_2;
-            let _e258 = line_2;
-            let _e260 = weights_1;
-            let _e261 = gabor_impl_contracted(_e257, _e258.window, _e260);
-            sum_8.value = (_e255.value + _e261);
-            let _e264 = sum_8;
-            let _e266 = row_2;
-            let _e267 = across;
-            let _e268 = gabor_impl_times_q(_e266, _e267);
-            let _e269 = line_2;
-            let _e271 = weights_1;
-            let _e272 = gabor_impl_contracted(_e268, _e269.window, _e271);
-            sum_8.slope_x = (_e264.slope_x + _e272);
-            let _e275 = sum_8;
-            let _e277 = row_2;
-            let _e278 = line_2;
-            let _e280 = along;
-            let _e281 = gabor_impl_times_q(_e278.window, _e280);
-            let _e282 = weights_1;
-            let _e283 = gabor_impl_contracted(_e277, _e281, _e282);
-            sum_8.slope_y = (_e275.slope_y + _e283);
-        }
-        continuing {
-            let _e206 = j_2;
-            j_2 = (_e206 + 1i);
-        }
     }
+    let _e285 = lambda;
     let _e286 = lambda;
-    let _e287 = lambda;
-    let _e293 = c_4;
-    let _e295 = blurred_2;
-    amplitude_3 = (sqrt((1f - (_e286 * _e287))) * exp((-19.739208f * dot((wave + _e293), _e295))));
-    let _e302 = sum_8;
-    let _e305 = sum_8;
-    x_4 = (6.2831855f * (_e302.slope_x + (wave.x * _e305.value)));
-    let _e312 = sum_8;
-    let _e315 = sum_8;
-    y_5 = (6.2831855f * (_e312.slope_y + (wave.y * _e315.value)));
-    let _e321 = amplitude_3;
+    let _e292 = c_4;
+    let _e294 = blurred_2;
+    amplitude_3 = (sqrt((1f - (_e285 * _e286))) * exp((-19.739208f * dot((wave + _e292), _e294))));
+    let _e301 = sum_8;
+    let _e304 = sum_8;
+    x_4 = (6.2831855f * (_e301.slope_x + (wave.x * _e304.value)));
+    let _e311 = sum_8;
+    let _e314 = sum_8;
+    y_5 = (6.2831855f * (_e311.slope_y + (wave.y * _e314.value)));
+    let _e320 = amplitude_3;
     if false {
         local_14 = 1f;
     } else {
         local_14 = 1.125f;
     }
-    let _e332 = local_14;
-    scale_1 = (_e321 / (1459955300000000000000000000f * _e332));
-    let _e336 = scale_1;
-    let _e337 = sum_8;
-    let _e340 = scale_1;
-    let _e341 = x_4;
-    let _e344 = x_4;
-    let _e348 = scale_1;
-    let _e349 = y_5;
-    let _e352 = y_5;
-    return GaborField((_e336 * _e337.value), (_e340 * vec2<f32>(-(_e341.y), _e344.x)), (_e348 * vec2<f32>(-(_e349.y), _e352.x)));
+    let _e331 = local_14;
+    scale_1 = (_e320 / (1459955300000000000000000000f * _e331));
+    let _e335 = scale_1;
+    let _e336 = sum_8;
+    let _e339 = scale_1;
+    let _e340 = x_4;
+    let _e343 = x_4;
+    let _e347 = scale_1;
+    let _e348 = y_5;
+    let _e351 = y_5;
+    return GaborField((_e335 * _e336.value), (_e339 * vec2<f32>(-(_e340.y), _e343.x)), (_e347 * vec2<f32>(-(_e348.y), _e351.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -1329,7 +1330,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
     var footprint_1: GaborFootprint;
-    var mean_1: f32;
+    var mean: f32;
     var axis_2: vec2<f32>;
     var apart: f32;
     var larger: f32;
@@ -1362,14 +1363,14 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     footprint_1.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
     let _e46 = footprint_1;
     let _e49 = footprint_1;
-    mean_1 = (0.5f * (_e46.covariance.x + _e49.covariance.y));
+    mean = (0.5f * (_e46.covariance.x + _e49.covariance.y));
     let _e56 = footprint_1;
     let _e59 = footprint_1;
     let _e64 = footprint_1;
     axis_2 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
     let _e69 = axis_2;
     apart = length(_e69);
-    let _e72 = mean_1;
+    let _e72 = mean;
     let _e73 = apart;
     larger = (_e72 + _e73);
     let _e77 = dx_1;
@@ -1382,7 +1383,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
         let _e93 = side;
         let _e94 = larger;
         let _e96 = side;
-        let _e98 = mean_1;
+        let _e98 = mean;
         local_16 = min(((_e93 / _e94) * _e96), _e98);
     } else {
         local_16 = 0f;
@@ -1424,8 +1425,8 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.5 times.
-// Where compilers run both sides of a branch, as for CPUs, 4 to 7 times.
+// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -1457,36 +1458,36 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // each.
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four_1: vec4<f32>;
-    var i_5: i32 = 0i;
+    var i_4: i32 = 0i;
     var local_18: u32;
     var noise_1: vec4<f32>;
 
     loop {
-        let _e10 = i_5;
+        let _e10 = i_4;
         if !((_e10 < 4i)) {
             break;
         }
         {
-            let _e17 = i_5;
+            let _e17 = i_4;
             if (_e17 == 0i) {
                 local_18 = seed;
             } else {
-                let _e20 = i_5;
+                let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
                 local_18 = _e22;
             }
             let _e24 = local_18;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
-            let _e27 = i_5;
+            let _e27 = i_4;
             let _e29 = noise_1;
             four_1[_e27] = _e29.x;
             let _e31 = noise_1;
             (*removed) = _e31.w;
         }
         continuing {
-            let _e14 = i_5;
-            i_5 = (_e14 + 1i);
+            let _e14 = i_4;
+            i_4 = (_e14 + 1i);
         }
     }
     let _e33 = four_1;
@@ -1498,7 +1499,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var lobes_9: GaborLobes;
     var sum_10: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
-    var i_6: i32 = 0i;
+    var i_5: i32 = 0i;
     var lobe_1: GaborLobe;
     var unit_1: f32;
     var noise_2: vec4<f32>;
@@ -1506,13 +1507,13 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
 
     lobes_9 = lobes;
     loop {
-        let _e13 = i_6;
+        let _e13 = i_5;
         let _e14 = lobes_9;
         if !((_e13 < _e14.count)) {
             break;
         }
         {
-            let _e21 = i_6;
+            let _e21 = i_5;
             let _e24 = lobes_9.lobe[_e21];
             lobe_1 = _e24;
             let _e27 = lobe_1;
@@ -1523,7 +1524,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e37 = lobe_1;
             let _e39 = lobe_1;
             let _e42 = lobe_1;
-            let _e44 = i_6;
+            let _e44 = i_5;
             let _e45 = gabor_lobe_seed(seed, _e44);
             let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
             noise_2 = _e46;
@@ -1540,8 +1541,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             power_2 = (_e66 + _e67.power);
         }
         continuing {
-            let _e18 = i_6;
-            i_6 = (_e18 + 1i);
+            let _e18 = i_5;
+            i_5 = (_e18 + 1i);
         }
     }
     let _e70 = power_2;
