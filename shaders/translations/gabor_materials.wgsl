@@ -48,7 +48,7 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     var kernel_8: GaborKernel;
     var removed_3: f32;
     var footprint_2: GaborFootprint;
-    var value_6: vec2<f32>;
+    var value_7: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
     place_13 = _e14;
@@ -66,8 +66,8 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     let _e36 = kernel_8;
     let _e37 = footprint_2;
     let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
-    value_6 = _e40.value;
-    let _e43 = value_6;
+    value_7 = _e40.value;
+    let _e43 = value_7;
     let _e44 = removed_3;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
@@ -81,9 +81,9 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_11: vec3<f32> = vec3(0f);
+    var sum_10: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
-    var amplitude_5: f32 = 1f;
+    var amplitude_4: f32 = 1f;
     var i_6: i32 = 0i;
 
     density_3 = density;
@@ -93,22 +93,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             break;
         }
         {
-            let _e21 = sum_11;
-            let _e22 = amplitude_5;
-            let _e23 = amplitude_5;
-            let _e24 = amplitude_5;
-            let _e25 = amplitude_5;
+            let _e21 = sum_10;
+            let _e22 = amplitude_4;
+            let _e23 = amplitude_4;
+            let _e24 = amplitude_4;
+            let _e25 = amplitude_4;
             let _e28 = density_3;
             let _e29 = i_6;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_11 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_10 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
-            let _e35 = amplitude_5;
-            let _e36 = amplitude_5;
+            let _e35 = amplitude_4;
+            let _e36 = amplitude_4;
             power_3 = (_e34 + (_e35 * _e36));
-            let _e39 = amplitude_5;
-            amplitude_5 = (_e39 * gain);
+            let _e39 = amplitude_4;
+            amplitude_4 = (_e39 * gain);
             let _e41 = density_3;
             density_3 = (_e41 * 2.03f);
         }
@@ -117,7 +117,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             i_6 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_11;
+    let _e44 = sum_10;
     let _e45 = power_3;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_3;
@@ -205,7 +205,7 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_12: f32 = 0.33333334f;
+    var sum_11: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
     var wave_8: vec2<f32> = vec2<f32>(1f, 0f);
@@ -231,21 +231,21 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             x_6 = (0.44879895f * f32(_e28));
             let _e33 = m_2;
             r_2 = (0.3183099f / f32(_e33));
-            let _e37 = sum_12;
+            let _e37 = sum_11;
             let _e38 = x_6;
             let _e40 = x_6;
             let _e42 = r_2;
             let _e44 = r_2;
             let _e45 = wave_8;
             let _e48 = wave_8;
-            sum_12 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
+            sum_11 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
             let _e17 = m_2;
             m_2 = (_e17 + 1i);
         }
     }
-    let _e53 = sum_12;
+    let _e53 = sum_11;
     return _e53;
 }
 
@@ -332,21 +332,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_20: f32;
+    var local_19: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_3: bool;
     var top: f32;
-    var local_21: vec3<f32>;
+    var local_20: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_22: vec3<f32>;
+    var local_21: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_23: f32;
+    var local_22: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -386,11 +386,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_20 = -1f;
+        local_19 = -1f;
     } else {
-        local_20 = 1f;
+        local_19 = 1f;
     }
-    let _e89 = local_20;
+    let _e89 = local_19;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -415,22 +415,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = first_3;
     if _e166 {
         let _e167 = upright;
-        local_21 = _e167;
+        local_20 = _e167;
     } else {
         let _e168 = level;
-        local_21 = _e168;
+        local_20 = _e168;
     }
-    let _e170 = local_21;
+    let _e170 = local_20;
     tone_1 = _e170;
     let _e172 = first_3;
     if _e172 {
         let _e173 = upright_fibre;
-        local_22 = _e173;
+        local_21 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_22 = _e174;
+        local_21 = _e174;
     }
-    let _e176 = local_22;
+    let _e176 = local_21;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -447,11 +447,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_3;
     if _e216 {
-        local_23 = 1f;
+        local_22 = 1f;
     } else {
-        local_23 = 0f;
+        local_22 = 0f;
     }
-    let _e220 = local_23;
+    let _e220 = local_22;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -734,7 +734,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var waves: f32;
     var angle_1: f32;
     var wave_9: vec3<f32>;
-    var amplitude_7: f32;
+    var amplitude_6: f32;
     var light_1: f32;
 
     loop {
@@ -754,9 +754,9 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
             wave_9 = _e45;
             let _e48 = waves;
-            amplitude_7 = (0.018f / pow(_e48, 1.35f));
+            amplitude_6 = (0.018f / pow(_e48, 1.35f));
             let _e53 = height_3;
-            let _e54 = amplitude_7;
+            let _e54 = amplitude_6;
             let _e55 = wave_9;
             let _e58 = wave_9;
             let _e60 = wave_9;
@@ -764,17 +764,17 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e65 = wave_9;
             height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
             let _e73 = crest_1;
-            let _e74 = amplitude_7;
+            let _e74 = amplitude_6;
             let _e75 = wave_9;
             crest_1 = (_e73 + (_e74 * _e75.x));
             let _e79 = removed_7;
-            let _e80 = amplitude_7;
-            let _e81 = amplitude_7;
+            let _e80 = amplitude_6;
+            let _e81 = amplitude_6;
             let _e83 = wave_9;
             removed_7 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
-            let _e88 = amplitude_7;
-            let _e89 = amplitude_7;
+            let _e88 = amplitude_6;
+            let _e89 = amplitude_6;
             power_5 = (_e87 + (_e88 * _e89));
         }
         continuing {
@@ -1039,11 +1039,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var within_2: vec2<f32>;
     var turn_8: f32;
     var first_4: bool;
-    var local_24: vec3<f32>;
+    var local_23: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_25: vec2<f32>;
+    var local_24: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_26: f32;
+    var local_25: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1079,31 +1079,31 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e64 = first_4;
     if _e64 {
         let _e65 = upright_1;
-        local_24 = _e65;
+        local_23 = _e65;
     } else {
         let _e66 = level_1;
-        local_24 = _e66;
+        local_23 = _e66;
     }
-    let _e68 = local_24;
+    let _e68 = local_23;
     fibre_2 = _e68;
     let _e70 = first_4;
     if _e70 {
         let _e71 = within_2;
-        local_25 = _e71.yx;
+        local_24 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_25 = _e73;
+        local_24 = _e73;
     }
-    let _e75 = local_25;
+    let _e75 = local_24;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_8;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_26 = 0f;
+        local_25 = 0f;
     } else {
-        local_26 = 1f;
+        local_25 = 1f;
     }
-    let _e91 = local_26;
+    let _e91 = local_25;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -174,14 +174,13 @@ float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
-// normal, of variance 1/12 along each axis, as Hann's window has it,
-//     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+// normal, of variance 1/12 along each axis, as Hann's window has it, and d the determinant of 1 + 2/3 pi^2 S,
+//     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 float gabor_impl_transmitted(float2 wave, float3 covariance) {
-    float3 widened = float3(1.0, 1.0, 0.0) + 6.5797363 * covariance;
-    float determinant = widened.x * widened.y - widened.z * widened.z;
-    float2 through = gabor_impl_symmetric(float3(widened.y, widened.x, -widened.z), wave) / determinant;
-    float exponent = 39.478418 * dot(wave, gabor_impl_symmetric(covariance, through));
-    return exp(-min(exponent, 80.0)) * rsqrt(determinant);
+    float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
+    float exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
 // Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
@@ -190,12 +189,10 @@ float gabor_impl_transmitted(float2 wave, float3 covariance) {
 float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
-    return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase),
-                gabor_impl_product(float2(even.y, odd.x), phase));
+    return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase), gabor_impl_product(float2(even.y, odd.x), phase));
 }
 
-// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
-// three never is.
+// Filters an axis, of the given S and S F. Windows fade within half a deviation from their ends, the middle one never.
 void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
@@ -211,8 +208,7 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
 }
 
 // The noise at a place, filtered by three waves along each axis.
-GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint seed) {
-    uint salt = gabor_impl_salt(seed);
+GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -220,8 +216,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
     float2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     gabor_impl_filter(columns, s.x, blurred.x);
     gabor_impl_filter(rows, s.y, blurred.y);
-    float4 sum;
-    float4 slope;
+    float4 sum, slope;
     gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
     sum += float4(s.z * slope.zw, 0.0, 0.0);
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, (float2)(1.0));
@@ -244,8 +239,6 @@ GaborFactors GaborFactors_of(float3 real, float3 imaginary)
 // An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
 // q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
 struct GaborBand {
-    float g;
-    float c;
     float3 mean;
     float4 even_0, even_1, even_2;
     float4 odd_0, odd_1, odd_2;
@@ -256,23 +249,22 @@ struct GaborBand {
     float2 back; // what the wave turns from one node to the next
 };
 
-// With the windows; `m` is r M.
+// With the windows, less their common factor e^(-g c^2); `m` is r M.
 GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, float2 step) {
     GaborBand b;
-    b.g = 19.739209 * m;
-    b.c = c;
-    float center = exp(-b.g * c * c);
+    float g = 19.739209 * m;
     float fall = exp(0.23217617 - 1.7765288 * m); // e^(-2 pi^2 (m - v) 0.3^2)
     float fall_4 = fall * fall * fall * fall;
-    float rise = exp(0.6 * b.g * c);
-    float4 rises = float4(rise, rise * rise, rise * rise * rise, rise * rise * rise * rise);
+    float rise = exp(0.6 * g * c), sink = 1.0 / rise;
     float4 wave = float4(0.23650835, 0.1063056, 0.01392097, -0.00794986); // H(q) / 2w
-    wave *= center * float4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    wave *= float4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    float4 above = wave * float4(rise, rise * rise, rise * rise * rise, rise * rise * (rise * rise));
+    float4 below = wave * float4(sink, sink * sink, sink * sink * sink, sink * sink * (sink * sink));
     float4 q = float4(0.3, 0.6, 0.9, 1.2);
-    float z = sqrt(2.0 * b.g);
-    b.mean = 0.3 * center * float3(1.0, -z * c, z * c * z * c - 0.5);
-    b.even_0 = wave * rises + wave / rises;
-    b.odd_0 = wave * rises - wave / rises;
+    float z = sqrt(2.0 * g);
+    b.mean = 0.3 * float3(1.0, -z * c, z * c * z * c - 0.5);
+    b.even_0 = above + below;
+    b.odd_0 = above - below;
     b.even_1 = z * (q * b.odd_0 - c * b.even_0);
     b.odd_1 = z * (q * b.even_0 - c * b.odd_0);
     b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5 * b.even_0;
@@ -293,8 +285,14 @@ struct GaborLine {
     float2 phase; // of the noise's wave
 };
 
-// Line `index`, 0 to 4, from the turn and the phase of the one before.
-GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index) {
+// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+float gabor_impl_fade(GaborBand b, int index) {
+    float fade = clamp(5.5555556 - 2.2222222 * abs(b.offset - float(index)), 0.0, 1.0);
+    return fade * fade * (3.0 - 2.0 * fade);
+}
+
+// Line `index` from the turn and the phase of the one before.
+GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index, float fade) {
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = gabor_impl_product(line_.turn, float2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
     line_.phase = gabor_impl_product(line_.phase, b.back);
@@ -305,8 +303,7 @@ GaborLine gabor_impl_filtered_line(GaborLine line_, GaborBand b, int index) {
     float4 sine = float4(line_.turn.y, two.y, three.y, four.y);
     float3 real = b.mean + float3(dot(b.even_0, cosine), dot(b.even_1, cosine), dot(b.even_2, cosine));
     float3 imaginary = float3(dot(b.odd_0, sine), dot(b.odd_1, sine), dot(b.odd_2, sine));
-    float fade = clamp(5.5555556 - 2.2222222 * abs(b.offset - float(index)), 0.0, 1.0); // over 0.3 kernel radii
-    float2 phase = fade * fade * (3.0 - 2.0 * fade) * line_.phase;
+    float2 phase = fade * line_.phase;
     line_.window = GaborFactors_of(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
     return line_;
 }
@@ -318,12 +315,9 @@ void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
-// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b) {
-    float z = rsqrt(2.0 * b.g);
-    return GaborFactors_of(z * float3(f.real.y, f.real.z + 0.5 * f.real.x, f.real.y) + b.c * f.real,
-                        z * float3(f.imaginary.y, f.imaginary.z + 0.5 * f.imaginary.x, f.imaginary.y)
-                            + b.c * f.imaginary);
+// The factors from the second on.
+GaborFactors gabor_impl_next(GaborFactors f) {
+    return GaborFactors_of(float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0));
 }
 
 // The sum over the factors of both axes.
@@ -333,7 +327,7 @@ float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int rows, uint seed) {
+GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int rows, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 blurred = gabor_impl_symmetric(s, wave);
     float2 c = gabor_impl_symmetric(float3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -341,11 +335,9 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
     float3 weights = float3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
-
     float2 first = floor(place.local + 0.5) - 2.0;
     float2 offset = place.local - first;
     int2 node = place.cell + (int2)(first);
-    uint salt = gabor_impl_salt(seed);
     float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     float2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
     GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, step_x);
@@ -353,32 +345,34 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, int
     GaborLine line_;
     line_.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
     line_.phase = step_x;
-    GaborLine c0 = gabor_impl_filtered_line(line_, across, 0);
-    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1);
-    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2);
-    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3);
-    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4);
+    GaborLine c0 = gabor_impl_filtered_line(line_, across, 0, gabor_impl_fade(across, 0));
+    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1, 1.0);
+    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2, 1.0);
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, 1.0);
+    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
     line_.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
     line_.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), step_y);
-    GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
+    float2 value = (float2)(0.0), z_x = (float2)(0.0), z_y = (float2)(0.0);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {
-        line_ = gabor_impl_filtered_line(line_, along, j);
+        line_ = gabor_impl_filtered_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0));
         gabor_impl_add_filtered(row, c0, line_.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c1, line_.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c2, line_.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c3, line_.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c4, line_.word, place.animated, place.time);
-        sum.value += gabor_impl_contracted(row, line_.window, weights);
-        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line_.window, weights);
-        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line_.window, along), weights);
+        value += gabor_impl_contracted(row, line_.window, weights);
+        z_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
+        z_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
     } while (++j < rows);
-    float amplitude = sqrt(1.0 - lambda * lambda) * exp(-19.739209 * dot(wave + c, blurred));
-    float2 x = 6.2831853 * (sum.slope_x + wave.x * sum.value);
-    float2 y = 6.2831853 * (sum.slope_y + wave.y * sum.value);
-    float scale = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField_of(scale * sum.value, scale * float2(-x.y, x.x), scale * float2(-y.y, y.x));
+    float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
+    // Derivatives are q = c + z / sqrt(4 pi^2 r M) times the waves: z times a factor is the next one, which the third
+    // lacks, and the one before times 1/2 or 1. Along x the sums of both are z_x and -lambda z_y.
+    float2 x = 6.2831853 * ((wave.x + c.x) * value + rsqrt(39.478418 * r * m.x) * (z_x - lambda * z_y));
+    float2 y = 6.2831853 * ((wave.y + c.y) * value + rsqrt(39.478418 * r * m.y) * (z_y - lambda * z_x));
+    float scale = sqrt(1.0 - lambda * lambda) * exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField_of(scale * value, scale * float2(-x.y, x.x), scale * float2(-y.y, y.x));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -394,18 +388,19 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
     if (transmitted < 1.0e-10)
         return sum;
     float3 s = footprint.resolved;
+    uint salt = gabor_impl_salt(seed);
     float amplitude = 1.0;
     if (any((footprint.resolved != footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     float wide = clamp(33.333333 * sqrt(max(s.x, s.y)) - 2.6666667, 0.0, 1.0);
     if (wide < 1.0) {
         float share = (1.0 - wide) * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
     }
     if (wide > 0.0) {
         float share = wide * amplitude;
         int rows = wide > 0.0 ? 5 : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, salt), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -491,11 +486,10 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     float2 axis = float2(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = length(axis);
     float larger = mean + apart;
-    float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
-    float smaller = larger > 1.0e-12 ? min(side / larger * side, mean) : 0.0;
     footprint.resolved = footprint.covariance;
     if (larger > 0.25) {
-        smaller = min(smaller, 0.25);
+        float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
+        float smaller = min(side / larger * side, 0.25);
         axis *= apart > 0.0 ? 0.5 * (0.25 - smaller) / apart : 0.0;
         footprint.resolved = float3(0.5 * (0.25 + smaller) + float2(axis.x, -axis.x), axis.y);
     }
@@ -507,8 +501,8 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy) {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place((int2)(0), p * GABOR_RADIUS),

@@ -164,14 +164,13 @@ GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
-// normal, of variance 1/12 along each axis, as Hann's window has it,
-//     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+// normal, of variance 1/12 along each axis, as Hann's window has it, and d the determinant of 1 + 2/3 pi^2 S,
+//     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
-    gabor_vec3 widened = gabor_vec3(1.0f, 1.0f, 0.0f) + 6.5797363f * covariance;
-    float determinant = widened.x * widened.y - widened.z * widened.z;
-    gabor_vec2 through = gabor_impl_symmetric(gabor_vec3(widened.y, widened.x, -widened.z), wave) / determinant;
-    float exponent = 39.478418f * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, through));
-    return gabor_cpp_exp(-gabor_cpp_min(exponent, 80.0f)) * gabor_cpp_inversesqrt(determinant);
+    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
+    float exponent = 39.478418f / d * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
 }
 
 // Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
@@ -180,12 +179,10 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
 GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
     gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
     gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
-    return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase),
-                gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
+    return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase), gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
 }
 
-// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
-// three never is.
+// Filters an axis, of the given S and S F. Windows fade within half a deviation from their ends, the middle one never.
 GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
@@ -201,8 +198,7 @@ GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurr
 }
 
 // The noise at a place, filtered by three waves along each axis.
-GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t seed) {
-    std::uint32_t salt = gabor_impl_salt(seed);
+GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -210,8 +206,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     gabor_vec2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     gabor_impl_filter(columns, s.x, blurred.x);
     gabor_impl_filter(rows, s.y, blurred.y);
-    gabor_vec4 sum;
-    gabor_vec4 slope;
+    gabor_vec4 sum, slope;
     gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
     sum += gabor_vec4(s.z * slope.zw(), 0.0f, 0.0f);
     return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
@@ -226,8 +221,6 @@ struct GaborFactors {
 // An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
 // q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
 struct GaborBand {
-    float g;
-    float c;
     gabor_vec3 mean;
     gabor_vec4 even_0, even_1, even_2;
     gabor_vec4 odd_0, odd_1, odd_2;
@@ -238,23 +231,22 @@ struct GaborBand {
     gabor_vec2 back; // what the wave turns from one node to the next
 };
 
-// With the windows; `m` is r M.
+// With the windows, less their common factor e^(-g c^2); `m` is r M.
 GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborBand b;
-    b.g = 19.739209f * m;
-    b.c = c;
-    float center = gabor_cpp_exp(-b.g * c * c);
+    float g = 19.739209f * m;
     float fall = gabor_cpp_exp(0.23217617f - 1.7765288f * m); // e^(-2 pi^2 (m - v) 0.3^2)
     float fall_4 = fall * fall * fall * fall;
-    float rise = gabor_cpp_exp(0.6f * b.g * c);
-    gabor_vec4 rises = gabor_vec4(rise, rise * rise, rise * rise * rise, rise * rise * rise * rise);
+    float rise = gabor_cpp_exp(0.6f * g * c), sink = 1.0f / rise;
     gabor_vec4 wave = gabor_vec4(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f); // H(q) / 2w
-    wave *= center * gabor_vec4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    wave *= gabor_vec4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
+    gabor_vec4 above = wave * gabor_vec4(rise, rise * rise, rise * rise * rise, rise * rise * (rise * rise));
+    gabor_vec4 below = wave * gabor_vec4(sink, sink * sink, sink * sink * sink, sink * sink * (sink * sink));
     gabor_vec4 q = gabor_vec4(0.3f, 0.6f, 0.9f, 1.2f);
-    float z = gabor_cpp_sqrt(2.0f * b.g);
-    b.mean = 0.3f * center * gabor_vec3(1.0f, -z * c, z * c * z * c - 0.5f);
-    b.even_0 = wave * rises + wave / rises;
-    b.odd_0 = wave * rises - wave / rises;
+    float z = gabor_cpp_sqrt(2.0f * g);
+    b.mean = 0.3f * gabor_vec3(1.0f, -z * c, z * c * z * c - 0.5f);
+    b.even_0 = above + below;
+    b.odd_0 = above - below;
     b.even_1 = z * (q * b.odd_0 - c * b.even_0);
     b.odd_1 = z * (q * b.even_0 - c * b.odd_0);
     b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5f * b.even_0;
@@ -275,8 +267,14 @@ struct GaborLine {
     gabor_vec2 phase; // of the noise's wave
 };
 
-// Line `index`, 0 to 4, from the turn and the phase of the one before.
-GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index) {
+// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+GABOR_INLINE float gabor_impl_fade(GaborBand b, int index) {
+    float fade = gabor_cpp_clamp(5.5555556f - 2.2222222f * gabor_cpp_abs(b.offset - float(index)), 0.0f, 1.0f);
+    return fade * fade * (3.0f - 2.0f * fade);
+}
+
+// Line `index` from the turn and the phase of the one before.
+GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index, float fade) {
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = gabor_impl_product(line.turn, gabor_vec2(0.30901699f, -0.95105652f)); // 2/3 of a kernel radius
     line.phase = gabor_impl_product(line.phase, b.back);
@@ -287,8 +285,7 @@ GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int
     gabor_vec4 sine = gabor_vec4(line.turn.y, two.y, three.y, four.y);
     gabor_vec3 real = b.mean + gabor_vec3(gabor_cpp_dot(b.even_0, cosine), gabor_cpp_dot(b.even_1, cosine), gabor_cpp_dot(b.even_2, cosine));
     gabor_vec3 imaginary = gabor_vec3(gabor_cpp_dot(b.odd_0, sine), gabor_cpp_dot(b.odd_1, sine), gabor_cpp_dot(b.odd_2, sine));
-    float fade = gabor_cpp_clamp(5.5555556f - 2.2222222f * gabor_cpp_abs(b.offset - float(index)), 0.0f, 1.0f); // over 0.3 kernel radii
-    gabor_vec2 phase = fade * fade * (3.0f - 2.0f * fade) * line.phase;
+    gabor_vec2 phase = fade * line.phase;
     line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
     return line;
 }
@@ -300,12 +297,9 @@ GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, s
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
 }
 
-// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-GABOR_INLINE GaborFactors gabor_impl_times_q(GaborFactors f, GaborBand b) {
-    float z = gabor_cpp_inversesqrt(2.0f * b.g);
-    return GaborFactors{z * gabor_vec3(f.real.y, f.real.z + 0.5f * f.real.x, f.real.y) + b.c * f.real,
-                        z * gabor_vec3(f.imaginary.y, f.imaginary.z + 0.5f * f.imaginary.x, f.imaginary.y)
-                            + b.c * f.imaginary};
+// The factors from the second on.
+GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
+    return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
 }
 
 // The sum over the factors of both axes.
@@ -315,7 +309,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, ga
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t salt) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -323,11 +317,9 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     float r = gabor_cpp_sqrt(1.0f - rho * rho);
     float lambda = rho / (1.0f + r);
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * lambda, 2.0f * lambda * lambda);
-
     gabor_vec2 first = gabor_cpp_floor(place.local + 0.5f) - 2.0f;
     gabor_vec2 offset = place.local - first;
     gabor_ivec2 node = place.cell + gabor_ivec2(first);
-    std::uint32_t salt = gabor_impl_salt(seed);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
     GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, step_x);
@@ -335,32 +327,34 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborLine line;
     line.turn = gabor_impl_wave(0.2f * (offset.x + 1.0f));
     line.phase = step_x;
-    GaborLine c0 = gabor_impl_filtered_line(line, across, 0);
-    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1);
-    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2);
-    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3);
-    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4);
+    GaborLine c0 = gabor_impl_filtered_line(line, across, 0, gabor_impl_fade(across, 0));
+    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1, 1.0f);
+    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2, 1.0f);
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, 1.0f);
+    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
     line.turn = gabor_impl_wave(0.2f * (offset.y + 1.0f));
     line.phase = gabor_impl_product(gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS)), step_y);
-    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_vec2 value = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {
-        line = gabor_impl_filtered_line(line, along, j);
+        line = gabor_impl_filtered_line(line, along, j, gabor_impl_fade(along, j));
         GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
         gabor_impl_add_filtered(row, c0, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c1, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c2, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c3, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
-        sum.value += gabor_impl_contracted(row, line.window, weights);
-        sum.slope_x += gabor_impl_contracted(gabor_impl_times_q(row, across), line.window, weights);
-        sum.slope_y += gabor_impl_contracted(row, gabor_impl_times_q(line.window, along), weights);
+        value += gabor_impl_contracted(row, line.window, weights);
+        z_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
+        z_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
     } while (++j < rows);
-    float amplitude = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave + c, blurred));
-    gabor_vec2 x = 6.2831853f * (sum.slope_x + wave.x * sum.value);
-    gabor_vec2 y = 6.2831853f * (sum.slope_y + wave.y * sum.value);
-    float scale = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * sum.value, scale * gabor_vec2(-x.y, x.x), scale * gabor_vec2(-y.y, y.x)};
+    float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
+    // Derivatives are q = c + z / sqrt(4 pi^2 r M) times the waves: z times a factor is the next one, which the third
+    // lacks, and the one before times 1/2 or 1. Along x the sums of both are z_x and -lambda z_y.
+    gabor_vec2 x = 6.2831853f * ((wave.x + c.x) * value + gabor_cpp_inversesqrt(39.478418f * r * m.x) * (z_x - lambda * z_y));
+    gabor_vec2 y = 6.2831853f * ((wave.y + c.y) * value + gabor_cpp_inversesqrt(39.478418f * r * m.y) * (z_y - lambda * z_x));
+    float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField{scale * value, scale * gabor_vec2(-x.y, x.x), scale * gabor_vec2(-y.y, y.x)};
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -376,18 +370,19 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
     if (transmitted < 1.0e-10f)
         return sum;
     gabor_vec3 s = footprint.resolved;
+    std::uint32_t salt = gabor_impl_salt(seed);
     float amplitude = 1.0f;
     if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
     float wide = gabor_cpp_clamp(33.333333f * gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y)) - 2.6666667f, 0.0f, 1.0f);
     if (wide < 1.0f) {
         float share = (1.0f - wide) * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
     }
     if (wide > 0.0f) {
         float share = wide * amplitude;
         int rows = wide > 0.0f ? 5 : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, seed), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, salt), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -473,11 +468,10 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     gabor_vec2 axis = gabor_vec2(0.5f * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = gabor_cpp_length(axis);
     float larger = mean + apart;
-    float side = 0.25f * (dx.x * dy.y - dx.y * dy.x);
-    float smaller = larger > 1.0e-12f ? gabor_cpp_min(side / larger * side, mean) : 0.0f;
     footprint.resolved = footprint.covariance;
     if (larger > 0.25f) {
-        smaller = gabor_cpp_min(smaller, 0.25f);
+        float side = 0.25f * (dx.x * dy.y - dx.y * dy.x);
+        float smaller = gabor_cpp_min(side / larger * side, 0.25f);
         axis *= apart > 0.0f ? 0.5f * (0.25f - smaller) / apart : 0.0f;
         footprint.resolved = gabor_vec3(0.5f * (0.25f + smaller) + gabor_vec2(axis.x, -axis.x), axis.y);
     }
@@ -489,8 +483,8 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),

@@ -426,32 +426,23 @@ fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
 }
 
 // The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
-// normal, of variance 1/12 along each axis, as Hann's window has it,
-//     |1 + 2/3 pi^2 S|^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+// normal, of variance 1/12 along each axis, as Hann's window has it, and d the determinant of 1 + 2/3 pi^2 S,
+//     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
-    var widened: vec3<f32>;
-    var determinant_: f32;
-    var through: vec2<f32>;
+    var area: f32;
+    var d: f32;
     var exponent: f32;
 
-    widened = (vec3<f32>(1f, 1f, 0f) + (6.579736f * covariance));
-    let _e10 = widened;
-    let _e12 = widened;
-    let _e15 = widened;
-    let _e17 = widened;
-    determinant_ = ((_e10.x * _e12.y) - (_e15.z * _e17.z));
-    let _e22 = widened;
-    let _e24 = widened;
-    let _e26 = widened;
-    let _e30 = gabor_impl_symmetric(vec3<f32>(_e22.y, _e24.x, -(_e26.z)), wave);
-    let _e31 = determinant_;
-    through = (_e30 / vec2(_e31));
-    let _e36 = through;
-    let _e37 = gabor_impl_symmetric(covariance, _e36);
-    exponent = (39.478416f * dot(wave, _e37));
-    let _e41 = exponent;
-    let _e46 = determinant_;
-    return (exp(-(min(_e41, 80f))) * inverseSqrt(_e46));
+    area = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
+    let _e17 = area;
+    d = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
+    let _e23 = d;
+    let _e25 = gabor_impl_symmetric(covariance, wave);
+    let _e26 = area;
+    exponent = ((39.478416f / _e23) * dot(wave, (_e25 + (_e26 * wave))));
+    let _e32 = exponent;
+    let _e38 = d;
+    return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
 }
 
 // Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
@@ -476,8 +467,7 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
     return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
 }
 
-// Filters an axis, of the given S and S F. A window fades within half a deviation from its end, where the middle one of
-// three never is.
+// Filters an axis, of the given S and S F. Windows fade within half a deviation from their ends, the middle one never.
 fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
     var rise: f32;
     var part_1: vec2<f32>;
@@ -531,8 +521,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
 }
 
 // The noise at a place, filtered by three waves along each axis.
-fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, seed: u32) -> GaborField {
-    var salt_4: u32;
+fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
     var blurred_1: vec2<f32>;
     var columns: GaborAxis;
     var rows: GaborAxis;
@@ -540,39 +529,35 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var sum_7: vec4<f32>;
     var slope_9: vec4<f32>;
 
-    let _e4 = gabor_impl_salt(seed);
-    salt_4 = _e4;
-    let _e6 = gabor_impl_symmetric(s, wave);
-    blurred_1 = _e6;
-    let _e14 = salt_4;
-    let _e20 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e14, wave.x, 1.5f);
-    columns = _e20;
-    let _e28 = salt_4;
-    let _e36 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e28 ^ 1540483477u), wave.y, 1.5f);
-    rows = _e36;
-    let _e38 = columns;
-    let _e40 = columns;
-    let _e43 = rows;
-    let _e45 = rows;
-    let _e49 = gabor_impl_wave(((_e38.offset * _e40.turns) + (_e43.offset * _e45.turns)));
-    turn_6 = _e49;
-    let _e53 = blurred_1;
-    gabor_impl_filter((&columns), s.x, _e53.x);
-    let _e58 = blurred_1;
-    gabor_impl_filter((&rows), s.y, _e58.y);
-    let _e63 = columns;
-    let _e64 = rows;
-    gabor_impl_sum(_e63, _e64, place.animated, place.time, (&sum_7), (&slope_9));
-    let _e71 = sum_7;
-    let _e73 = slope_9;
-    let _e75 = (s.z * _e73.zw);
-    sum_7 = (_e71 + vec4<f32>(_e75.x, _e75.y, 0f, 0f));
-    let _e82 = sum_7;
-    let _e83 = slope_9;
-    let _e86 = blurred_1;
-    let _e90 = turn_6;
-    let _e94 = gabor_impl_field(_e82, _e83, (exp((-19.739208f * dot(wave, _e86))) * _e90), wave, vec2(1f));
-    return _e94;
+    let _e4 = gabor_impl_symmetric(s, wave);
+    blurred_1 = _e4;
+    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
+    columns = _e17;
+    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
+    rows = _e32;
+    let _e34 = columns;
+    let _e36 = columns;
+    let _e39 = rows;
+    let _e41 = rows;
+    let _e45 = gabor_impl_wave(((_e34.offset * _e36.turns) + (_e39.offset * _e41.turns)));
+    turn_6 = _e45;
+    let _e49 = blurred_1;
+    gabor_impl_filter((&columns), s.x, _e49.x);
+    let _e54 = blurred_1;
+    gabor_impl_filter((&rows), s.y, _e54.y);
+    let _e59 = columns;
+    let _e60 = rows;
+    gabor_impl_sum(_e59, _e60, place.animated, place.time, (&sum_7), (&slope_9));
+    let _e67 = sum_7;
+    let _e69 = slope_9;
+    let _e71 = (s.z * _e69.zw);
+    sum_7 = (_e67 + vec4<f32>(_e71.x, _e71.y, 0f, 0f));
+    let _e78 = sum_7;
+    let _e79 = slope_9;
+    let _e82 = blurred_1;
+    let _e86 = turn_6;
+    let _e90 = gabor_impl_field(_e78, _e79, (exp((-19.739208f * dot(wave, _e82))) * _e86), wave, vec2(1f));
+    return _e90;
 }
 
 // Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
@@ -584,8 +569,6 @@ struct GaborFactors {
 // An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
 // q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
 struct GaborBand {
-    g: f32,
-    c: f32,
     mean: vec3<f32>,
     even_0_: vec4<f32>,
     even_1_: vec4<f32>,
@@ -600,99 +583,107 @@ struct GaborBand {
     back: vec2<f32>,
 }
 
-// With the windows; `m` is r M.
+// With the windows, less their common factor e^(-g c^2); `m` is r M.
 fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
-    var center: f32;
+    var g: f32;
     var fall: f32;
     var fall_4_: f32;
     var rise_1: f32;
-    var rises: vec4<f32>;
+    var sink: f32;
     var wave_5: vec4<f32> = vec4<f32>(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f);
+    var above: vec4<f32>;
+    var below: vec4<f32>;
     var q: vec4<f32> = vec4<f32>(0.3f, 0.6f, 0.9f, 1.2f);
     var z_1: f32;
 
-    b_2.g = (19.739208f * m);
-    b_2.c = c;
-    let _e12 = b_2;
-    center = exp(((-(_e12.g) * c) * c));
+    g = (19.739208f * m);
     fall = exp((0.23217617f - (1.7765288f * m)));
-    let _e25 = fall;
-    let _e26 = fall;
-    let _e28 = fall;
-    let _e30 = fall;
-    fall_4_ = (((_e25 * _e26) * _e28) * _e30);
-    let _e34 = b_2;
-    rise_1 = exp(((0.6f * _e34.g) * c));
-    let _e40 = rise_1;
-    let _e41 = rise_1;
-    let _e42 = rise_1;
-    let _e44 = rise_1;
-    let _e45 = rise_1;
-    let _e47 = rise_1;
-    let _e49 = rise_1;
-    let _e50 = rise_1;
-    let _e52 = rise_1;
-    let _e54 = rise_1;
-    rises = vec4<f32>(_e40, (_e41 * _e42), ((_e44 * _e45) * _e47), (((_e49 * _e50) * _e52) * _e54));
-    let _e65 = wave_5;
-    let _e66 = center;
-    let _e67 = fall;
-    let _e68 = fall_4_;
-    let _e69 = fall_4_;
-    let _e70 = fall_4_;
-    let _e72 = fall;
-    let _e74 = fall_4_;
-    let _e75 = fall_4_;
-    let _e77 = fall_4_;
-    let _e79 = fall_4_;
-    wave_5 = (_e65 * (_e66 * vec4<f32>(_e67, _e68, ((_e69 * _e70) * _e72), (((_e74 * _e75) * _e77) * _e79))));
-    let _e91 = b_2;
-    z_1 = sqrt((2f * _e91.g));
-    let _e98 = center;
-    let _e101 = z_1;
-    let _e104 = z_1;
-    let _e106 = z_1;
-    b_2.mean = ((0.3f * _e98) * vec3<f32>(1f, (-(_e101) * c), ((((_e104 * c) * _e106) * c) - 0.5f)));
-    let _e114 = wave_5;
-    let _e115 = rises;
-    let _e117 = wave_5;
-    let _e118 = rises;
-    b_2.even_0_ = ((_e114 * _e115) + (_e117 / _e118));
-    let _e122 = wave_5;
-    let _e123 = rises;
-    let _e125 = wave_5;
-    let _e126 = rises;
-    b_2.odd_0_ = ((_e122 * _e123) - (_e125 / _e126));
-    let _e130 = z_1;
-    let _e131 = q;
-    let _e132 = b_2;
-    let _e135 = b_2;
-    b_2.even_1_ = (_e130 * ((_e131 * _e132.odd_0_) - (c * _e135.even_0_)));
-    let _e141 = z_1;
-    let _e142 = q;
-    let _e143 = b_2;
-    let _e146 = b_2;
-    b_2.odd_1_ = (_e141 * ((_e142 * _e143.even_0_) - (c * _e146.odd_0_)));
-    let _e152 = z_1;
-    let _e153 = q;
-    let _e154 = b_2;
-    let _e157 = b_2;
-    let _e163 = b_2;
-    b_2.even_2_ = ((_e152 * ((_e153 * _e154.odd_1_) - (c * _e157.even_1_))) - (0.5f * _e163.even_0_));
-    let _e168 = z_1;
-    let _e169 = q;
-    let _e170 = b_2;
-    let _e173 = b_2;
-    let _e179 = b_2;
-    b_2.odd_2_ = ((_e168 * ((_e169 * _e170.even_1_) - (c * _e173.odd_1_))) - (0.5f * _e179.odd_0_));
+    let _e17 = fall;
+    let _e18 = fall;
+    let _e20 = fall;
+    let _e22 = fall;
+    fall_4_ = (((_e17 * _e18) * _e20) * _e22);
+    let _e26 = g;
+    rise_1 = exp(((0.6f * _e26) * c));
+    let _e32 = rise_1;
+    sink = (1f / _e32);
+    let _e42 = wave_5;
+    let _e43 = fall;
+    let _e44 = fall_4_;
+    let _e45 = fall_4_;
+    let _e46 = fall_4_;
+    let _e48 = fall;
+    let _e50 = fall_4_;
+    let _e51 = fall_4_;
+    let _e53 = fall_4_;
+    let _e55 = fall_4_;
+    wave_5 = (_e42 * vec4<f32>(_e43, _e44, ((_e45 * _e46) * _e48), (((_e50 * _e51) * _e53) * _e55)));
+    let _e59 = wave_5;
+    let _e60 = rise_1;
+    let _e61 = rise_1;
+    let _e62 = rise_1;
+    let _e64 = rise_1;
+    let _e65 = rise_1;
+    let _e67 = rise_1;
+    let _e69 = rise_1;
+    let _e70 = rise_1;
+    let _e72 = rise_1;
+    let _e73 = rise_1;
+    above = (_e59 * vec4<f32>(_e60, (_e61 * _e62), ((_e64 * _e65) * _e67), ((_e69 * _e70) * (_e72 * _e73))));
+    let _e79 = wave_5;
+    let _e80 = sink;
+    let _e81 = sink;
+    let _e82 = sink;
+    let _e84 = sink;
+    let _e85 = sink;
+    let _e87 = sink;
+    let _e89 = sink;
+    let _e90 = sink;
+    let _e92 = sink;
+    let _e93 = sink;
+    below = (_e79 * vec4<f32>(_e80, (_e81 * _e82), ((_e84 * _e85) * _e87), ((_e89 * _e90) * (_e92 * _e93))));
+    let _e106 = g;
+    z_1 = sqrt((2f * _e106));
+    let _e113 = z_1;
+    let _e116 = z_1;
+    let _e118 = z_1;
+    b_2.mean = (0.3f * vec3<f32>(1f, (-(_e113) * c), ((((_e116 * c) * _e118) * c) - 0.5f)));
+    let _e126 = above;
+    let _e127 = below;
+    b_2.even_0_ = (_e126 + _e127);
+    let _e130 = above;
+    let _e131 = below;
+    b_2.odd_0_ = (_e130 - _e131);
+    let _e134 = z_1;
+    let _e135 = q;
+    let _e136 = b_2;
+    let _e139 = b_2;
+    b_2.even_1_ = (_e134 * ((_e135 * _e136.odd_0_) - (c * _e139.even_0_)));
+    let _e145 = z_1;
+    let _e146 = q;
+    let _e147 = b_2;
+    let _e150 = b_2;
+    b_2.odd_1_ = (_e145 * ((_e146 * _e147.even_0_) - (c * _e150.odd_0_)));
+    let _e156 = z_1;
+    let _e157 = q;
+    let _e158 = b_2;
+    let _e161 = b_2;
+    let _e167 = b_2;
+    b_2.even_2_ = ((_e156 * ((_e157 * _e158.odd_1_) - (c * _e161.even_1_))) - (0.5f * _e167.even_0_));
+    let _e172 = z_1;
+    let _e173 = q;
+    let _e174 = b_2;
+    let _e177 = b_2;
+    let _e183 = b_2;
+    b_2.odd_2_ = ((_e172 * ((_e173 * _e174.even_1_) - (c * _e177.odd_1_))) - (0.5f * _e183.odd_0_));
     b_2.offset = offset;
     b_2.first = first;
     b_2.period = period;
     b_2.salt = salt;
     b_2.back = vec2<f32>(step.x, -(step.y));
-    let _e192 = b_2;
-    return _e192;
+    let _e196 = b_2;
+    return _e196;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -703,8 +694,19 @@ struct GaborLine {
     phase: vec2<f32>,
 }
 
-// Line `index`, 0 to 4, from the turn and the phase of the one before.
-fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborLine {
+// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
+    var fade_1: f32;
+
+    fade_1 = clamp((5.555556f - (2.222222f * abs((b.offset - f32(index))))), 0f, 1f);
+    let _e14 = fade_1;
+    let _e15 = fade_1;
+    let _e19 = fade_1;
+    return ((_e14 * _e15) * (3f - (2f * _e19)));
+}
+
+// Line `index` from the turn and the phase of the one before.
+fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) -> GaborLine {
     var line_1: GaborLine;
     var two: vec2<f32>;
     var three: vec2<f32>;
@@ -713,66 +715,61 @@ fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32) -> GaborL
     var sine_1: vec4<f32>;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
-    var fade_1: f32;
     var phase_2: vec2<f32>;
 
     line_1 = line;
-    let _e8 = gabor_impl_wrap((b.first + index), b.period);
-    let _e10 = gabor_impl_line_word(_e8, b.salt);
-    line_1.word = _e10;
-    let _e12 = line_1;
-    let _e18 = gabor_impl_product(_e12.turn, vec2<f32>(0.309017f, -0.95105654f));
-    line_1.turn = _e18;
-    let _e20 = line_1;
-    let _e23 = gabor_impl_product(_e20.phase, b.back);
-    line_1.phase = _e23;
-    let _e24 = line_1;
-    let _e26 = line_1;
-    let _e28 = gabor_impl_product(_e24.turn, _e26.turn);
-    two = _e28;
-    let _e30 = two;
-    let _e31 = line_1;
-    let _e33 = gabor_impl_product(_e30, _e31.turn);
-    three = _e33;
-    let _e35 = two;
+    let _e9 = gabor_impl_wrap((b.first + index), b.period);
+    let _e11 = gabor_impl_line_word(_e9, b.salt);
+    line_1.word = _e11;
+    let _e13 = line_1;
+    let _e19 = gabor_impl_product(_e13.turn, vec2<f32>(0.309017f, -0.95105654f));
+    line_1.turn = _e19;
+    let _e21 = line_1;
+    let _e24 = gabor_impl_product(_e21.phase, b.back);
+    line_1.phase = _e24;
+    let _e25 = line_1;
+    let _e27 = line_1;
+    let _e29 = gabor_impl_product(_e25.turn, _e27.turn);
+    two = _e29;
+    let _e31 = two;
+    let _e32 = line_1;
+    let _e34 = gabor_impl_product(_e31, _e32.turn);
+    three = _e34;
     let _e36 = two;
-    let _e37 = gabor_impl_product(_e35, _e36);
-    four = _e37;
-    let _e39 = line_1;
-    let _e42 = two;
-    let _e44 = three;
-    let _e46 = four;
-    cosine_1 = vec4<f32>(_e39.turn.x, _e42.x, _e44.x, _e46.x);
-    let _e50 = line_1;
-    let _e53 = two;
-    let _e55 = three;
-    let _e57 = four;
-    sine_1 = vec4<f32>(_e50.turn.y, _e53.y, _e55.y, _e57.y);
-    let _e63 = cosine_1;
-    let _e66 = cosine_1;
-    let _e69 = cosine_1;
-    real = (b.mean + vec3<f32>(dot(b.even_0_, _e63), dot(b.even_1_, _e66), dot(b.even_2_, _e69)));
-    let _e75 = sine_1;
-    let _e78 = sine_1;
-    let _e81 = sine_1;
-    imaginary = vec3<f32>(dot(b.odd_0_, _e75), dot(b.odd_1_, _e78), dot(b.odd_2_, _e81));
-    fade_1 = clamp((5.555556f - (2.222222f * abs((b.offset - f32(index))))), 0f, 1f);
-    let _e97 = fade_1;
-    let _e98 = fade_1;
-    let _e102 = fade_1;
-    let _e106 = line_1;
-    phase_2 = (((_e97 * _e98) * (3f - (2f * _e102))) * _e106.phase);
-    let _e111 = phase_2;
-    let _e113 = real;
-    let _e115 = phase_2;
-    let _e117 = imaginary;
-    let _e120 = phase_2;
-    let _e122 = imaginary;
-    let _e124 = phase_2;
-    let _e126 = real;
-    line_1.window = GaborFactors(((_e111.x * _e113) - (_e115.y * _e117)), ((_e120.x * _e122) + (_e124.y * _e126)));
-    let _e130 = line_1;
-    return _e130;
+    let _e37 = two;
+    let _e38 = gabor_impl_product(_e36, _e37);
+    four = _e38;
+    let _e40 = line_1;
+    let _e43 = two;
+    let _e45 = three;
+    let _e47 = four;
+    cosine_1 = vec4<f32>(_e40.turn.x, _e43.x, _e45.x, _e47.x);
+    let _e51 = line_1;
+    let _e54 = two;
+    let _e56 = three;
+    let _e58 = four;
+    sine_1 = vec4<f32>(_e51.turn.y, _e54.y, _e56.y, _e58.y);
+    let _e64 = cosine_1;
+    let _e67 = cosine_1;
+    let _e70 = cosine_1;
+    real = (b.mean + vec3<f32>(dot(b.even_0_, _e64), dot(b.even_1_, _e67), dot(b.even_2_, _e70)));
+    let _e76 = sine_1;
+    let _e79 = sine_1;
+    let _e82 = sine_1;
+    imaginary = vec3<f32>(dot(b.odd_0_, _e76), dot(b.odd_1_, _e79), dot(b.odd_2_, _e82));
+    let _e86 = line_1;
+    phase_2 = (fade * _e86.phase);
+    let _e91 = phase_2;
+    let _e93 = real;
+    let _e95 = phase_2;
+    let _e97 = imaginary;
+    let _e100 = phase_2;
+    let _e102 = imaginary;
+    let _e104 = phase_2;
+    let _e106 = real;
+    line_1.window = GaborFactors(((_e91.x * _e93) - (_e95.y * _e97)), ((_e100.x * _e102) + (_e104.y * _e106)));
+    let _e110 = line_1;
+    return _e110;
 }
 
 // Adds a node to the sums of a row.
@@ -792,14 +789,11 @@ fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, 
     return;
 }
 
-// q times each factor, from the factors themselves, but for what z^3 has of the next of Hermite's polynomials.
-fn gabor_impl_times_q(f: GaborFactors, b: GaborBand) -> GaborFactors {
-    var z_2: f32;
-
-    z_2 = inverseSqrt((2f * b.g));
-    let _e7 = z_2;
-    let _e25 = z_2;
-    return GaborFactors(((_e7 * vec3<f32>(f.real.y, (f.real.z + (0.5f * f.real.x)), f.real.y)) + (b.c * f.real)), ((_e25 * vec3<f32>(f.imaginary.y, (f.imaginary.z + (0.5f * f.imaginary.x)), f.imaginary.y)) + (b.c * f.imaginary)));
+// The factors from the second on.
+fn gabor_impl_next(f: GaborFactors) -> GaborFactors {
+    let _e2 = f.real.yz;
+    let _e8 = f.imaginary.yz;
+    return GaborFactors(vec3<f32>(_e2.x, _e2.y, 0f), vec3<f32>(_e8.x, _e8.y, 0f));
 }
 
 // The sum over the factors of both axes.
@@ -808,7 +802,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, rows: i32, seed: u32) -> GaborField {
+fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, rows: i32, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var blurred_2: vec2<f32>;
     var c_4: vec2<f32>;
@@ -819,7 +813,6 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var first_2: vec2<f32>;
     var offset_1: vec2<f32>;
     var node: vec2<i32>;
-    var salt_6: u32;
     var step_x: vec2<f32>;
     var step_y: vec2<f32>;
     var across: GaborBand;
@@ -830,10 +823,12 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var c2_: GaborLine;
     var c3_: GaborLine;
     var c4_: GaborLine;
-    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var value_6: vec2<f32> = vec2(0f);
+    var z_x: vec2<f32> = vec2(0f);
+    var z_y: vec2<f32> = vec2(0f);
     var j_2: i32 = 0i;
     var row_2: GaborFactors;
-    var amplitude_3: f32;
+    var exponent_1: f32;
     var x_4: vec2<f32>;
     var y_5: vec2<f32>;
     var local_14: f32;
@@ -867,144 +862,159 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     offset_1 = (place.local - _e77);
     let _e81 = first_2;
     node = (place.cell + vec2<i32>(_e81));
-    let _e85 = gabor_impl_salt(seed);
-    salt_6 = _e85;
-    let _e93 = gabor_impl_wave((wave.x / 1.5f));
-    step_x = _e93;
-    let _e101 = gabor_impl_wave((wave.y / 1.5f));
-    step_y = _e101;
-    let _e103 = r_1;
-    let _e104 = m_1;
-    let _e107 = c_4;
-    let _e109 = offset_1;
-    let _e111 = node;
-    let _e115 = salt_6;
-    let _e116 = step_x;
-    let _e117 = gabor_impl_band((_e103 * _e104.x), _e107.x, _e109.x, _e111.x, place.period.x, _e115, _e116);
-    across = _e117;
-    let _e119 = r_1;
-    let _e120 = m_1;
-    let _e123 = c_4;
-    let _e125 = offset_1;
-    let _e127 = node;
-    let _e131 = salt_6;
-    let _e134 = step_y;
-    let _e135 = gabor_impl_band((_e119 * _e120.y), _e123.y, _e125.y, _e127.y, place.period.y, (_e131 ^ 1540483477u), _e134);
-    along = _e135;
-    let _e140 = offset_1;
-    let _e145 = gabor_impl_wave((0.2f * (_e140.x + 1f)));
-    line_2.turn = _e145;
-    let _e147 = step_x;
-    line_2.phase = _e147;
-    let _e148 = line_2;
-    let _e149 = across;
-    let _e151 = gabor_impl_filtered_line(_e148, _e149, 0i);
-    c0_ = _e151;
-    let _e153 = c0_;
-    let _e154 = across;
-    let _e156 = gabor_impl_filtered_line(_e153, _e154, 1i);
+    let _e91 = gabor_impl_wave((wave.x / 1.5f));
+    step_x = _e91;
+    let _e99 = gabor_impl_wave((wave.y / 1.5f));
+    step_y = _e99;
+    let _e101 = r_1;
+    let _e102 = m_1;
+    let _e105 = c_4;
+    let _e107 = offset_1;
+    let _e109 = node;
+    let _e113 = step_x;
+    let _e114 = gabor_impl_band((_e101 * _e102.x), _e105.x, _e107.x, _e109.x, place.period.x, salt, _e113);
+    across = _e114;
+    let _e116 = r_1;
+    let _e117 = m_1;
+    let _e120 = c_4;
+    let _e122 = offset_1;
+    let _e124 = node;
+    let _e130 = step_y;
+    let _e131 = gabor_impl_band((_e116 * _e117.y), _e120.y, _e122.y, _e124.y, place.period.y, (salt ^ 1540483477u), _e130);
+    along = _e131;
+    let _e136 = offset_1;
+    let _e141 = gabor_impl_wave((0.2f * (_e136.x + 1f)));
+    line_2.turn = _e141;
+    let _e143 = step_x;
+    line_2.phase = _e143;
+    let _e144 = line_2;
+    let _e145 = across;
+    let _e147 = across;
+    let _e149 = gabor_impl_fade(_e147, 0i);
+    let _e150 = gabor_impl_filtered_line(_e144, _e145, 0i, _e149);
+    c0_ = _e150;
+    let _e152 = c0_;
+    let _e153 = across;
+    let _e156 = gabor_impl_filtered_line(_e152, _e153, 1i, 1f);
     c1_ = _e156;
     let _e158 = c1_;
     let _e159 = across;
-    let _e161 = gabor_impl_filtered_line(_e158, _e159, 2i);
-    c2_ = _e161;
-    let _e163 = c2_;
-    let _e164 = across;
-    let _e166 = gabor_impl_filtered_line(_e163, _e164, 3i);
-    c3_ = _e166;
-    let _e168 = c3_;
-    let _e169 = across;
-    let _e171 = gabor_impl_filtered_line(_e168, _e169, 4i);
-    c4_ = _e171;
-    let _e175 = offset_1;
-    let _e180 = gabor_impl_wave((0.2f * (_e175.y + 1f)));
-    line_2.turn = _e180;
-    let _e182 = offset_1;
-    let _e190 = gabor_impl_wave(dot(wave, (_e182 / vec2(1.5f))));
-    let _e191 = step_y;
-    let _e192 = gabor_impl_product(_e190, _e191);
-    line_2.phase = _e192;
+    let _e162 = gabor_impl_filtered_line(_e158, _e159, 2i, 1f);
+    c2_ = _e162;
+    let _e164 = c2_;
+    let _e165 = across;
+    let _e168 = gabor_impl_filtered_line(_e164, _e165, 3i, 1f);
+    c3_ = _e168;
+    let _e170 = c3_;
+    let _e171 = across;
+    let _e173 = across;
+    let _e175 = gabor_impl_fade(_e173, 4i);
+    let _e176 = gabor_impl_filtered_line(_e170, _e171, 4i, _e175);
+    c4_ = _e176;
+    let _e180 = offset_1;
+    let _e185 = gabor_impl_wave((0.2f * (_e180.y + 1f)));
+    line_2.turn = _e185;
+    let _e187 = offset_1;
+    let _e195 = gabor_impl_wave(dot(wave, (_e187 / vec2(1.5f))));
+    let _e196 = step_y;
+    let _e197 = gabor_impl_product(_e195, _e196);
+    line_2.phase = _e197;
     loop {
         {
-            let _e203 = line_2;
-            let _e204 = along;
-            let _e205 = j_2;
-            let _e206 = gabor_impl_filtered_line(_e203, _e204, _e205);
-            line_2 = _e206;
+            let _e209 = line_2;
+            let _e210 = along;
+            let _e211 = j_2;
+            let _e212 = along;
+            let _e213 = j_2;
+            let _e214 = gabor_impl_fade(_e212, _e213);
+            let _e215 = gabor_impl_filtered_line(_e209, _e210, _e211, _e214);
+            line_2 = _e215;
             row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e214 = c0_;
-            let _e215 = line_2;
-            gabor_impl_add_filtered((&row_2), _e214, _e215.word, place.animated, place.time);
-            let _e221 = c1_;
-            let _e222 = line_2;
-            gabor_impl_add_filtered((&row_2), _e221, _e222.word, place.animated, place.time);
-            let _e228 = c2_;
-            let _e229 = line_2;
-            gabor_impl_add_filtered((&row_2), _e228, _e229.word, place.animated, place.time);
-            let _e235 = c3_;
-            let _e236 = line_2;
-            gabor_impl_add_filtered((&row_2), _e235, _e236.word, place.animated, place.time);
-            let _e242 = c4_;
-            let _e243 = line_2;
-            gabor_impl_add_filtered((&row_2), _e242, _e243.word, place.animated, place.time);
-            let _e249 = sum_8;
-            let _e251 = row_2;
+            let _e223 = c0_;
+            let _e224 = line_2;
+            gabor_impl_add_filtered((&row_2), _e223, _e224.word, place.animated, place.time);
+            let _e230 = c1_;
+            let _e231 = line_2;
+            gabor_impl_add_filtered((&row_2), _e230, _e231.word, place.animated, place.time);
+            let _e237 = c2_;
+            let _e238 = line_2;
+            gabor_impl_add_filtered((&row_2), _e237, _e238.word, place.animated, place.time);
+            let _e244 = c3_;
+            let _e245 = line_2;
+            gabor_impl_add_filtered((&row_2), _e244, _e245.word, place.animated, place.time);
+            let _e251 = c4_;
             let _e252 = line_2;
-            let _e254 = weights_1;
-            let _e255 = gabor_impl_contracted(_e251, _e252.window, _e254);
-            sum_8.value = (_e249.value + _e255);
-            let _e258 = sum_8;
-            let _e260 = row_2;
-            let _e261 = across;
-            let _e262 = gabor_impl_times_q(_e260, _e261);
-            let _e263 = line_2;
-            let _e265 = weights_1;
-            let _e266 = gabor_impl_contracted(_e262, _e263.window, _e265);
-            sum_8.slope_x = (_e258.slope_x + _e266);
-            let _e269 = sum_8;
-            let _e271 = row_2;
-            let _e272 = line_2;
-            let _e274 = along;
-            let _e275 = gabor_impl_times_q(_e272.window, _e274);
-            let _e276 = weights_1;
-            let _e277 = gabor_impl_contracted(_e271, _e275, _e276);
-            sum_8.slope_y = (_e269.slope_y + _e277);
+            gabor_impl_add_filtered((&row_2), _e251, _e252.word, place.animated, place.time);
+            let _e257 = value_6;
+            let _e258 = row_2;
+            let _e259 = line_2;
+            let _e261 = weights_1;
+            let _e262 = gabor_impl_contracted(_e258, _e259.window, _e261);
+            value_6 = (_e257 + _e262);
+            let _e264 = z_x;
+            let _e265 = row_2;
+            let _e266 = gabor_impl_next(_e265);
+            let _e267 = line_2;
+            let _e269 = weights_1;
+            let _e270 = gabor_impl_contracted(_e266, _e267.window, _e269);
+            z_x = (_e264 + _e270);
+            let _e272 = z_y;
+            let _e273 = row_2;
+            let _e274 = line_2;
+            let _e276 = gabor_impl_next(_e274.window);
+            let _e277 = weights_1;
+            let _e278 = gabor_impl_contracted(_e273, _e276, _e277);
+            z_y = (_e272 + _e278);
         }
-        let _e279 = j_2;
-        let _e281 = (_e279 + 1i);
-        j_2 = _e281;
-        if !((_e281 < rows)) {
+        let _e280 = j_2;
+        let _e282 = (_e280 + 1i);
+        j_2 = _e282;
+        if !((_e282 < rows)) {
             break;
         }
     }
-    let _e285 = lambda;
-    let _e286 = lambda;
+    let _e286 = c_4;
+    let _e288 = blurred_2;
+    let _e290 = r_1;
+    let _e291 = m_1;
     let _e292 = c_4;
-    let _e294 = blurred_2;
-    amplitude_3 = (sqrt((1f - (_e285 * _e286))) * exp((-19.739208f * dot((wave + _e292), _e294))));
-    let _e301 = sum_8;
-    let _e304 = sum_8;
-    x_4 = (6.2831855f * (_e301.slope_x + (wave.x * _e304.value)));
-    let _e311 = sum_8;
-    let _e314 = sum_8;
-    y_5 = (6.2831855f * (_e311.slope_y + (wave.y * _e314.value)));
-    let _e320 = amplitude_3;
+    let _e293 = c_4;
+    exponent_1 = (19.739208f * (dot((wave + _e286), _e288) + (_e290 * dot(_e291, (_e292 * _e293)))));
+    let _e302 = c_4;
+    let _e305 = value_6;
+    let _e308 = r_1;
+    let _e310 = m_1;
+    let _e314 = z_x;
+    let _e315 = lambda;
+    let _e316 = z_y;
+    x_4 = (6.2831855f * (((wave.x + _e302.x) * _e305) + (inverseSqrt(((39.478416f * _e308) * _e310.x)) * (_e314 - (_e315 * _e316)))));
+    let _e325 = c_4;
+    let _e328 = value_6;
+    let _e331 = r_1;
+    let _e333 = m_1;
+    let _e337 = z_y;
+    let _e338 = lambda;
+    let _e339 = z_x;
+    y_5 = (6.2831855f * (((wave.y + _e325.y) * _e328) + (inverseSqrt(((39.478416f * _e331) * _e333.y)) * (_e337 - (_e338 * _e339)))));
+    let _e347 = lambda;
+    let _e348 = lambda;
+    let _e352 = exponent_1;
     if false {
         local_14 = 1f;
     } else {
         local_14 = 1.125f;
     }
-    let _e331 = local_14;
-    scale_1 = (_e320 / (1459955300000000000000000000f * _e331));
-    let _e335 = scale_1;
-    let _e336 = sum_8;
-    let _e339 = scale_1;
-    let _e340 = x_4;
-    let _e343 = x_4;
-    let _e347 = scale_1;
-    let _e348 = y_5;
-    let _e351 = y_5;
-    return GaborField((_e335 * _e336.value), (_e339 * vec2<f32>(-(_e340.y), _e343.x)), (_e347 * vec2<f32>(-(_e348.y), _e351.x)));
+    let _e366 = local_14;
+    scale_1 = ((sqrt((1f - (_e347 * _e348))) * exp(-(_e352))) / (1459955300000000000000000000f * _e366));
+    let _e370 = scale_1;
+    let _e371 = value_6;
+    let _e373 = scale_1;
+    let _e374 = x_4;
+    let _e377 = x_4;
+    let _e381 = scale_1;
+    let _e382 = y_5;
+    let _e385 = y_5;
+    return GaborField((_e370 * _e371), (_e373 * vec2<f32>(-(_e374.y), _e377.x)), (_e381 * vec2<f32>(-(_e382.y), _e385.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -1015,9 +1025,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var stretch_1: vec2<f32>;
     var wave_7: vec2<f32>;
     var transmitted: f32;
-    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var s_4: vec3<f32>;
-    var amplitude_4: f32 = 1f;
+    var salt_7: u32;
+    var amplitude_3: f32 = 1f;
     var wide: f32;
     var share_1: f32;
     var share_2: f32;
@@ -1036,66 +1047,70 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     (*removed) = (1f - _e24);
     let _e34 = transmitted;
     if (_e34 < 0.0000000001f) {
-        let _e37 = sum_9;
+        let _e37 = sum_8;
         return _e37;
     }
     s_4 = footprint.resolved;
+    let _e40 = gabor_impl_salt(seed);
+    salt_7 = _e40;
     if any((footprint.resolved != footprint.covariance)) {
-        let _e46 = amplitude_4;
-        let _e47 = transmitted;
-        let _e48 = wave_7;
-        let _e49 = s_4;
-        let _e50 = gabor_impl_transmitted(_e48, _e49);
-        amplitude_4 = (_e46 * sqrt((_e47 / _e50)));
+        let _e48 = amplitude_3;
+        let _e49 = transmitted;
+        let _e50 = wave_7;
+        let _e51 = s_4;
+        let _e52 = gabor_impl_transmitted(_e50, _e51);
+        amplitude_3 = (_e48 * sqrt((_e49 / _e52)));
     }
-    let _e55 = s_4;
     let _e57 = s_4;
-    wide = clamp(((33.333332f * sqrt(max(_e55.x, _e57.y))) - 2.6666667f), 0f, 1f);
-    let _e68 = wide;
-    if (_e68 < 1f) {
+    let _e59 = s_4;
+    wide = clamp(((33.333332f * sqrt(max(_e57.x, _e59.y))) - 2.6666667f), 0f, 1f);
+    let _e70 = wide;
+    if (_e70 < 1f) {
         {
-            let _e72 = wide;
-            let _e74 = amplitude_4;
-            share_1 = ((1f - _e72) * _e74);
-            let _e78 = wave_7;
-            let _e79 = s_4;
-            let _e80 = gabor_impl_filtered_narrow(place, _e78, _e79, seed);
-            let _e81 = share_1;
-            let _e82 = share_1;
-            gabor_impl_accumulate((&sum_9), _e80, _e81, _e82);
+            let _e74 = wide;
+            let _e76 = amplitude_3;
+            share_1 = ((1f - _e74) * _e76);
+            let _e80 = wave_7;
+            let _e81 = s_4;
+            let _e82 = salt_7;
+            let _e83 = gabor_impl_filtered_narrow(place, _e80, _e81, _e82);
+            let _e84 = share_1;
+            let _e85 = share_1;
+            gabor_impl_accumulate((&sum_8), _e83, _e84, _e85);
         }
     }
-    let _e84 = wide;
-    if (_e84 > 0f) {
+    let _e87 = wide;
+    if (_e87 > 0f) {
         {
-            let _e87 = wide;
-            let _e88 = amplitude_4;
-            share_2 = (_e87 * _e88);
-            let _e91 = wide;
-            if (_e91 > 0f) {
+            let _e90 = wide;
+            let _e91 = amplitude_3;
+            share_2 = (_e90 * _e91);
+            let _e94 = wide;
+            if (_e94 > 0f) {
                 local_15 = 5i;
             } else {
                 local_15 = 0i;
             }
-            let _e97 = local_15;
-            rows_2 = _e97;
-            let _e100 = wave_7;
-            let _e101 = s_4;
-            let _e102 = rows_2;
-            let _e103 = gabor_impl_filtered_wide(place, _e100, _e101, _e102, seed);
-            let _e104 = share_2;
-            let _e105 = share_2;
-            gabor_impl_accumulate((&sum_9), _e103, _e104, _e105);
+            let _e100 = local_15;
+            rows_2 = _e100;
+            let _e103 = wave_7;
+            let _e104 = s_4;
+            let _e105 = rows_2;
+            let _e106 = salt_7;
+            let _e107 = gabor_impl_filtered_wide(place, _e103, _e104, _e105, _e106);
+            let _e108 = share_2;
+            let _e109 = share_2;
+            gabor_impl_accumulate((&sum_8), _e107, _e108, _e109);
         }
     }
-    let _e108 = sum_9;
-    let _e110 = stretch_1;
-    sum_9.slope_x = (_e108.slope_x * _e110.x);
-    let _e114 = sum_9;
-    let _e116 = stretch_1;
-    sum_9.slope_y = (_e114.slope_y * _e116.y);
-    let _e119 = sum_9;
-    return _e119;
+    let _e112 = sum_8;
+    let _e114 = stretch_1;
+    sum_8.slope_x = (_e112.slope_x * _e114.x);
+    let _e118 = sum_8;
+    let _e120 = stretch_1;
+    sum_8.slope_y = (_e118.slope_y * _e120.y);
+    let _e123 = sum_8;
+    return _e123;
 }
 
 // A lobe of waves around one wave vector.
@@ -1335,9 +1350,8 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var apart: f32;
     var larger: f32;
     var side: f32;
-    var local_16: f32;
     var smaller: f32;
-    var local_17: f32;
+    var local_16: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1373,51 +1387,41 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     let _e72 = mean;
     let _e73 = apart;
     larger = (_e72 + _e73);
-    let _e77 = dx_1;
-    let _e79 = dy_1;
-    let _e82 = dx_1;
-    let _e84 = dy_1;
-    side = (0.25f * ((_e77.x * _e79.y) - (_e82.y * _e84.x)));
-    let _e90 = larger;
-    if (_e90 > 0.000000000001f) {
-        let _e93 = side;
-        let _e94 = larger;
-        let _e96 = side;
-        let _e98 = mean;
-        local_16 = min(((_e93 / _e94) * _e96), _e98);
-    } else {
-        local_16 = 0f;
-    }
-    let _e102 = local_16;
-    smaller = _e102;
-    let _e105 = footprint_1;
-    footprint_1.resolved = _e105.covariance;
-    let _e107 = larger;
-    if (_e107 > 0.25f) {
+    let _e77 = footprint_1;
+    footprint_1.resolved = _e77.covariance;
+    let _e79 = larger;
+    if (_e79 > 0.25f) {
         {
-            let _e110 = smaller;
-            smaller = min(_e110, 0.25f);
-            let _e113 = axis_2;
-            let _e114 = apart;
-            if (_e114 > 0f) {
-                let _e119 = smaller;
-                let _e122 = apart;
-                local_17 = ((0.5f * (0.25f - _e119)) / _e122);
+            let _e83 = dx_1;
+            let _e85 = dy_1;
+            let _e88 = dx_1;
+            let _e90 = dy_1;
+            side = (0.25f * ((_e83.x * _e85.y) - (_e88.y * _e90.x)));
+            let _e96 = side;
+            let _e97 = larger;
+            let _e99 = side;
+            smaller = min(((_e96 / _e97) * _e99), 0.25f);
+            let _e104 = axis_2;
+            let _e105 = apart;
+            if (_e105 > 0f) {
+                let _e110 = smaller;
+                let _e113 = apart;
+                local_16 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_17 = 0f;
+                local_16 = 0f;
             }
-            let _e126 = local_17;
-            axis_2 = (_e113 * _e126);
-            let _e131 = smaller;
-            let _e134 = axis_2;
-            let _e136 = axis_2;
-            let _e141 = (vec2((0.5f * (0.25f + _e131))) + vec2<f32>(_e134.x, -(_e136.x)));
-            let _e142 = axis_2;
-            footprint_1.resolved = vec3<f32>(_e141.x, _e141.y, _e142.y);
+            let _e117 = local_16;
+            axis_2 = (_e104 * _e117);
+            let _e122 = smaller;
+            let _e125 = axis_2;
+            let _e127 = axis_2;
+            let _e132 = (vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x)));
+            let _e133 = axis_2;
+            footprint_1.resolved = vec3<f32>(_e132.x, _e132.y, _e133.y);
         }
     }
-    let _e147 = footprint_1;
-    return _e147;
+    let _e138 = footprint_1;
+    return _e138;
 }
 
 // Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), with its
@@ -1425,8 +1429,8 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
 // error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
 // one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.5 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.3 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 8 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
+// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -1459,7 +1463,7 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four_1: vec4<f32>;
     var i_4: i32 = 0i;
-    var local_18: u32;
+    var local_17: u32;
     var noise_1: vec4<f32>;
 
     loop {
@@ -1470,13 +1474,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_4;
             if (_e17 == 0i) {
-                local_18 = seed;
+                local_17 = seed;
             } else {
                 let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_18 = _e22;
+                local_17 = _e22;
             }
-            let _e24 = local_18;
+            let _e24 = local_17;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
             let _e27 = i_4;
@@ -1497,13 +1501,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
-    var sum_10: vec4<f32> = vec4(0f);
+    var sum_9: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
     var i_5: i32 = 0i;
     var lobe_1: GaborLobe;
     var unit_1: f32;
     var noise_2: vec4<f32>;
-    var local_19: vec4<f32>;
+    var local_18: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1528,14 +1532,14 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e45 = gabor_lobe_seed(seed, _e44);
             let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
             noise_2 = _e46;
-            let _e48 = sum_10;
+            let _e48 = sum_9;
             let _e49 = lobe_1;
             let _e53 = unit_1;
             let _e54 = unit_1;
             let _e56 = (sqrt(_e49.power) * vec3<f32>(1f, _e53, _e54));
             let _e57 = lobe_1;
             let _e63 = noise_2;
-            sum_10 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
+            sum_9 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
             let _e66 = power_2;
             let _e67 = lobe_1;
             power_2 = (_e66 + _e67.power);
@@ -1547,15 +1551,15 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     }
     let _e70 = power_2;
     if (_e70 > 0f) {
-        let _e73 = sum_10;
+        let _e73 = sum_9;
         let _e74 = power_2;
         let _e76 = vec3(inverseSqrt(_e74));
         let _e78 = power_2;
-        local_19 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
+        local_18 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
     } else {
-        local_19 = vec4(0f);
+        local_18 = vec4(0f);
     }
-    let _e88 = local_19;
+    let _e88 = local_18;
     return _e88;
 }
 

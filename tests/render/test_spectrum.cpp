@@ -435,6 +435,26 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
     CHECK(seen > 1000000);
 }
 
+// Across a long thin footprint the exponent is a small difference of large products.
+TEST_CASE("the removed variance is a share for footprints of any length", "[filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 14;
+    Sampler sampler(device, count);
+    Draw draw(38);
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        s.frequency = std::exp2(draw.uniform(-3, 5));
+        s.orientation = draw.uniform(-3, 3);
+        set_footprint(s, std::exp2(draw.uniform(-2, 8.9f)), 0, s.orientation + pi / 2);
+    }
+    const auto answers = sampler.answers(count, filtered_only);
+    for (std::size_t i = 0; i < count; ++i) {
+        INFO("frequency " << sampler.samples()[i].frequency << ", step " << sampler.samples()[i].dx[0]);
+        REQUIRE(answers[i].filtered[1] >= 0);
+        REQUIRE(answers[i].filtered[1] <= 1);
+    }
+}
+
 TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 18;
