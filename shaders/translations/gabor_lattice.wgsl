@@ -63,7 +63,7 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
 
 // The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
 // there, and 0.001 on average.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;

@@ -64,7 +64,7 @@ uint gabor_impl_line_word(int index, uint salt) {
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // of a part of an amplitude
 // The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 63 % of the power
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
 // there, and 0.001 on average.
 float2 gabor_impl_amplitude(uint word) {
     float2 u = float2(float(int(word)), float(int(word << 16u)));
