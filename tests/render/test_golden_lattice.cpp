@@ -66,7 +66,7 @@ TEST_CASE("values of the lattice noise are those of this version", "[golden]") {
     golden.finish();
 }
 
-TEST_CASE("values of the noise on the lattice in space are those of this version", "[oracle]") {
+TEST_CASE("values of the noise on the lattice in space are those of this version", "[golden]") {
     constexpr std::size_t count = Golden::side * Golden::side;
     constexpr double tight = 5e-5;
     constexpr double loose = tight * 25; // derivatives
