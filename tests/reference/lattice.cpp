@@ -145,19 +145,18 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
         for (const Line& x : columns) {
             const Complex wave = x.wave * y.wave;
             const Complex kernel = x.window.value * y.window.value * wave;
+            std::array<Complex, 4> amplitudes;
             for (std::size_t c = 0; c < 4; ++c) {
                 const std::uint32_t word = x.words[c] * y.words[c];
-                const Complex amplitude =
+                amplitudes[c] =
                     place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-                sum.four[c] += (amplitude * kernel).imag();
-                if (c > 0)
-                    continue;
-                sum.value += amplitude * kernel;
-                sum.slope_x +=
-                    amplitude * (x.slope * y.window.value * wave + Complex(0, 2 * pi * wave_x_) * kernel);
-                sum.slope_y +=
-                    amplitude * (y.slope * x.window.value * wave + Complex(0, 2 * pi * wave_y_) * kernel);
+                sum.four[c] += (amplitudes[c] * kernel).imag();
             }
+            sum.value += amplitudes[0] * kernel;
+            sum.slope_x +=
+                amplitudes[0] * (x.slope * y.window.value * wave + Complex(0, 2 * pi * wave_x_) * kernel);
+            sum.slope_y +=
+                amplitudes[0] * (y.slope * x.window.value * wave + Complex(0, 2 * pi * wave_y_) * kernel);
         }
     }
     const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(taps_));
