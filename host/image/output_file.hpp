@@ -10,8 +10,8 @@ namespace gabor::image {
 /// A file that appears under its name only when it is complete. Until `commit` the data has no name at all
 /// where the file system allows it (O_TMPFILE), so that even a killed process leaves nothing behind;
 /// elsewhere, and for an instant while an older file is being replaced, it is the hidden file
-/// `.NAME.gabor-XXXXXXXX` in the same folder. The writer holds a lock (flock) on it, so that whoever replaces
-/// NAME next knows one that a killed process has left, and removes it.
+/// `.NAME.gabor-` and eight digits in the same folder. The writer holds a lock (flock) on it, so that whoever
+/// replaces NAME next knows one that a killed process has left, and removes it.
 ///
 /// A symbolic link stays: what it points to is replaced. What exists and is no regular file, such as
 /// /dev/null or a FIFO, is never replaced: the data goes straight into it.
