@@ -25,18 +25,14 @@ struct Quantity {
 };
 
 constexpr Quantity value{
-    "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise.x", "0.0"};
-constexpr Quantity gradient{"The gradient, per kernel radius.",
-                            "vec2",
-                            "gradient",
-                            "vec2(field.slope_x.y, field.slope_y.y)",
-                            "field.noise.yzw",
-                            "vec2(0.0)"};
+    "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise", "0.0"};
+constexpr Quantity gradient{"The gradient, per kernel radius.",       "vec2",           "gradient",
+                            "vec2(field.slope_x.y, field.slope_y.y)", "field.gradient", "vec2(0.0)"};
 constexpr Quantity complex_value{"The noise as a complex number: its quadrature, and the noise itself.",
                                  "vec2",
                                  "complex",
                                  "field.value",
-                                 "vec2(field.quadrature.x, field.noise.x)",
+                                 "vec2(field.quadrature, field.noise)",
                                  "vec2(0.0)"};
 constexpr Quantity removed{
     "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};

@@ -64,10 +64,10 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         for (int channel = 0; channel < values; ++channel) {
             wave.seed = channel == 0 ? seed : gabor_lobe_seed(seed, -channel);
             GaborField3d field = wave_at(wave, place, normal);
-            sum.values[channel] += wave.amplitude * field.noise.x;
+            sum.values[channel] += wave.amplitude * field.noise;
             if (channel == 0) {
-                sum.complex += wave.amplitude * vec2(field.quadrature.x, field.noise.x);
-                sum.slope += wave.amplitude / wave.radius * field.noise.yzw;
+                sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
+                sum.slope += wave.amplitude / wave.radius * field.gradient;
             }
         }
     }

@@ -1,7 +1,5 @@
 // gabor_lattice_3d.hpp: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.hpp; every name that it adds begins with gabor_ or Gabor.
-//     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
-//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh: for C++ on the CPU.
+// after gabor_lattice.hpp; every name that it adds begins with gabor_ or Gabor: for C++ on the CPU.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
@@ -33,10 +31,12 @@ GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
     return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
-// The noise and its quadrature, each with its gradient: (value, d/dx, d/dy, d/dz), derivatives per kernel radius.
+// The noise and its quadrature, each with its gradient per kernel radius. Apart, so that compilers drop unused ones.
 struct GaborField3d {
-    gabor_vec4 noise;
-    gabor_vec4 quadrature;
+    float noise;
+    gabor_vec3 gradient;
+    float quadrature;
+    gabor_vec3 quadrature_gradient;
     float removed; // variance that the average over the pixel takes away
 };
 
@@ -84,7 +84,7 @@ GABOR_INLINE GaborCube gabor_impl_to_waves(GaborCube nodes, GaborAxis axis, floa
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: |det(1 + i S)|^(-1/2).
-GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wave, GaborAxis x, GaborAxis y, GaborAxis z) {
+GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wave, GaborAxis x, GaborAxis y, GaborAxis z, gabor_vec2 turn) {
     gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f);
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f);
     float trace = 0.25f * (gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy));
@@ -99,14 +99,16 @@ GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wav
     cube = gabor_impl_to_waves(cube, z, spacing.z * gabor_cpp_length(gabor_vec2(dx.z, dy.z)));
     cube = gabor_impl_to_waves(cube, y, spacing.y * gabor_cpp_length(gabor_vec2(dx.y, dy.y)));
     cube = gabor_impl_to_waves(cube, x, spacing.x * gabor_cpp_length(gabor_vec2(dx.x, dy.x)));
-    GaborField3d sum = GaborField3d{gabor_vec4(0.0f), gabor_vec4(0.0f), 1.0f};
+    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f};
     for (int n = 0; n < 27; ++n) {
         gabor_vec3 aside = gabor_vec3(float(n % 3), float(n / 3 % 3), float(n / 9)) - 1.0f;
         gabor_vec3 k = wave + spacing * aside;
         float left = fade * gabor_cpp_exp(-4.934802f * (gabor_cpp_dot(k, dx) * gabor_cpp_dot(k, dx) + gabor_cpp_dot(k, dy) * gabor_cpp_dot(k, dy)));
-        gabor_vec2 value = left * cube.number[n];
-        sum.noise += gabor_vec4(value.y, 6.2831853f * value.x * k);
-        sum.quadrature += gabor_vec4(value.x, -6.2831853f * value.y * k);
+        gabor_vec2 value = left * gabor_impl_product(cube.number[n], turn);
+        sum.noise += value.y;
+        sum.gradient += 6.2831853f * value.x * k;
+        sum.quadrature += value.x;
+        sum.quadrature_gradient -= 6.2831853f * value.y * k;
         sum.removed -= 8.0f / 27.0f * left * left * gabor_cpp_exp2(-2.0f * gabor_cpp_dot(aside, aside));
     }
     return sum;
@@ -141,20 +143,17 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, slices, wave.z, place.radius.z);
     gabor_vec2 turn = gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
               * gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
-    GaborField3d field;
-    if (place.filtered) {
-        field = gabor_impl_filtered(place, wave, x, y, z);
-    } else {
-        gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
-        gabor_vec3 stretch = place.radius / GABOR_RADIUS;
-        field = GaborField3d{gabor_vec4(sum.y, stretch * gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave),
-                             gabor_vec4(sum.x, stretch * gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave), 0.0f};
-    }
-    return GaborField3d{turn.x * field.noise + turn.y * field.quadrature,
-                        turn.x * field.quadrature - turn.y * field.noise, field.removed};
+    if (place.filtered)
+        return gabor_impl_filtered(place, wave, x, y, z, turn);
+    gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
+    sum = gabor_vec4(gabor_impl_product(sum.xy(), turn), gabor_impl_product(sum.zw(), turn));
+    slopes = gabor_vec4(gabor_impl_product(slopes.xy(), turn), gabor_impl_product(slopes.zw(), turn));
+    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d{sum.y, stretch * gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave,
+                        sum.x, stretch * gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -162,17 +161,18 @@ GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborPlace3d place, flo
                          int index, float power) {
     GaborField3d term = gabor_field_3d(place, frequency, direction, gabor_lobe_seed(seed, index));
     sum.noise += gabor_cpp_sqrt(power) * term.noise;
+    sum.gradient += gabor_cpp_sqrt(power) * term.gradient;
     sum.quadrature += gabor_cpp_sqrt(power) * term.quadrature;
+    sum.quadrature_gradient += gabor_cpp_sqrt(power) * term.quadrature_gradient;
     sum.removed += power * term.removed;
 }
 
 // Directions evenly on a spiral over half the sphere, a real number of them: the last has what is left of the power.
 GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, std::uint32_t seed) {
     float count = 8.0f + 8.0f * gabor_cpp_min(frequency * frequency, 64.0f);
-    GaborField3d sum = GaborField3d{gabor_vec4(0.0f), gabor_vec4(0.0f), 0.0f};
+    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = 0; i < int(gabor_cpp_ceil(count)); ++i) {
-        float share = gabor_cpp_min(count - float(i), 1.0f) / count;
-        float z = float(i) / count + 0.5f * share;
+        float share = gabor_cpp_min(count - float(i), 1.0f) / count, z = float(i) / count + 0.5f * share;
         gabor_vec3 direction = gabor_vec3(gabor_cpp_sqrt(1.0f - z * z) * gabor_impl_wave(0.61803399f * float(i)), z);
         gabor_impl_add_term(sum, place, frequency, direction, seed, i, share);
     }
@@ -193,7 +193,7 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
     direction -= gabor_cpp_dot(direction, normal) * normal;
     other -= gabor_cpp_dot(other, normal) * normal;
     float power = gabor_impl_takeover(0.0625f, 0.25f, gabor_cpp_dot(direction, direction));
-    GaborField3d sum = GaborField3d{gabor_vec4(0.0f), gabor_vec4(0.0f), 0.0f};
+    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = power > 0.0f ? 0 : 1; i < (power < 1.0f ? 2 : 1); ++i)
         gabor_impl_add_term(sum, place, frequency, i == 0 ? direction : other, seed, i, i == 0 ? power : 1.0f - power);
     return sum;
@@ -204,7 +204,7 @@ GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_v
     normal = gabor_impl_unit(normal);
     float count = 2.0f + 4.5f * gabor_cpp_min(gabor_cpp_abs(frequency), 32.0f);
     float power = gabor_impl_takeover(0.25f, 0.5f, gabor_cpp_dot(normal.xy(), normal.xy()));
-    GaborField3d sum = GaborField3d{gabor_vec4(0.0f), gabor_vec4(0.0f), 0.0f};
+    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int axis = 0; axis < 2; ++axis) {
         gabor_vec3 along = gabor_impl_unit(gabor_cpp_cross(axis == 0 ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f), normal));
         for (int i = 0; i < int(gabor_cpp_ceil(count)) && power > 0.0f; ++i) {
@@ -224,18 +224,19 @@ GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_v
 //   p, frequency, seed  as for gabor_noise
 //   direction           of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
 GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    return gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed).noise.x;
+    return gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed).noise;
 }
 
 // The same with its gradient: (noise, d/dx, d/dy, d/dz). For bumps take away the part of it along the normal.
 GABOR_INLINE gabor_vec4 gabor_noise_3d_gradient(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    return gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed).noise;
+    GaborField3d field = gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed);
+    return gabor_vec4(field.noise, field.gradient);
 }
 
 // The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
 GABOR_INLINE gabor_vec2 gabor_noise_3d_complex(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborField3d field = gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed);
-    return gabor_vec2(field.quadrature.x, field.noise.x);
+    return gabor_vec2(field.quadrature, field.noise);
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
@@ -253,15 +254,14 @@ GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float f
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), (p - gabor_cpp_floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
     place.period = gabor_ivec3(nodes);
-    return gabor_field_3d(place, frequency, direction, seed).noise.x;
+    return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
-    place.animated = true;
-    place.time = time;
-    return gabor_field_3d(place, frequency, direction, seed).noise.x;
+    GaborPlace3d place = GaborPlace3d{gabor_ivec3(0), p * GABOR_RADIUS, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), true, time,
+                                      false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
+    return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
 // The noise averaged over a pixel, and the variance that this removes.
@@ -272,23 +272,23 @@ GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gab
     GaborPlace3d place = GaborPlace3d{gabor_ivec3(0), p * GABOR_RADIUS, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f,
                                       true, dx, dy};
     GaborField3d field = gabor_field_3d(place, frequency, direction, seed);
-    return gabor_vec2(field.noise.x, field.removed);
+    return gabor_vec2(field.noise, field.removed);
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 GABOR_INLINE float gabor_noise_3d_isotropic(gabor_vec3 p, float frequency, std::uint32_t seed) {
-    return gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).noise.x;
+    return gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
 // The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
 GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    return gabor_surface_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise.x;
+    return gabor_surface_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 GABOR_INLINE float gabor_noise_surface_isotropic(gabor_vec3 p, gabor_vec3 normal, float frequency, std::uint32_t seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise.x;
+    return gabor_surface_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
 #endif // GABOR_LATTICE_3D_HPP

@@ -1,7 +1,5 @@
 // gabor_lattice_3d.metal: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.metal; every name that it adds begins with gabor_ or Gabor.
-//     float n = gabor_noise_3d(p, 2.0, float3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
-//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh: for the Metal shading language.
+// after gabor_lattice.metal; every name that it adds begins with gabor_ or Gabor: for the Metal shading language.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
@@ -37,10 +35,12 @@ inline GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
     return GaborPlace3d{cell, local, float3(GABOR_RADIUS), int3(0), false, 0.0, false, float3(0.0), float3(0.0)};
 }
 
-// The noise and its quadrature, each with its gradient: (value, d/dx, d/dy, d/dz), derivatives per kernel radius.
+// The noise and its quadrature, each with its gradient per kernel radius. Apart, so that compilers drop unused ones.
 struct GaborField3d {
-    float4 noise;
-    float4 quadrature;
+    float noise;
+    float3 gradient;
+    float quadrature;
+    float3 quadrature_gradient;
     float removed; // variance that the average over the pixel takes away
 };
 
@@ -88,7 +88,7 @@ inline GaborCube gabor_impl_to_waves(GaborCube nodes, GaborAxis axis, float devi
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: |det(1 + i S)|^(-1/2).
-inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, GaborAxis x, GaborAxis y, GaborAxis z) {
+inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, GaborAxis x, GaborAxis y, GaborAxis z, float2 turn) {
     float3 dx = clamp(place.dx, -1.0e6, 1.0e6);
     float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
     float trace = 0.25 * (dot(dx, dx) + dot(dy, dy));
@@ -103,14 +103,16 @@ inline GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, GaborAx
     cube = gabor_impl_to_waves(cube, z, spacing.z * length(float2(dx.z, dy.z)));
     cube = gabor_impl_to_waves(cube, y, spacing.y * length(float2(dx.y, dy.y)));
     cube = gabor_impl_to_waves(cube, x, spacing.x * length(float2(dx.x, dy.x)));
-    GaborField3d sum = GaborField3d{float4(0.0), float4(0.0), 1.0};
+    GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 1.0};
     for (int n = 0; n < 27; ++n) {
         float3 aside = float3(float(n % 3), float(n / 3 % 3), float(n / 9)) - 1.0;
         float3 k = wave + spacing * aside;
         float left = fade * exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
-        float2 value = left * cube.number[n];
-        sum.noise += float4(value.y, 6.2831853 * value.x * k);
-        sum.quadrature += float4(value.x, -6.2831853 * value.y * k);
+        float2 value = left * gabor_impl_product(cube.number[n], turn);
+        sum.noise += value.y;
+        sum.gradient += 6.2831853 * value.x * k;
+        sum.quadrature += value.x;
+        sum.quadrature_gradient -= 6.2831853 * value.y * k;
         sum.removed -= 8.0 / 27.0 * left * left * exp2(-2.0 * dot(aside, aside));
     }
     return sum;
@@ -145,20 +147,17 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 d
     GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, slices, wave.z, place.radius.z);
     float2 turn = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
               * gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
-    GaborField3d field;
-    if (place.filtered) {
-        field = gabor_impl_filtered(place, wave, x, y, z);
-    } else {
-        float4 sum = float4(0.0), slopes = float4(0.0);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
-        gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
-        float3 stretch = place.radius / GABOR_RADIUS;
-        field = GaborField3d{float4(sum.y, stretch * float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave),
-                             float4(sum.x, stretch * float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave), 0.0};
-    }
-    return GaborField3d{turn.x * field.noise + turn.y * field.quadrature,
-                        turn.x * field.quadrature - turn.y * field.noise, field.removed};
+    if (place.filtered)
+        return gabor_impl_filtered(place, wave, x, y, z, turn);
+    float4 sum = float4(0.0), slopes = float4(0.0);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
+    sum = float4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
+    slopes = float4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
+    float3 stretch = place.radius / GABOR_RADIUS;
+    return GaborField3d{sum.y, stretch * float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
+                        sum.x, stretch * float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0};
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -166,17 +165,18 @@ inline void gabor_impl_add_term(thread GaborField3d& sum, GaborPlace3d place, fl
                          int index, float power) {
     GaborField3d term = gabor_field_3d(place, frequency, direction, gabor_lobe_seed(seed, index));
     sum.noise += sqrt(power) * term.noise;
+    sum.gradient += sqrt(power) * term.gradient;
     sum.quadrature += sqrt(power) * term.quadrature;
+    sum.quadrature_gradient += sqrt(power) * term.quadrature_gradient;
     sum.removed += power * term.removed;
 }
 
 // Directions evenly on a spiral over half the sphere, a real number of them: the last has what is left of the power.
 inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
     float count = 8.0 + 8.0 * min(frequency * frequency, 64.0);
-    GaborField3d sum = GaborField3d{float4(0.0), float4(0.0), 0.0};
+    GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = 0; i < int(ceil(count)); ++i) {
-        float share = min(count - float(i), 1.0) / count;
-        float z = float(i) / count + 0.5 * share;
+        float share = min(count - float(i), 1.0) / count, z = float(i) / count + 0.5 * share;
         float3 direction = float3(sqrt(1.0 - z * z) * gabor_impl_wave(0.61803399 * float(i)), z);
         gabor_impl_add_term(sum, place, frequency, direction, seed, i, share);
     }
@@ -197,7 +197,7 @@ inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float fr
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
     float power = gabor_impl_takeover(0.0625, 0.25, dot(direction, direction));
-    GaborField3d sum = GaborField3d{float4(0.0), float4(0.0), 0.0};
+    GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = power > 0.0 ? 0 : 1; i < (power < 1.0 ? 2 : 1); ++i)
         gabor_impl_add_term(sum, place, frequency, i == 0 ? direction : other, seed, i, i == 0 ? power : 1.0 - power);
     return sum;
@@ -208,7 +208,7 @@ inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal
     normal = gabor_impl_unit(normal);
     float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
     float power = gabor_impl_takeover(0.25, 0.5, dot(normal.xy, normal.xy));
-    GaborField3d sum = GaborField3d{float4(0.0), float4(0.0), 0.0};
+    GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int axis = 0; axis < 2; ++axis) {
         float3 along = gabor_impl_unit(cross(axis == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
         for (int i = 0; i < int(ceil(count)) && power > 0.0; ++i) {
@@ -228,18 +228,19 @@ inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal
 //   p, frequency, seed  as for gabor_noise
 //   direction           of the wave vector, of any length from 10^-15 to 10^15; with 0 its frequency is 0
 inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
-    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed).noise.x;
+    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed).noise;
 }
 
 // The same with its gradient: (noise, d/dx, d/dy, d/dz). For bumps take away the part of it along the normal.
 inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed) {
-    return gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed).noise;
+    GaborField3d field = gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed);
+    return float4(field.noise, field.gradient);
 }
 
 // The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
 inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed) {
     GaborField3d field = gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed);
-    return float2(field.quadrature.x, field.noise.x);
+    return float2(field.quadrature, field.noise);
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
@@ -257,15 +258,14 @@ inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, floa
     GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
     place.period = int3(nodes);
-    return gabor_field_3d(place, frequency, direction, seed).noise.x;
+    return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 inline float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed) {
-    GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
-    place.animated = true;
-    place.time = time;
-    return gabor_field_3d(place, frequency, direction, seed).noise.x;
+    GaborPlace3d place = GaborPlace3d{int3(0), p * GABOR_RADIUS, float3(GABOR_RADIUS), int3(0), true, time,
+                                      false, float3(0.0), float3(0.0)};
+    return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
 // The noise averaged over a pixel, and the variance that this removes.
@@ -276,23 +276,23 @@ inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float freq
     GaborPlace3d place = GaborPlace3d{int3(0), p * GABOR_RADIUS, float3(GABOR_RADIUS), int3(0), false, 0.0,
                                       true, dx, dy};
     GaborField3d field = gabor_field_3d(place, frequency, direction, seed);
-    return float2(field.noise.x, field.removed);
+    return float2(field.noise, field.removed);
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
-    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).noise.x;
+    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
 // The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
 inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
-    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise.x;
+    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).noise.x;
+    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
 #endif // GABOR_LATTICE_3D_METAL

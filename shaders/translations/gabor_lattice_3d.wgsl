@@ -1,7 +1,5 @@
 // gabor_lattice_3d.wgsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.wgsl; every name that it adds begins with gabor_ or Gabor.
-//     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
-//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh: for WGSL.
+// after gabor_lattice.wgsl; every name that it adds begins with gabor_ or Gabor: for WGSL.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
@@ -25,10 +23,12 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
-// The noise and its quadrature, each with its gradient: (value, d/dx, d/dy, d/dz), derivatives per kernel radius.
+// The noise and its quadrature, each with its gradient per kernel radius. Apart, so that compilers drop unused ones.
 struct GaborField3d {
-    noise: vec4<f32>,
-    quadrature: vec4<f32>,
+    noise: f32,
+    gradient: vec3<f32>,
+    quadrature: f32,
+    quadrature_gradient: vec3<f32>,
     removed: f32,
 }
 
@@ -148,7 +148,7 @@ fn gabor_impl_to_waves(nodes: GaborCube, axis: GaborAxis, deviation: f32) -> Gab
 // Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
 // exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
 // neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: |det(1 + i S)|^(-1/2).
-fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, x: GaborAxis, y: GaborAxis, z: GaborAxis) -> GaborField3d {
+fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, x: GaborAxis, y: GaborAxis, z: GaborAxis, turn: vec2<f32>) -> GaborField3d {
     var dx: vec3<f32>;
     var dy: vec3<f32>;
     var trace: f32;
@@ -158,7 +158,7 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, x: GaborAxis, y: Ga
     var cube: GaborCube;
     var n_1: i32 = 0i;
     var row_2: u32;
-    var sum_4: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 1f);
+    var sum_4: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 1f);
     var n_2: i32 = 0i;
     var aside: vec3<f32>;
     var k: vec3<f32>;
@@ -167,112 +167,115 @@ fn gabor_impl_filtered(place: GaborPlace3d, wave: vec3<f32>, x: GaborAxis, y: Ga
 
     dx = clamp(place.dx, vec3(-1000000f), vec3(1000000f));
     dy = clamp(place.dy, vec3(-1000000f), vec3(1000000f));
-    let _e22 = dx;
     let _e23 = dx;
-    let _e25 = dy;
+    let _e24 = dx;
     let _e26 = dy;
-    trace = (0.25f * (dot(_e22, _e23) + dot(_e25, _e26)));
-    let _e32 = dx;
-    let _e33 = dy;
-    let _e35 = dx;
-    let _e36 = dy;
-    determinant_ = (0.0625f * dot(cross(_e32, _e33), cross(_e35, _e36)));
-    let _e41 = trace;
-    let _e43 = determinant_;
-    fade_1 = inverseSqrt(length(vec2<f32>(_e41, (1f - _e43))));
+    let _e27 = dy;
+    trace = (0.25f * (dot(_e23, _e24) + dot(_e26, _e27)));
+    let _e33 = dx;
+    let _e34 = dy;
+    let _e36 = dx;
+    let _e37 = dy;
+    determinant_ = (0.0625f * dot(cross(_e33, _e34), cross(_e36, _e37)));
+    let _e42 = trace;
+    let _e44 = determinant_;
+    fade_1 = inverseSqrt(length(vec2<f32>(_e42, (1f - _e44))));
     spacing = ((0.5f * place.radius) / vec3(1.5f));
     loop {
-        let _e62 = n_1;
-        if !((_e62 < 27i)) {
+        let _e63 = n_1;
+        if !((_e63 < 27i)) {
             break;
         }
         {
-            let _e69 = n_1;
-            let _e76 = n_1;
-            let _e81 = gabor_impl_slice_word(y.word[((_e69 / 3i) % 3i)], z.word[(_e76 / 9i)]);
-            row_2 = _e81;
-            let _e83 = n_1;
-            let _e86 = n_1;
-            let _e91 = row_2;
-            let _e95 = gabor_impl_amplitude_at((x.word[(_e86 % 3i)] * _e91), place.animated, place.time);
-            cube.number[_e83] = _e95;
+            let _e70 = n_1;
+            let _e77 = n_1;
+            let _e82 = gabor_impl_slice_word(y.word[((_e70 / 3i) % 3i)], z.word[(_e77 / 9i)]);
+            row_2 = _e82;
+            let _e84 = n_1;
+            let _e87 = n_1;
+            let _e92 = row_2;
+            let _e96 = gabor_impl_amplitude_at((x.word[(_e87 % 3i)] * _e92), place.animated, place.time);
+            cube.number[_e84] = _e96;
         }
         continuing {
-            let _e66 = n_1;
-            n_1 = (_e66 + 1i);
+            let _e67 = n_1;
+            n_1 = (_e67 + 1i);
         }
     }
-    let _e96 = cube;
-    let _e97 = spacing;
-    let _e99 = dx;
-    let _e101 = dy;
-    let _e106 = gabor_impl_to_waves(_e96, z, (_e97.z * length(vec2<f32>(_e99.z, _e101.z))));
-    cube = _e106;
-    let _e107 = cube;
-    let _e108 = spacing;
-    let _e110 = dx;
-    let _e112 = dy;
-    let _e117 = gabor_impl_to_waves(_e107, y, (_e108.y * length(vec2<f32>(_e110.y, _e112.y))));
-    cube = _e117;
-    let _e118 = cube;
-    let _e119 = spacing;
-    let _e121 = dx;
-    let _e123 = dy;
-    let _e128 = gabor_impl_to_waves(_e118, x, (_e119.x * length(vec2<f32>(_e121.x, _e123.x))));
-    cube = _e128;
+    let _e97 = cube;
+    let _e98 = spacing;
+    let _e100 = dx;
+    let _e102 = dy;
+    let _e107 = gabor_impl_to_waves(_e97, z, (_e98.z * length(vec2<f32>(_e100.z, _e102.z))));
+    cube = _e107;
+    let _e108 = cube;
+    let _e109 = spacing;
+    let _e111 = dx;
+    let _e113 = dy;
+    let _e118 = gabor_impl_to_waves(_e108, y, (_e109.y * length(vec2<f32>(_e111.y, _e113.y))));
+    cube = _e118;
+    let _e119 = cube;
+    let _e120 = spacing;
+    let _e122 = dx;
+    let _e124 = dy;
+    let _e129 = gabor_impl_to_waves(_e119, x, (_e120.x * length(vec2<f32>(_e122.x, _e124.x))));
+    cube = _e129;
     loop {
-        let _e138 = n_2;
-        if !((_e138 < 27i)) {
+        let _e141 = n_2;
+        if !((_e141 < 27i)) {
             break;
         }
         {
-            let _e145 = n_2;
-            let _e149 = n_2;
-            let _e155 = n_2;
-            aside = (vec3<f32>(f32((_e145 % 3i)), f32(((_e149 / 3i) % 3i)), f32((_e155 / 9i))) - vec3(1f));
-            let _e164 = spacing;
-            let _e165 = aside;
-            k = (wave + (_e164 * _e165));
-            let _e169 = fade_1;
-            let _e172 = k;
-            let _e173 = dx;
+            let _e148 = n_2;
+            let _e152 = n_2;
+            let _e158 = n_2;
+            aside = (vec3<f32>(f32((_e148 % 3i)), f32(((_e152 / 3i) % 3i)), f32((_e158 / 9i))) - vec3(1f));
+            let _e167 = spacing;
+            let _e168 = aside;
+            k = (wave + (_e167 * _e168));
+            let _e172 = fade_1;
             let _e175 = k;
             let _e176 = dx;
-            let _e179 = k;
-            let _e180 = dy;
+            let _e178 = k;
+            let _e179 = dx;
             let _e182 = k;
             let _e183 = dy;
-            left = (_e169 * exp((-4.934802f * ((dot(_e172, _e173) * dot(_e175, _e176)) + (dot(_e179, _e180) * dot(_e182, _e183))))));
-            let _e191 = left;
-            let _e192 = n_2;
-            let _e195 = cube.number[_e192];
-            value_5 = (_e191 * _e195);
-            let _e199 = sum_4;
-            let _e201 = value_5;
-            let _e204 = value_5;
-            let _e207 = k;
-            let _e208 = ((6.2831855f * _e204.x) * _e207);
-            sum_4.noise = (_e199.noise + vec4<f32>(_e201.y, _e208.x, _e208.y, _e208.z));
-            let _e215 = sum_4;
-            let _e217 = value_5;
+            let _e185 = k;
+            let _e186 = dy;
+            left = (_e172 * exp((-4.934802f * ((dot(_e175, _e176) * dot(_e178, _e179)) + (dot(_e182, _e183) * dot(_e185, _e186))))));
+            let _e194 = left;
+            let _e195 = n_2;
+            let _e198 = cube.number[_e195];
+            let _e199 = gabor_impl_product(_e198, turn);
+            value_5 = (_e194 * _e199);
+            let _e203 = sum_4;
+            let _e205 = value_5;
+            sum_4.noise = (_e203.noise + _e205.y);
+            let _e209 = sum_4;
+            let _e212 = value_5;
+            let _e215 = k;
+            sum_4.gradient = (_e209.gradient + ((6.2831855f * _e212.x) * _e215));
+            let _e219 = sum_4;
             let _e221 = value_5;
-            let _e224 = k;
-            let _e225 = ((-6.2831855f * _e221.y) * _e224);
-            sum_4.quadrature = (_e215.quadrature + vec4<f32>(_e217.x, _e225.x, _e225.y, _e225.z));
-            let _e232 = sum_4;
-            let _e237 = left;
-            let _e239 = left;
-            let _e243 = aside;
-            let _e244 = aside;
-            sum_4.removed = (_e232.removed - (((0.2962963f * _e237) * _e239) * exp2((-2f * dot(_e243, _e244)))));
+            sum_4.quadrature = (_e219.quadrature + _e221.x);
+            let _e225 = sum_4;
+            let _e228 = value_5;
+            let _e231 = k;
+            sum_4.quadrature_gradient = (_e225.quadrature_gradient - ((6.2831855f * _e228.y) * _e231));
+            let _e235 = sum_4;
+            let _e240 = left;
+            let _e242 = left;
+            let _e246 = aside;
+            let _e247 = aside;
+            sum_4.removed = (_e235.removed - (((0.2962963f * _e240) * _e242) * exp2((-2f * dot(_e246, _e247)))));
         }
         continuing {
-            let _e142 = n_2;
-            n_2 = (_e142 + 1i);
+            let _e145 = n_2;
+            n_2 = (_e145 + 1i);
         }
     }
-    let _e250 = sum_4;
-    return _e250;
+    let _e253 = sum_4;
+    return _e253;
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
@@ -335,8 +338,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     var z_3: GaborAxis;
     var local_13: f32;
     var local_14: f32;
-    var turn_5: vec2<f32>;
-    var field_1: GaborField3d;
+    var turn_6: vec2<f32>;
     var sum_6: vec4<f32> = vec4(0f);
     var slopes_1: vec4<f32> = vec4(0f);
     var stretch_1: vec3<f32>;
@@ -380,60 +382,58 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     let _e94 = z_3;
     let _e96 = z_3;
     let _e100 = gabor_impl_wave((((_e83.turns * _e85.offset) + (_e88.turns * _e90.offset)) + (_e94.turns * _e96.offset)));
-    turn_5 = ((inverseSqrt(_e68) / (1459955300000000000000000000f * _e80)) * _e100);
+    turn_6 = ((inverseSqrt(_e68) / (1459955300000000000000000000f * _e80)) * _e100);
     if place.filtered {
-        {
-            let _e105 = wave_3;
-            let _e106 = x_6;
-            let _e107 = y_8;
-            let _e108 = z_3;
-            let _e109 = gabor_impl_filtered(place, _e105, _e106, _e107, _e108);
-            field_1 = _e109;
-        }
-    } else {
-        {
-            let _e118 = x_6;
-            let _e119 = y_8;
-            let _e120 = z_3;
-            gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e118, _e119, _e120, 0i);
-            let _e126 = x_6;
-            let _e127 = y_8;
-            let _e128 = z_3;
-            gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e126, _e127, _e128, 1i);
-            let _e134 = x_6;
-            let _e135 = y_8;
-            let _e136 = z_3;
-            gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e134, _e135, _e136, 2i);
-            stretch_1 = (place.radius / vec3(1.5f));
-            let _e148 = sum_6;
-            let _e150 = stretch_1;
-            let _e151 = sum_6;
-            let _e153 = slopes_1;
-            let _e155 = slopes_1;
-            let _e160 = sum_6;
-            let _e163 = wave_3;
-            let _e165 = ((_e150 * vec3<f32>(_e151.w, _e153.y, _e155.w)) + ((6.2831855f * _e160.x) * _e163));
-            let _e170 = sum_6;
-            let _e172 = stretch_1;
-            let _e173 = sum_6;
-            let _e175 = slopes_1;
-            let _e177 = slopes_1;
-            let _e182 = sum_6;
-            let _e185 = wave_3;
-            let _e187 = ((_e172 * vec3<f32>(_e173.z, _e175.x, _e177.z)) - ((6.2831855f * _e182.y) * _e185));
-            field_1 = GaborField3d(vec4<f32>(_e148.y, _e165.x, _e165.y, _e165.z), vec4<f32>(_e170.x, _e187.x, _e187.y, _e187.z), 0f);
-        }
+        let _e104 = wave_3;
+        let _e105 = x_6;
+        let _e106 = y_8;
+        let _e107 = z_3;
+        let _e108 = turn_6;
+        let _e109 = gabor_impl_filtered(place, _e104, _e105, _e106, _e107, _e108);
+        return _e109;
     }
-    let _e194 = turn_5;
-    let _e196 = field_1;
-    let _e199 = turn_5;
-    let _e201 = field_1;
-    let _e205 = turn_5;
-    let _e207 = field_1;
-    let _e210 = turn_5;
-    let _e212 = field_1;
-    let _e216 = field_1;
-    return GaborField3d(((_e194.x * _e196.noise) + (_e199.y * _e201.quadrature)), ((_e205.x * _e207.quadrature) - (_e210.y * _e212.noise)), _e216.removed);
+    let _e118 = x_6;
+    let _e119 = y_8;
+    let _e120 = z_3;
+    gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e118, _e119, _e120, 0i);
+    let _e126 = x_6;
+    let _e127 = y_8;
+    let _e128 = z_3;
+    gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e126, _e127, _e128, 1i);
+    let _e134 = x_6;
+    let _e135 = y_8;
+    let _e136 = z_3;
+    gabor_impl_add_slice((&sum_6), (&slopes_1), place, _e134, _e135, _e136, 2i);
+    let _e140 = sum_6;
+    let _e142 = turn_6;
+    let _e143 = gabor_impl_product(_e140.xy, _e142);
+    let _e144 = sum_6;
+    let _e146 = turn_6;
+    let _e147 = gabor_impl_product(_e144.zw, _e146);
+    sum_6 = vec4<f32>(_e143.x, _e143.y, _e147.x, _e147.y);
+    let _e153 = slopes_1;
+    let _e155 = turn_6;
+    let _e156 = gabor_impl_product(_e153.xy, _e155);
+    let _e157 = slopes_1;
+    let _e159 = turn_6;
+    let _e160 = gabor_impl_product(_e157.zw, _e159);
+    slopes_1 = vec4<f32>(_e156.x, _e156.y, _e160.x, _e160.y);
+    stretch_1 = (place.radius / vec3(1.5f));
+    let _e174 = sum_6;
+    let _e176 = stretch_1;
+    let _e177 = sum_6;
+    let _e179 = slopes_1;
+    let _e181 = slopes_1;
+    let _e186 = sum_6;
+    let _e189 = wave_3;
+    let _e192 = sum_6;
+    let _e194 = stretch_1;
+    let _e195 = sum_6;
+    let _e197 = slopes_1;
+    let _e199 = slopes_1;
+    let _e204 = sum_6;
+    let _e207 = wave_3;
+    return GaborField3d(_e174.y, ((_e176 * vec3<f32>(_e177.w, _e179.y, _e181.w)) + ((6.2831855f * _e186.x) * _e189)), _e192.x, ((_e194 * vec3<f32>(_e195.z, _e197.x, _e199.z)) - ((6.2831855f * _e204.y) * _e207)), 0f);
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
@@ -448,17 +448,23 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, place: GaborPlace3d, fr
     (*sum).noise = (_e11.noise + (sqrt(power) * _e14.noise));
     let _e19 = (*sum);
     let _e22 = term;
-    (*sum).quadrature = (_e19.quadrature + (sqrt(power) * _e22.quadrature));
+    (*sum).gradient = (_e19.gradient + (sqrt(power) * _e22.gradient));
     let _e27 = (*sum);
-    let _e29 = term;
-    (*sum).removed = (_e27.removed + (power * _e29.removed));
+    let _e30 = term;
+    (*sum).quadrature = (_e27.quadrature + (sqrt(power) * _e30.quadrature));
+    let _e35 = (*sum);
+    let _e38 = term;
+    (*sum).quadrature_gradient = (_e35.quadrature_gradient + (sqrt(power) * _e38.quadrature_gradient));
+    let _e43 = (*sum);
+    let _e45 = term;
+    (*sum).removed = (_e43.removed + (power * _e45.removed));
     return;
 }
 
 // Directions evenly on a spiral over half the sphere, a real number of them: the last has what is left of the power.
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     var count: f32;
-    var sum_8: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 0f);
+    var sum_8: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_2: i32 = 0i;
     var share: f32;
     var z_4: f32;
@@ -466,39 +472,39 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
 
     count = (8f + (8f * min((frequency * frequency), 64f)));
     loop {
-        let _e20 = i_2;
-        let _e21 = count;
-        if !((_e20 < i32(ceil(_e21)))) {
+        let _e22 = i_2;
+        let _e23 = count;
+        if !((_e22 < i32(ceil(_e23)))) {
             break;
         }
         {
-            let _e29 = count;
-            let _e30 = i_2;
-            let _e35 = count;
-            share = (min((_e29 - f32(_e30)), 1f) / _e35);
-            let _e38 = i_2;
-            let _e40 = count;
-            let _e43 = share;
-            z_4 = ((f32(_e38) / _e40) + (0.5f * _e43));
-            let _e48 = z_4;
-            let _e49 = z_4;
-            let _e54 = i_2;
-            let _e57 = gabor_impl_wave((0.618034f * f32(_e54)));
-            let _e58 = (sqrt((1f - (_e48 * _e49))) * _e57);
-            let _e59 = z_4;
-            direction_2 = vec3<f32>(_e58.x, _e58.y, _e59);
-            let _e65 = direction_2;
-            let _e66 = i_2;
-            let _e67 = share;
-            gabor_impl_add_term((&sum_8), place, frequency, _e65, seed, _e66, _e67);
+            let _e31 = count;
+            let _e32 = i_2;
+            let _e37 = count;
+            share = (min((_e31 - f32(_e32)), 1f) / _e37);
+            let _e40 = i_2;
+            let _e42 = count;
+            let _e45 = share;
+            z_4 = ((f32(_e40) / _e42) + (0.5f * _e45));
+            let _e50 = z_4;
+            let _e51 = z_4;
+            let _e56 = i_2;
+            let _e59 = gabor_impl_wave((0.618034f * f32(_e56)));
+            let _e60 = (sqrt((1f - (_e50 * _e51))) * _e59);
+            let _e61 = z_4;
+            direction_2 = vec3<f32>(_e60.x, _e60.y, _e61);
+            let _e67 = direction_2;
+            let _e68 = i_2;
+            let _e69 = share;
+            gabor_impl_add_term((&sum_8), place, frequency, _e67, seed, _e68, _e69);
         }
         continuing {
-            let _e26 = i_2;
-            i_2 = (_e26 + 1i);
+            let _e28 = i_2;
+            i_2 = (_e28 + 1i);
         }
     }
-    let _e69 = sum_8;
-    return _e69;
+    let _e71 = sum_8;
+    return _e71;
 }
 
 // The power of the first of two sums where it takes over from the second as x goes from `low` to `high`.
@@ -522,7 +528,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     var local_15: vec3<f32>;
     var other: vec3<f32>;
     var power_1: f32;
-    var sum_9: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 0f);
+    var sum_9: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_16: i32;
     var i_3: i32;
     var local_17: i32;
@@ -560,53 +566,53 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e46 = direction_4;
     let _e48 = gabor_impl_takeover(0.0625f, 0.25f, dot(_e45, _e46));
     power_1 = _e48;
-    let _e57 = power_1;
-    if (_e57 > 0f) {
+    let _e59 = power_1;
+    if (_e59 > 0f) {
         local_16 = 0i;
     } else {
         local_16 = 1i;
     }
-    let _e63 = local_16;
-    i_3 = _e63;
+    let _e65 = local_16;
+    i_3 = _e65;
     loop {
-        let _e65 = i_3;
-        let _e66 = power_1;
-        if (_e66 < 1f) {
+        let _e67 = i_3;
+        let _e68 = power_1;
+        if (_e68 < 1f) {
             local_17 = 2i;
         } else {
             local_17 = 1i;
         }
-        let _e72 = local_17;
-        if !((_e65 < _e72)) {
+        let _e74 = local_17;
+        if !((_e67 < _e74)) {
             break;
         }
-        let _e79 = i_3;
-        if (_e79 == 0i) {
-            let _e82 = direction_4;
-            local_18 = _e82;
+        let _e81 = i_3;
+        if (_e81 == 0i) {
+            let _e84 = direction_4;
+            local_18 = _e84;
         } else {
-            let _e83 = other;
-            local_18 = _e83;
+            let _e85 = other;
+            local_18 = _e85;
         }
-        let _e85 = local_18;
-        let _e86 = i_3;
-        let _e87 = i_3;
-        if (_e87 == 0i) {
-            let _e90 = power_1;
-            local_19 = _e90;
-        } else {
+        let _e87 = local_18;
+        let _e88 = i_3;
+        let _e89 = i_3;
+        if (_e89 == 0i) {
             let _e92 = power_1;
-            local_19 = (1f - _e92);
+            local_19 = _e92;
+        } else {
+            let _e94 = power_1;
+            local_19 = (1f - _e94);
         }
-        let _e95 = local_19;
-        gabor_impl_add_term((&sum_9), place, frequency, _e85, seed, _e86, _e95);
+        let _e97 = local_19;
+        gabor_impl_add_term((&sum_9), place, frequency, _e87, seed, _e88, _e97);
         continuing {
-            let _e75 = i_3;
-            i_3 = (_e75 + 1i);
+            let _e77 = i_3;
+            i_3 = (_e77 + 1i);
         }
     }
-    let _e97 = sum_9;
-    return _e97;
+    let _e99 = sum_9;
+    return _e99;
 }
 
 // Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
@@ -614,13 +620,13 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var count_1: f32;
     var power_2: f32;
-    var sum_10: GaborField3d = GaborField3d(vec4(0f), vec4(0f), 0f);
+    var sum_10: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var axis_2: i32 = 0i;
     var local_20: vec3<f32>;
     var along: vec3<f32>;
     var i_4: i32;
     var share_2: f32;
-    var turn_6: vec2<f32>;
+    var turn_7: vec2<f32>;
     var direction_5: vec3<f32>;
 
     normal_3 = normal;
@@ -633,67 +639,67 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     let _e22 = gabor_impl_takeover(0.25f, 0.5f, dot(_e17.xy, _e19.xy));
     power_2 = _e22;
     loop {
-        let _e33 = axis_2;
-        if !((_e33 < 2i)) {
+        let _e35 = axis_2;
+        if !((_e35 < 2i)) {
             break;
         }
         {
-            let _e40 = axis_2;
-            if (_e40 == 0i) {
+            let _e42 = axis_2;
+            if (_e42 == 0i) {
                 local_20 = vec3<f32>(0f, 0f, 1f);
             } else {
                 local_20 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e52 = local_20;
-            let _e53 = normal_3;
-            let _e55 = gabor_impl_unit(cross(_e52, _e53));
-            along = _e55;
+            let _e54 = local_20;
+            let _e55 = normal_3;
+            let _e57 = gabor_impl_unit(cross(_e54, _e55));
+            along = _e57;
             i_4 = 0i;
             loop {
-                let _e59 = i_4;
-                let _e60 = count_1;
-                let _e64 = power_2;
-                if !(((_e59 < i32(ceil(_e60))) && (_e64 > 0f))) {
+                let _e61 = i_4;
+                let _e62 = count_1;
+                let _e66 = power_2;
+                if !(((_e61 < i32(ceil(_e62))) && (_e66 > 0f))) {
                     break;
                 }
                 {
-                    let _e72 = count_1;
-                    let _e73 = i_4;
-                    let _e78 = count_1;
-                    share_2 = (min((_e72 - f32(_e73)), 1f) / _e78);
-                    let _e82 = i_4;
-                    let _e84 = count_1;
-                    let _e87 = share_2;
-                    let _e91 = gabor_impl_wave((0.5f * ((f32(_e82) / _e84) + (0.5f * _e87))));
-                    turn_6 = _e91;
-                    let _e93 = turn_6;
-                    let _e95 = along;
-                    let _e97 = turn_6;
-                    let _e99 = normal_3;
-                    let _e100 = along;
-                    direction_5 = ((_e93.x * _e95) + (_e97.y * cross(_e99, _e100)));
-                    let _e106 = direction_5;
-                    let _e108 = axis_2;
-                    let _e110 = i_4;
-                    let _e112 = power_2;
-                    let _e113 = share_2;
-                    gabor_impl_add_term((&sum_10), place, frequency, _e106, seed, ((256i * _e108) + _e110), (_e112 * _e113));
+                    let _e74 = count_1;
+                    let _e75 = i_4;
+                    let _e80 = count_1;
+                    share_2 = (min((_e74 - f32(_e75)), 1f) / _e80);
+                    let _e84 = i_4;
+                    let _e86 = count_1;
+                    let _e89 = share_2;
+                    let _e93 = gabor_impl_wave((0.5f * ((f32(_e84) / _e86) + (0.5f * _e89))));
+                    turn_7 = _e93;
+                    let _e95 = turn_7;
+                    let _e97 = along;
+                    let _e99 = turn_7;
+                    let _e101 = normal_3;
+                    let _e102 = along;
+                    direction_5 = ((_e95.x * _e97) + (_e99.y * cross(_e101, _e102)));
+                    let _e108 = direction_5;
+                    let _e110 = axis_2;
+                    let _e112 = i_4;
+                    let _e114 = power_2;
+                    let _e115 = share_2;
+                    gabor_impl_add_term((&sum_10), place, frequency, _e108, seed, ((256i * _e110) + _e112), (_e114 * _e115));
                 }
                 continuing {
-                    let _e69 = i_4;
-                    i_4 = (_e69 + 1i);
+                    let _e71 = i_4;
+                    i_4 = (_e71 + 1i);
                 }
             }
-            let _e117 = power_2;
-            power_2 = (1f - _e117);
+            let _e119 = power_2;
+            power_2 = (1f - _e119);
         }
         continuing {
-            let _e37 = axis_2;
-            axis_2 = (_e37 + 1i);
+            let _e39 = axis_2;
+            axis_2 = (_e39 + 1i);
         }
     }
-    let _e119 = sum_10;
-    return _e119;
+    let _e121 = sum_10;
+    return _e121;
 }
 
 // Solid noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
@@ -702,14 +708,19 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    return _e12.noise.x;
+    return _e12.noise;
 }
 
 // The same with its gradient: (noise, d/dx, d/dy, d/dz). For bumps take away the part of it along the normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var field_1: GaborField3d;
+
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    return _e12.noise;
+    field_1 = _e12;
+    let _e14 = field_1;
+    let _e16 = field_1;
+    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
 // The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
@@ -720,8 +731,8 @@ fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, se
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
     field_2 = _e12;
     let _e14 = field_2;
-    let _e17 = field_2;
-    return vec2<f32>(_e14.quadrature.x, _e17.noise.x);
+    let _e16 = field_2;
+    return vec2<f32>(_e14.quadrature, _e16.noise);
 }
 
 // Four noises at p, independent of each other; the first is gabor_noise_3d.
@@ -760,20 +771,17 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     place_11.period = vec3<i32>(_e43);
     let _e45 = place_11;
     let _e46 = gabor_field_3d(_e45, frequency, direction, seed);
-    return _e46.noise.x;
+    return _e46.noise;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var place_12: GaborPlace3d;
 
-    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_12 = _e12;
-    place_12.animated = true;
-    place_12.time = time;
-    let _e17 = place_12;
-    let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
-    return _e18.noise.x;
+    place_12 = GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), true, time, false, vec3(0f), vec3(0f));
+    let _e27 = place_12;
+    let _e28 = gabor_field_3d(_e27, frequency, direction, seed);
+    return _e28.noise;
 }
 
 // The noise averaged over a pixel, and the variance that this removes.
@@ -789,15 +797,15 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
     let _e26 = gabor_field_3d(_e25, frequency, direction, seed);
     field_3 = _e26;
     let _e28 = field_3;
-    let _e31 = field_3;
-    return vec2<f32>(_e28.noise.x, _e31.removed);
+    let _e30 = field_3;
+    return vec2<f32>(_e28.noise, _e30.removed);
 }
 
 // Solid noise along all directions: a sum of 8 + 8 F^2 of them.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
-    return _e11.noise.x;
+    return _e11.noise;
 }
 
 // Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
@@ -805,12 +813,12 @@ fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
-    return _e13.noise.x;
+    return _e13.noise;
 }
 
 // Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
-    return _e12.noise.x;
+    return _e12.noise;
 }

@@ -67,9 +67,11 @@ void main() {
 #elif defined GABOR_OF_surface_isotropic
     field = gabor_surface_isotropic_3d(place, normal, f, s.seed);
 #endif
-    for (int c = 0; c < 4; ++c) {
-        answers[i].value[2 * c] = field.quadrature[c];
-        answers[i].value[2 * c + 1] = field.noise[c];
+    answers[i].value[0] = field.quadrature;
+    answers[i].value[1] = field.noise;
+    for (int axis = 0; axis < 3; ++axis) {
+        answers[i].value[2 + 2 * axis] = field.quadrature_gradient[axis];
+        answers[i].value[3 + 2 * axis] = field.gradient[axis];
     }
     answers[i].value[8] = field.removed;
 #else // a function of a position
