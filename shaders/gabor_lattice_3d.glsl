@@ -1,5 +1,5 @@
 // gabor_lattice_3d.glsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.glsl; every name that it adds begins with gabor_ or Gabor.
+// after gabor_lattice.glsl; every name that it adds begins with gabor_, Gabor or GABOR_.
 //
 //     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
@@ -205,7 +205,7 @@ GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, 
     return sum;
 }
 
-// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+// Directions evenly over half a turn in the tangent plane, from the circle of latitude around z; near the poles around x.
 GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
@@ -239,7 +239,7 @@ vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
     return vec4(field.noise, field.gradient);
 }
 
-// The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
 vec2 gabor_noise_3d_complex(vec3 p, float frequency, vec3 direction, uint seed) {
     GaborField3d field = gabor_field_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, direction, seed);
     return vec2(field.quadrature, field.noise);
@@ -255,7 +255,7 @@ vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed) {
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed) {
-    period = max(period, vec3(0.0009765625));
+    period = clamp(period, vec3(0.0009765625), vec3(1.0e9));
     vec3 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec3(3.0));
     GaborPlace3d place = gabor_place_3d(ivec3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
@@ -281,18 +281,18 @@ vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 dir
     return vec2(field.noise, field.removed);
 }
 
-// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+// Solid noise along all directions: a sum of 8 + 8 F^2 noises for a frequency F of at most 8, and no more beyond.
 float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed) {
     return gabor_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
-// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
-// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction: one
+// noise, two where that is 14 to 30 degrees from the normal. Where the surface is curved the waves of a kernel bend.
 float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed) {
     return gabor_surface_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
-// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+// The same along all directions of the tangent plane: 2 + 4.5 F noises, F up to 32, twice as many 30 to 45 degrees from z.
 float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed) {
     return gabor_surface_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }

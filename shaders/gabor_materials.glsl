@@ -4,7 +4,8 @@
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // as a pixel sees it
 //
 // Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates: each costs as much as gabor_noise, filtered three to five times as much.
+// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
+// gabor_noise_filtered.
 //     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
 //     gabor_fabric         linen: a plain weave of uneven threads [5]
 //     gabor_leather        pebbled grain: cells between creases [8]
@@ -150,7 +151,7 @@ float gabor_impl_rise(vec2 phase) {
     return sum;
 }
 
-// Colours and heights are bounded where a product of tones is not.
+// The colour within [0, 1], which a product of tones can exceed.
 GaborMaterial gabor_impl_material(vec3 colour, float height, float roughness, float metalness) {
     return GaborMaterial(clamp(colour, 0.0, 1.0), height, roughness, metalness);
 }
@@ -453,7 +454,7 @@ GaborMaterial gabor_strata(vec2 p, uint seed) {
     return gabor_impl_strata(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
 }
 
-// The same as a pixel sees them that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p).
+// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
     return gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
 }

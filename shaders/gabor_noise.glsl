@@ -329,8 +329,8 @@ vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// The noise at p, the imaginary part, with its quadrature, the real one, which has cosines for sines: at one place both
-// have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
+// (quadrature, noise) at p: the quadrature has cosines where the noise has sines. At one place both have variance 1 and
+// are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
 vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }

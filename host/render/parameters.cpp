@@ -101,7 +101,7 @@ constexpr std::array of_lobe{
                   "cycles per kernel radius",
                   {0.001, 1024},
                   {0.05, 64},
-                  "How many waves fit a kernel",
+                  "How many waves fit a kernel radius",
                   &Lobe::frequency},
     LobeParameter{"orientation",
                   Kind::angle,
@@ -155,7 +155,7 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.height; }),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "How quality is bought",
+        {"recipe", Kind::recipe, "", none, none, "", "How the noise is made: quality for speed",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),
@@ -207,7 +207,7 @@ std::vector<Parameter> make_table() {
              [](auto& r) { return &r.gradient; }),
         flag("phasor", "", "Add channels `phase`, in turns, and `intensity`",
              [](auto& r) { return &r.phasor; }),
-        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Uncorrelated noises in each pixel",
+        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Independent noises in each pixel",
             [](auto& r) { return &r.values; }),
     };
 }

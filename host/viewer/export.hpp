@@ -30,7 +30,7 @@ std::vector<render::Files> files_of(const ExportTarget& target);
 /// The request of the document's export.
 render::Request exported(const Document& document, ExportAs as);
 
-/// Renders files beside the window, on a thread and a logical device of its own, as `gabor render` does.
+/// Renders files in the background, on a thread and a logical device of its own, as `gabor render` does.
 class Exporter {
   public:
     /// `selector`: as for vulkan::Device.

@@ -57,7 +57,7 @@ void export_panel(Session& session) {
     } else {
         if (ImGui::Button("Export", {half, 0}))
             start_export(session);
-        tooltip("Ctrl E: rendered beside the window by the code of gabor render");
+        tooltip("Ctrl E: rendered in the background by the code of gabor render");
         ImGui::SameLine();
         if (ImGui::Button("Export as...", {half, 0}))
             ask_where_to_export(session);

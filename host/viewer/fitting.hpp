@@ -33,7 +33,7 @@ struct FittedNoise {
     std::vector<std::string> lines; ///< what is to be said of it
 };
 
-/// Fits noises to photographs beside the window, on a thread of its own.
+/// Fits noises to photographs in the background, on a thread of its own.
 class Fitter {
   public:
     static constexpr int most_lobes = 16;

@@ -11,7 +11,7 @@
 
 namespace gabor::viewer {
 
-/// The presets that come with the program, as small pictures that are drawn beside the window, on a thread
+/// The presets that come with the program, as small pictures that are drawn in the background, on a thread
 /// and a logical device of its own. All of them are one picture: cells row by row, each with one in its
 /// middle.
 class PresetPictures {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The Vulkan objects behind the other headers; included by this room, and by the viewer, which draws with
+// The Vulkan objects behind the other headers; included in this folder, and by the viewer, which draws with
 // them.
 
 #include "vulkan/buffer.hpp"

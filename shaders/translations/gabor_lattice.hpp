@@ -315,6 +315,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #undef GABOR_BELOW
 #undef GABOR_UNEQUAL
 #endif // GABOR_VECTORS_HPP
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
 // Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
 // function costs as many amplitudes as their square, and four and animated noise four and three times as many.
@@ -541,7 +542,7 @@ GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
 GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
     gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
@@ -582,14 +583,13 @@ GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, floa
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
-// have mean 0 and variance 1, and at one place are independent.
+// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
+// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
 GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
-// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
+// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
 GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_vec4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
@@ -598,8 +598,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float or
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
-// step(phase, width). The phase of 0 is 0.
+// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
     float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
@@ -608,9 +607,9 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_place_tiled(p, gabor_cpp_max(period, gabor_vec2(0.0009765625f)));
+    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, gabor_vec2(0.0009765625f), gabor_vec2(1.0e9f)));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -26,6 +26,7 @@
 #include <metal_stdlib>
 
 using namespace metal;
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
 // Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
 // function costs as many amplitudes as their square, and four and animated noise four and three times as many.
@@ -252,7 +253,7 @@ inline GaborPlace gabor_place(int2 cell, float2 local) {
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
 inline GaborPlace gabor_place_tiled(float2 p, float2 period) {
     float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), float2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(int2(0), float2(0.0));
@@ -293,14 +294,13 @@ inline float3 gabor_noise_gradient(float2 p, float frequency, float orientation,
     return float3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
-// have mean 0 and variance 1, and at one place are independent.
+// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
+// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
 inline float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(int2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
-// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
+// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
 inline float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed) {
     return float4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
@@ -309,8 +309,7 @@ inline float4 gabor_noise_four(float2 p, float frequency, float orientation, uin
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
-// step(phase, width). The phase of 0 is 0.
+// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 inline float2 gabor_phasor(float2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan2(value.y, value.x) * 0.15915494 : 0.0;
@@ -319,9 +318,9 @@ inline float2 gabor_phasor(float2 value) {
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, max(period, float2(0.0009765625)));
+    GaborPlace place = gabor_place_tiled(p, clamp(period, float2(0.0009765625), float2(1.0e9)));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -17,6 +17,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+const GABOR_NOISE_VERSION: u32 = 10100u;
+
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
 
@@ -886,7 +888,7 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
@@ -1107,8 +1109,8 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     }
 }
 
-// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
-// have mean 0 and variance 1, and at one place are independent.
+// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
+// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -1128,8 +1130,7 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     }
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
-// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
+// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
 fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     let _e4 = gabor_noise(p, frequency, orientation, seed);
     let _e7 = gabor_lobe_seed(seed, -1i);
@@ -1142,8 +1143,7 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
-// step(phase, width). The phase of 0 is 0.
+// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_10: f32;
@@ -1174,16 +1174,16 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
-    let _e8 = gabor_place_tiled(p, max(period, vec2(0.0009765625f)));
-    place_2 = _e8;
-    let _e10 = place_2;
-    let _e11 = gabor_kernel(frequency, orientation);
-    let _e12 = gabor_field(_e10, _e11, seed);
-    return _e12.value.y;
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_2 = _e10;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
 }
 
 // Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is

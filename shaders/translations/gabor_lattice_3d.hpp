@@ -1,5 +1,5 @@
 // gabor_lattice_3d.hpp: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.hpp; every name that it adds begins with gabor_ or Gabor: for C++ on the CPU.
+// after gabor_lattice.hpp; every name that it adds begins with gabor_, Gabor or GABOR_: for C++ on the CPU.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
@@ -199,7 +199,7 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
     return sum;
 }
 
-// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+// Directions evenly over half a turn in the tangent plane, from the circle of latitude around z; near the poles around x.
 GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     float count = 2.0f + 4.5f * gabor_cpp_min(gabor_cpp_abs(frequency), 32.0f);
@@ -233,7 +233,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_3d_gradient(gabor_vec3 p, float frequency, g
     return gabor_vec4(field.noise, field.gradient);
 }
 
-// The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
 GABOR_INLINE gabor_vec2 gabor_noise_3d_complex(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborField3d field = gabor_field_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, direction, seed);
     return gabor_vec2(field.quadrature, field.noise);
@@ -249,7 +249,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_3d_four(gabor_vec3 p, float frequency, gabor
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    period = gabor_cpp_max(period, gabor_vec3(0.0009765625f));
+    period = gabor_cpp_clamp(period, gabor_vec3(0.0009765625f), gabor_vec3(1.0e9f));
     gabor_vec3 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec3(3.0f));
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), (p - gabor_cpp_floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
@@ -275,18 +275,18 @@ GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gab
     return gabor_vec2(field.noise, field.removed);
 }
 
-// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+// Solid noise along all directions: a sum of 8 + 8 F^2 noises for a frequency F of at most 8, and no more beyond.
 GABOR_INLINE float gabor_noise_3d_isotropic(gabor_vec3 p, float frequency, std::uint32_t seed) {
     return gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
-// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
-// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction: one
+// noise, two where that is 14 to 30 degrees from the normal. Where the surface is curved the waves of a kernel bend.
 GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     return gabor_surface_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
-// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+// The same along all directions of the tangent plane: 2 + 4.5 F noises, F up to 32, twice as many 30 to 45 degrees from z.
 GABOR_INLINE float gabor_noise_surface_isotropic(gabor_vec3 p, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     return gabor_surface_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }

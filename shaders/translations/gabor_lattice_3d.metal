@@ -1,5 +1,5 @@
 // gabor_lattice_3d.metal: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.metal; every name that it adds begins with gabor_ or Gabor: for the Metal shading language.
+// after gabor_lattice.metal; every name that it adds begins with gabor_, Gabor or GABOR_: for the Metal shading language.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
@@ -203,7 +203,7 @@ inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float fr
     return sum;
 }
 
-// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+// Directions evenly over half a turn in the tangent plane, from the circle of latitude around z; near the poles around x.
 inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float count = 2.0 + 4.5 * min(abs(frequency), 32.0);
@@ -237,7 +237,7 @@ inline float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 directio
     return float4(field.noise, field.gradient);
 }
 
-// The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
 inline float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed) {
     GaborField3d field = gabor_field_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, direction, seed);
     return float2(field.quadrature, field.noise);
@@ -253,7 +253,7 @@ inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, u
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed) {
-    period = max(period, float3(0.0009765625));
+    period = clamp(period, float3(0.0009765625), float3(1.0e9));
     float3 nodes = max(floor(period * GABOR_RADIUS + 0.5), float3(3.0));
     GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;
@@ -279,18 +279,18 @@ inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float freq
     return float2(field.noise, field.removed);
 }
 
-// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+// Solid noise along all directions: a sum of 8 + 8 F^2 noises for a frequency F of at most 8, and no more beyond.
 inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
     return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
-// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
-// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction: one
+// noise, two where that is 14 to 30 degrees from the normal. Where the surface is curved the waves of a kernel bend.
 inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
     return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
-// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+// The same along all directions of the tangent plane: 2 + 4.5 F noises, F up to 32, twice as many 30 to 45 degrees from z.
 inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
     return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }

@@ -1,5 +1,5 @@
 // gabor_lattice_3d.wgsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.wgsl; every name that it adds begins with gabor_ or Gabor: for WGSL.
+// after gabor_lattice.wgsl; every name that it adds begins with gabor_, Gabor or GABOR_: for WGSL.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
@@ -615,7 +615,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     return _e99;
 }
 
-// Directions evenly over half a turn from that of the parallel around an axis: z, and near its poles x.
+// Directions evenly over half a turn in the tangent plane, from the circle of latitude around z; near the poles around x.
 fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
     var count_1: f32;
@@ -723,7 +723,7 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
     return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
-// The same with its quadrature, for gabor_phasor: see gabor_noise_complex.
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
 fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_2: GaborField3d;
 
@@ -755,23 +755,23 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
 
     period_5 = period;
     let _e6 = period_5;
-    period_5 = max(_e6, vec3(0.0009765625f));
-    let _e10 = period_5;
-    nodes_2 = max(floor(((_e10 * 1.5f) + vec3(0.5f))), vec3(3f));
-    let _e26 = period_5;
-    let _e29 = period_5;
-    let _e32 = nodes_2;
-    let _e33 = period_5;
-    let _e36 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e26)) * _e29)) * (_e32 / _e33)));
-    place_11 = _e36;
-    let _e39 = nodes_2;
-    let _e40 = period_5;
-    place_11.radius = (_e39 / _e40);
-    let _e43 = nodes_2;
-    place_11.period = vec3<i32>(_e43);
-    let _e45 = place_11;
-    let _e46 = gabor_field_3d(_e45, frequency, direction, seed);
-    return _e46.noise;
+    period_5 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
+    let _e12 = period_5;
+    nodes_2 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
+    let _e28 = period_5;
+    let _e31 = period_5;
+    let _e34 = nodes_2;
+    let _e35 = period_5;
+    let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
+    place_11 = _e38;
+    let _e41 = nodes_2;
+    let _e42 = period_5;
+    place_11.radius = (_e41 / _e42);
+    let _e45 = nodes_2;
+    place_11.period = vec3<i32>(_e45);
+    let _e47 = place_11;
+    let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
+    return _e48.noise;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
@@ -801,22 +801,22 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
     return vec2<f32>(_e28.noise, _e30.removed);
 }
 
-// Solid noise along all directions: a sum of 8 + 8 F^2 of them.
+// Solid noise along all directions: a sum of 8 + 8 F^2 noises for a frequency F of at most 8, and no more beyond.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
     return _e11.noise;
 }
 
-// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction.
-// The frequency is as asked for where the surface is flat; where it is curved the waves of a kernel bend.
+// Noise on a surface at its point p, whose normal has any length but 0, its waves along the projection of a direction: one
+// noise, two where that is 14 to 30 degrees from the normal. Where the surface is curved the waves of a kernel bend.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
     return _e13.noise;
 }
 
-// Noise on a surface along all directions of its tangent plane: a sum of 2 + 4.5 F, of twice as many between two axes.
+// The same along all directions of the tangent plane: 2 + 4.5 F noises, F up to 32, twice as many 30 to 45 degrees from z.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);

@@ -3,7 +3,8 @@
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 // Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates: each costs as much as gabor_noise, filtered three to five times as much.
+// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
+// gabor_noise_filtered.
 //     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
 //     gabor_fabric         linen: a plain weave of uneven threads [5]
 //     gabor_leather        pebbled grain: cells between creases [8]
@@ -149,7 +150,7 @@ GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
     return sum;
 }
 
-// Colours and heights are bounded where a product of tones is not.
+// The colour within [0, 1], which a product of tones can exceed.
 GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, float roughness, float metalness) {
     return GaborMaterial{gabor_cpp_clamp(colour, 0.0f, 1.0f), height, roughness, metalness};
 }
@@ -452,7 +453,7 @@ GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_strata(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-// The same as a pixel sees them that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p).
+// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_wood(GaborPixel{p, dx, dy, true}, seed);
 }

@@ -3,7 +3,8 @@
 // Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 // Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates: each costs as much as gabor_noise, filtered three to five times as much.
+// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
+// gabor_noise_filtered.
 //     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
 //     gabor_fabric         linen: a plain weave of uneven threads [5]
 //     gabor_leather        pebbled grain: cells between creases [8]
@@ -249,7 +250,7 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     return _e53;
 }
 
-// Colours and heights are bounded where a product of tones is not.
+// The colour within [0, 1], which a product of tones can exceed.
 fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness: f32) -> GaborMaterial {
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
@@ -1280,7 +1281,7 @@ fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
     return _e8;
 }
 
-// The same as a pixel sees them that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p).
+// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
     return _e6;

@@ -701,8 +701,8 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
 }
 
-// The noise at p, the imaginary part, with its quadrature, the real one, which has cosines for sines: at one place both
-// have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
+// (quadrature, noise) at p: the quadrature has cosines where the noise has sines. At one place both have variance 1 and
+// are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);

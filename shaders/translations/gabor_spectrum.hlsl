@@ -10,7 +10,8 @@
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
-// The unit of length is the kernel radius, as in gabor_lattice.hlsl, and every function's variance is exactly 1.
+// The unit of length is the kernel radius, as in gabor_lattice.hlsl. Variances are exactly 1; filtered, 1 less what was
+// removed. The filter and gabor_footprint are there with GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -48,7 +49,7 @@ GaborLobe GaborLobe_of(float frequency, float orientation, float radius, float p
     return made;
 }
 
-// A power spectrum: the first `count` lobes.
+// A power spectrum: the first `count` lobes, of which more than GABOR_LOBES do not count.
 struct GaborLobes {
     GaborLobe lobe[GABOR_LOBES];
     int count;
@@ -75,7 +76,7 @@ GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
 GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     float power = 0.0;
-    for (int i = 0; i < lobes.count; ++i) {
+    for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
         GaborKernel kernel_ = gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation);
@@ -471,12 +472,13 @@ float2 gabor_noise_spread_complex(float2 p, float frequency, float orientation, 
 }
 
 #if GABOR_TAPS == 3
-// What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
-// filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
+// What a pixel covers: a normal filter of covariance (dx dx^T + dy dy^T) / 4, whose standard deviation is half a pixel.
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p). Any two vectors,
+//           parallel ones too
 GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // or not a number: nothing is left of any wave
-        dx = float2(1.0e3, 0.0);
-        dy = float2(0.0, 1.0e3);
+        dx = float2(1.0e5, 0.0);
+        dy = float2(0.0, 1.0e5);
     }
     GaborFootprint footprint;
     footprint.covariance = 0.25 * float3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
@@ -496,13 +498,14 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     return footprint;
 }
 
-// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), with its
-// gradient, and the share of the variance that this removed, what a material lost in roughness, or a picture in
-// contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
-// error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
-// one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Gabor noise at p averaged over a pixel, with its gradient, and the share of the variance that this removed: detail to
+// add to a material's roughness, or contrast that a picture lost. The result is (noise, d/dx, d/dy, removed).
+//   dx, dy  how far p moves from one pixel to the next, dFdx(p) and dFdy(p): see gabor_footprint
+// Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
+// to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
+// and in both steps.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
+// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place((int2)(0), p * GABOR_RADIUS),
@@ -535,7 +538,7 @@ float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float frequency
 float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed) {
     float4 sum = (float4)(0.0);
     float power = 0.0;
-    for (int i = 0; i < lobes.count; ++i) {
+    for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         float unit = 1.0 / lobe.radius;
         float4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,

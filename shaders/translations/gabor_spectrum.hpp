@@ -10,7 +10,8 @@
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
-// The unit of length is the kernel radius, as in gabor_lattice.hpp, and every function's variance is exactly 1.
+// The unit of length is the kernel radius, as in gabor_lattice.hpp. Variances are exactly 1; filtered, 1 less what was
+// removed. The filter and gabor_footprint are there with GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -38,7 +39,7 @@ struct GaborLobe {
     float power;
 };
 
-// A power spectrum: the first `count` lobes.
+// A power spectrum: the first `count` lobes, of which more than GABOR_LOBES do not count.
 struct GaborLobes {
     GaborLobe lobe[GABOR_LOBES];
     int count;
@@ -65,7 +66,7 @@ GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
 GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed) {
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     float power = 0.0f;
-    for (int i = 0; i < lobes.count; ++i) {
+    for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
         GaborKernel kernel = gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation);
@@ -453,12 +454,13 @@ GABOR_INLINE gabor_vec2 gabor_noise_spread_complex(gabor_vec2 p, float frequency
 }
 
 #if GABOR_TAPS == 3
-// What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
-// filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
+// What a pixel covers: a normal filter of covariance (dx dx^T + dy dy^T) / 4, whose standard deviation is half a pixel.
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p). Any two vectors,
+//           parallel ones too
 GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // or not a number: nothing is left of any wave
-        dx = gabor_vec2(1.0e3f, 0.0f);
-        dy = gabor_vec2(0.0f, 1.0e3f);
+        dx = gabor_vec2(1.0e5f, 0.0f);
+        dy = gabor_vec2(0.0f, 1.0e5f);
     }
     GaborFootprint footprint;
     footprint.covariance = 0.25f * gabor_vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
@@ -478,13 +480,14 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     return footprint;
 }
 
-// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), with its
-// gradient, and the share of the variance that this removed, what a material lost in roughness, or a picture in
-// contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
-// error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
-// one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Gabor noise at p averaged over a pixel, with its gradient, and the share of the variance that this removed: detail to
+// add to a material's roughness, or contrast that a picture lost. The result is (noise, d/dx, d/dy, removed).
+//   dx, dy  how far p moves from one pixel to the next, dFdx(p) and dFdy(p): see gabor_footprint
+// Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
+// to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
+// and in both steps.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
+// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),
@@ -517,7 +520,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_four_filtered(gabor_vec2 p, gabor_vec2 dx, g
 GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed) {
     gabor_vec4 sum = gabor_vec4(0.0f);
     float power = 0.0f;
-    for (int i = 0; i < lobes.count; ++i) {
+    for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         float unit = 1.0f / lobe.radius;
         gabor_vec4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,

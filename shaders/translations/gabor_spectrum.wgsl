@@ -10,7 +10,8 @@
 //     gabor_lobe, gabor_footprint                        what these are given
 //     gabor_field_...                                    the same by place
 //
-// The unit of length is the kernel radius, as in gabor_lattice.wgsl, and every function's variance is exactly 1.
+// The unit of length is the kernel radius, as in gabor_lattice.wgsl. Variances are exactly 1; filtered, 1 less what was
+// removed. The filter and gabor_footprint are there with GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -22,7 +23,7 @@ struct GaborLobe {
     power: f32,
 }
 
-// A power spectrum: the first `count` lobes.
+// A power spectrum: the first `count` lobes, of which more than GABOR_LOBES do not count.
 struct GaborLobes {
     lobe: array<GaborLobe, 4>,
     count: i32,
@@ -78,57 +79,57 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         loop {
             let _e16 = i;
             let _e17 = lobes_1;
-            if !((_e16 < _e17.count)) {
+            if !((_e16 < min(_e17.count, 4i))) {
                 break;
             }
             {
-                let _e24 = i;
-                let _e27 = lobes_1.lobe[_e24];
-                lobe = _e27;
-                let _e29 = lobe;
-                let _e31 = gabor_place_scaled(place, _e29.radius);
-                scaled_1 = _e31;
-                let _e33 = lobe;
+                let _e26 = i;
+                let _e29 = lobes_1.lobe[_e26];
+                lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
                 let _e35 = lobe;
-                let _e38 = lobe;
-                let _e40 = gabor_kernel((_e33.frequency * _e35.radius), _e38.orientation);
-                kernel_4 = _e40;
-                let _e42 = scaled_1;
-                let _e43 = kernel_4;
-                let _e44 = i;
-                let _e45 = gabor_lobe_seed(seed, _e44);
-                let _e46 = gabor_field(_e42, _e43, _e45);
-                field_2 = _e46;
-                let _e49 = field_2;
-                let _e50 = lobe;
-                let _e53 = lobe;
-                let _e56 = lobe;
-                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
-                let _e60 = power;
-                let _e61 = lobe;
-                power = (_e60 + _e61.power);
+                let _e37 = lobe;
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                kernel_4 = _e42;
+                let _e44 = scaled_1;
+                let _e45 = kernel_4;
+                let _e46 = i;
+                let _e47 = gabor_lobe_seed(seed, _e46);
+                let _e48 = gabor_field(_e44, _e45, _e47);
+                field_2 = _e48;
+                let _e51 = field_2;
+                let _e52 = lobe;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
+                let _e62 = power;
+                let _e63 = lobe;
+                power = (_e62 + _e63.power);
             }
             continuing {
-                let _e21 = i;
-                i = (_e21 + 1i);
+                let _e23 = i;
+                i = (_e23 + 1i);
             }
         }
-        let _e64 = power;
-        if (_e64 > 0f) {
-            let _e67 = power;
-            local_12 = inverseSqrt(_e67);
+        let _e66 = power;
+        if (_e66 > 0f) {
+            let _e69 = power;
+            local_12 = inverseSqrt(_e69);
         } else {
             local_12 = 0f;
         }
-        let _e71 = local_12;
-        scale_1 = _e71;
-        let _e73 = scale_1;
-        let _e74 = sum_5;
-        let _e77 = scale_1;
-        let _e78 = sum_5;
-        let _e81 = scale_1;
-        let _e82 = sum_5;
-        return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
+        let _e73 = local_12;
+        scale_1 = _e73;
+        let _e75 = scale_1;
+        let _e76 = sum_5;
+        let _e79 = scale_1;
+        let _e80 = sum_5;
+        let _e83 = scale_1;
+        let _e84 = sum_5;
+        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
         var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
@@ -145,57 +146,57 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         loop {
             let _e16 = i;
             let _e17 = lobes_1;
-            if !((_e16 < _e17.count)) {
+            if !((_e16 < min(_e17.count, 4i))) {
                 break;
             }
             {
-                let _e24 = i;
-                let _e27 = lobes_1.lobe[_e24];
-                lobe = _e27;
-                let _e29 = lobe;
-                let _e31 = gabor_place_scaled(place, _e29.radius);
-                scaled_1 = _e31;
-                let _e33 = lobe;
+                let _e26 = i;
+                let _e29 = lobes_1.lobe[_e26];
+                lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
                 let _e35 = lobe;
-                let _e38 = lobe;
-                let _e40 = gabor_kernel((_e33.frequency * _e35.radius), _e38.orientation);
-                kernel_4 = _e40;
-                let _e42 = scaled_1;
-                let _e43 = kernel_4;
-                let _e44 = i;
-                let _e45 = gabor_lobe_seed(seed, _e44);
-                let _e46 = gabor_field(_e42, _e43, _e45);
-                field_2 = _e46;
-                let _e49 = field_2;
-                let _e50 = lobe;
-                let _e53 = lobe;
-                let _e56 = lobe;
-                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
-                let _e60 = power;
-                let _e61 = lobe;
-                power = (_e60 + _e61.power);
+                let _e37 = lobe;
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                kernel_4 = _e42;
+                let _e44 = scaled_1;
+                let _e45 = kernel_4;
+                let _e46 = i;
+                let _e47 = gabor_lobe_seed(seed, _e46);
+                let _e48 = gabor_field(_e44, _e45, _e47);
+                field_2 = _e48;
+                let _e51 = field_2;
+                let _e52 = lobe;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
+                let _e62 = power;
+                let _e63 = lobe;
+                power = (_e62 + _e63.power);
             }
             continuing {
-                let _e21 = i;
-                i = (_e21 + 1i);
+                let _e23 = i;
+                i = (_e23 + 1i);
             }
         }
-        let _e64 = power;
-        if (_e64 > 0f) {
-            let _e67 = power;
-            local_12 = inverseSqrt(_e67);
+        let _e66 = power;
+        if (_e66 > 0f) {
+            let _e69 = power;
+            local_12 = inverseSqrt(_e69);
         } else {
             local_12 = 0f;
         }
-        let _e71 = local_12;
-        scale = _e71;
-        let _e73 = scale;
-        let _e74 = sum_5;
-        let _e77 = scale;
-        let _e78 = sum_5;
-        let _e81 = scale;
-        let _e82 = sum_5;
-        return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
+        let _e73 = local_12;
+        scale = _e73;
+        let _e75 = scale;
+        let _e76 = sum_5;
+        let _e79 = scale;
+        let _e80 = sum_5;
+        let _e83 = scale;
+        let _e84 = sum_5;
+        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
     } else {
         var lobes_1: GaborLobes;
         var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
@@ -212,57 +213,57 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         loop {
             let _e16 = i;
             let _e17 = lobes_1;
-            if !((_e16 < _e17.count)) {
+            if !((_e16 < min(_e17.count, 4i))) {
                 break;
             }
             {
-                let _e24 = i;
-                let _e27 = lobes_1.lobe[_e24];
-                lobe = _e27;
-                let _e29 = lobe;
-                let _e31 = gabor_place_scaled(place, _e29.radius);
-                scaled_1 = _e31;
-                let _e33 = lobe;
+                let _e26 = i;
+                let _e29 = lobes_1.lobe[_e26];
+                lobe = _e29;
+                let _e31 = lobe;
+                let _e33 = gabor_place_scaled(place, _e31.radius);
+                scaled_1 = _e33;
                 let _e35 = lobe;
-                let _e38 = lobe;
-                let _e40 = gabor_kernel((_e33.frequency * _e35.radius), _e38.orientation);
-                kernel_4 = _e40;
-                let _e42 = scaled_1;
-                let _e43 = kernel_4;
-                let _e44 = i;
-                let _e45 = gabor_lobe_seed(seed, _e44);
-                let _e46 = gabor_field(_e42, _e43, _e45);
-                field_2 = _e46;
-                let _e49 = field_2;
-                let _e50 = lobe;
-                let _e53 = lobe;
-                let _e56 = lobe;
-                gabor_impl_accumulate((&sum_5), _e49, sqrt(_e50.power), (sqrt(_e53.power) / _e56.radius));
-                let _e60 = power;
-                let _e61 = lobe;
-                power = (_e60 + _e61.power);
+                let _e37 = lobe;
+                let _e40 = lobe;
+                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
+                kernel_4 = _e42;
+                let _e44 = scaled_1;
+                let _e45 = kernel_4;
+                let _e46 = i;
+                let _e47 = gabor_lobe_seed(seed, _e46);
+                let _e48 = gabor_field(_e44, _e45, _e47);
+                field_2 = _e48;
+                let _e51 = field_2;
+                let _e52 = lobe;
+                let _e55 = lobe;
+                let _e58 = lobe;
+                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
+                let _e62 = power;
+                let _e63 = lobe;
+                power = (_e62 + _e63.power);
             }
             continuing {
-                let _e21 = i;
-                i = (_e21 + 1i);
+                let _e23 = i;
+                i = (_e23 + 1i);
             }
         }
-        let _e64 = power;
-        if (_e64 > 0f) {
-            let _e67 = power;
-            local_12 = inverseSqrt(_e67);
+        let _e66 = power;
+        if (_e66 > 0f) {
+            let _e69 = power;
+            local_12 = inverseSqrt(_e69);
         } else {
             local_12 = 0f;
         }
-        let _e71 = local_12;
-        scale = _e71;
-        let _e73 = scale;
-        let _e74 = sum_5;
-        let _e77 = scale;
-        let _e78 = sum_5;
-        let _e81 = scale;
-        let _e82 = sum_5;
-        return GaborField((_e73 * _e74.value), (_e77 * _e78.slope_x), (_e81 * _e82.slope_y));
+        let _e73 = local_12;
+        scale = _e73;
+        let _e75 = scale;
+        let _e76 = sum_5;
+        let _e79 = scale;
+        let _e80 = sum_5;
+        let _e83 = scale;
+        let _e84 = sum_5;
+        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
     }
 }
 
@@ -1339,8 +1340,9 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
     }
 }
 
-// What a pixel covers that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p) in kernel radii: a normal
-// filter of covariance (dx dx^T + dy dy^T) / 4, half a pixel's standard deviation. Any two vectors, parallel ones too.
+// What a pixel covers: a normal filter of covariance (dx dx^T + dy dy^T) / 4, whose standard deviation is half a pixel.
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p). Any two vectors,
+//           parallel ones too
 fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
@@ -1361,8 +1363,8 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     let _e8 = dy_1;
     if !(((dot(_e4, _e5) + dot(_e7, _e8)) < 1000000f)) {
         {
-            dx_1 = vec2<f32>(1000f, 0f);
-            dy_1 = vec2<f32>(0f, 1000f);
+            dx_1 = vec2<f32>(100000f, 0f);
+            dy_1 = vec2<f32>(0f, 100000f);
         }
     }
     let _e23 = dx_1;
@@ -1424,13 +1426,14 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e138;
 }
 
-// Gabor noise at p as a pixel sees it that reaches dx and dy further to its neighbours, dFdx(p) and dFdy(p), with its
-// gradient, and the share of the variance that this removed, what a material lost in roughness, or a picture in
-// contrast: (noise, d/dx, d/dy, removed). Against the noise filtered exactly, see gabor_footprint, the root mean square
-// error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a whole
-// one; what covers more fades as it should. Continuous in the place and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; beyond, with 25, about 4.2 times.
-// Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Gabor noise at p averaged over a pixel, with its gradient, and the share of the variance that this removed: detail to
+// add to a material's roughness, or contrast that a picture lost. The result is (noise, d/dx, d/dy, removed).
+//   dx, dy  how far p moves from one pixel to the next, dFdx(p) and dFdy(p): see gabor_footprint
+// Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
+// to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
+// and in both steps.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
+// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -1513,54 +1516,54 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     loop {
         let _e13 = i_5;
         let _e14 = lobes_9;
-        if !((_e13 < _e14.count)) {
+        if !((_e13 < min(_e14.count, 4i))) {
             break;
         }
         {
-            let _e21 = i_5;
-            let _e24 = lobes_9.lobe[_e21];
-            lobe_1 = _e24;
-            let _e27 = lobe_1;
-            unit_1 = (1f / _e27.radius);
-            let _e31 = unit_1;
+            let _e23 = i_5;
+            let _e26 = lobes_9.lobe[_e23];
+            lobe_1 = _e26;
+            let _e29 = lobe_1;
+            unit_1 = (1f / _e29.radius);
             let _e33 = unit_1;
             let _e35 = unit_1;
-            let _e37 = lobe_1;
+            let _e37 = unit_1;
             let _e39 = lobe_1;
-            let _e42 = lobe_1;
-            let _e44 = i_5;
-            let _e45 = gabor_lobe_seed(seed, _e44);
-            let _e46 = gabor_noise_filtered_gradient((p * _e31), (dx * _e33), (dy * _e35), (_e37.frequency * _e39.radius), _e42.orientation, _e45);
-            noise_2 = _e46;
-            let _e48 = sum_9;
-            let _e49 = lobe_1;
-            let _e53 = unit_1;
-            let _e54 = unit_1;
-            let _e56 = (sqrt(_e49.power) * vec3<f32>(1f, _e53, _e54));
-            let _e57 = lobe_1;
-            let _e63 = noise_2;
-            sum_9 = (_e48 + (vec4<f32>(_e56.x, _e56.y, _e56.z, _e57.power) * _e63));
-            let _e66 = power_2;
-            let _e67 = lobe_1;
-            power_2 = (_e66 + _e67.power);
+            let _e41 = lobe_1;
+            let _e44 = lobe_1;
+            let _e46 = i_5;
+            let _e47 = gabor_lobe_seed(seed, _e46);
+            let _e48 = gabor_noise_filtered_gradient((p * _e33), (dx * _e35), (dy * _e37), (_e39.frequency * _e41.radius), _e44.orientation, _e47);
+            noise_2 = _e48;
+            let _e50 = sum_9;
+            let _e51 = lobe_1;
+            let _e55 = unit_1;
+            let _e56 = unit_1;
+            let _e58 = (sqrt(_e51.power) * vec3<f32>(1f, _e55, _e56));
+            let _e59 = lobe_1;
+            let _e65 = noise_2;
+            sum_9 = (_e50 + (vec4<f32>(_e58.x, _e58.y, _e58.z, _e59.power) * _e65));
+            let _e68 = power_2;
+            let _e69 = lobe_1;
+            power_2 = (_e68 + _e69.power);
         }
         continuing {
-            let _e18 = i_5;
-            i_5 = (_e18 + 1i);
+            let _e20 = i_5;
+            i_5 = (_e20 + 1i);
         }
     }
-    let _e70 = power_2;
-    if (_e70 > 0f) {
-        let _e73 = sum_9;
-        let _e74 = power_2;
-        let _e76 = vec3(inverseSqrt(_e74));
-        let _e78 = power_2;
-        local_18 = (_e73 * vec4<f32>(_e76.x, _e76.y, _e76.z, (1f / _e78)));
+    let _e72 = power_2;
+    if (_e72 > 0f) {
+        let _e75 = sum_9;
+        let _e76 = power_2;
+        let _e78 = vec3(inverseSqrt(_e76));
+        let _e80 = power_2;
+        local_18 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
     } else {
         local_18 = vec4(0f);
     }
-    let _e88 = local_18;
-    return _e88;
+    let _e90 = local_18;
+    return _e90;
 }
 
 // The same without the gradient: (noise, removed).

@@ -12,6 +12,7 @@
 //     gabor_noise_four                         four independent ones at once
 //     gabor_noise_tiled, gabor_noise_animated  with exact periods in space, and in time
 //     gabor_noise_at, gabor_kernel             by integer cell and local offset, for large worlds
+//     gabor_field, gabor_place                 noise, quadrature and both gradients at once, in any cell, tile or time
 //
 // The nodes (x_i, y_j) of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent
 // and normal, and each sends out a wave under a window that ends one unit, the kernel radius, from it along x and y:
@@ -33,6 +34,7 @@
 #endif
 #ifndef GABOR_LATTICE_GLSL
 #define GABOR_LATTICE_GLSL
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
 #ifdef GL_ES
 precision highp float;
@@ -264,7 +266,7 @@ GaborPlace gabor_place(ivec2 cell, vec2 local) {
 }
 
 // p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least.
+// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
 GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
     vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -305,14 +307,13 @@ vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// The noise at p with its quadrature: the real part has cosines where the imaginary part, the noise, has sines. Both
-// have mean 0 and variance 1, and at one place are independent.
+// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
+// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
 vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four noises at p, independent of each other, for colours or displacement along vectors; the first is gabor_noise. The
-// seeds -1, -2, -3 of a sum are theirs, which no lobe has.
+// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
 vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
     return vec4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
@@ -321,8 +322,7 @@ vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
 }
 
 // Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase is a pattern of even contrast, such as sin(6.2831853 * phase), 2 phase - 1, or a pulse
-// step(phase, width). The phase of 0 is 0.
+// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
@@ -331,9 +331,9 @@ vec2 gabor_phasor(vec2 value) {
 
 // Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is at least 1/1024; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
+// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, max(period, vec2(0.0009765625)));
+    GaborPlace place = gabor_place_tiled(p, clamp(period, vec2(0.0009765625), vec2(1.0e9)));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
