@@ -155,7 +155,7 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.height; }),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
             "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "How the noise is made: quality for speed",
+        {"recipe", Kind::recipe, "", none, none, "", "Which form of the noise to take",
          [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
         of_only_lobe(of_lobe[0]),
