@@ -255,7 +255,7 @@ vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed) {
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed) {
-    period = clamp(period, vec3(0.0009765625), vec3(1.0e9));
+    period = clamp(period, 0.0009765625, 1.0e9);
     vec3 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec3(3.0));
     GaborPlace3d place = gabor_place_3d(ivec3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;

@@ -609,7 +609,7 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, gabor_vec2(0.0009765625f), gabor_vec2(1.0e9f)));
+    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -320,7 +320,7 @@ inline float2 gabor_phasor(float2 value) {
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, clamp(period, float2(0.0009765625), float2(1.0e9)));
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

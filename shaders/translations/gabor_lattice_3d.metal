@@ -253,7 +253,7 @@ inline float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, u
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed) {
-    period = clamp(period, float3(0.0009765625), float3(1.0e9));
+    period = clamp(period, 0.0009765625, 1.0e9);
     float3 nodes = max(floor(period * GABOR_RADIUS + 0.5), float3(3.0));
     GaborPlace3d place = gabor_place_3d(int3(0), (p - floor(p / period) * period) * (nodes / period));
     place.radius = nodes / period;

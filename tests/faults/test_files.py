@@ -100,8 +100,9 @@ class Studies(ProgramTest):
         self.succeed("study", STUDY, "--quick", "-o", "whole")
         duration = time.monotonic() - began
         whole = (self.folder / "whole" / f"{STUDY}.csv").read_bytes()
-        kills = 0
-        for turn in range(ROUNDS):
+        kills = tables = 0
+        while tables < ROUNDS or kills < ROUNDS:
+            earlier = kills
             while True:
                 process = start("study", STUDY, "--quick", "-o", "broken", cwd=self.folder)
                 try:
@@ -118,8 +119,10 @@ class Studies(ProgramTest):
             self.assertEqual((self.folder / "broken" / f"{STUDY}.csv").read_bytes(), whole)
             self.assertEqual([path.name for path in (self.folder / "broken").iterdir()], [f"{STUDY}.csv"])
             shutil.rmtree(self.folder / "broken")
-        print(f"{kills} times ended, {ROUNDS} tables complete")
-        self.assertGreater(kills, 0)
+            tables += 1
+            if kills == earlier: # none came in time: the whole one was slower, on a machine that had other work
+                duration /= 2
+        print(f"{kills} times ended, {tables} tables complete")
 
 
 if __name__ == "__main__":

@@ -333,7 +333,7 @@ vec2 gabor_phasor(vec2 value) {
 // with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
 // Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, clamp(period, vec2(0.0009765625), vec2(1.0e9)));
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
