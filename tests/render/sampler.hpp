@@ -48,8 +48,8 @@ struct Sample {
 };
 
 inline std::string to_string(const Sample& s) {
-    return fmt::format("{}, frequency {}, orientation {}, seed {}", to_string(s.place), s.frequency,
-                       s.orientation, s.seed);
+    return fmt::format("{}, frequency {}, orientation {}, seed {}, tiled with ({}, {})", to_string(s.place),
+                       s.frequency, s.orientation, s.seed, s.period_x, s.period_y);
 }
 
 struct Answer {

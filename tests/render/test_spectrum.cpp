@@ -1,6 +1,7 @@
 // gabor_spectrum.glsl on the device: lobes, spreads and the filter, against the double-precision reference.
 
 #include "oracle.hpp"
+#include "range.hpp"
 #include "reference/spectrum.hpp"
 #include "sampler.hpp"
 #include "statistics/gaussianity.hpp"
@@ -453,6 +454,36 @@ TEST_CASE("the removed variance is a share for footprints of any length", "[filt
         REQUIRE(answers[i].filtered[1] >= 0);
         REQUIRE(answers[i].filtered[1] <= 1);
     }
+}
+
+TEST_CASE("any footprint and any frequency give a finite filtered noise", "[filter][range]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 15;
+    Sampler sampler(device, count);
+    test::AnyFloat draw;
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        s.p[0] = 0.3f;
+        s.seed = draw.word();
+        for (float* step : {&s.dx[0], &s.dx[1], &s.dy[0], &s.dy[1]})
+            *step = draw.any();
+        s.frequency = draw.word() % 2 ? 0 : draw.within(test::infinity);
+    }
+    const auto answers = sampler.answers(count, filtered_only);
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& s = sampler.samples()[i];
+        const auto [value, removed] = answers[i].filtered;
+        INFO(to_string(s) << ": " << value << ", " << removed);
+        REQUIRE(std::abs(value) < 40);
+        REQUIRE((removed >= 0 && removed <= 1));
+        if (std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1])) < 1.1e3)
+            continue;
+        ++beyond;
+        REQUIRE(value == 0);
+        REQUIRE(removed == 1);
+    }
+    CHECK(beyond > count / 4);
 }
 
 TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law]") {

@@ -67,7 +67,7 @@ void main() {
         return;
     Sample s = samples[i];
     GaborLobes lobes;
-    lobes.count = GABOR_LOBES;
+    lobes.count = 2 * GABOR_LOBES; // those beyond do not count
     for (int k = 0; k < GABOR_LOBES; ++k)
         lobes.lobe[k] = gabor_lobe(s.lobes[4 * k], s.lobes[4 * k + 1], s.lobes[4 * k + 2], s.lobes[4 * k + 3]);
     if (wanted != SPREAD)

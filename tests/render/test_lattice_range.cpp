@@ -1,0 +1,100 @@
+// The lattice's functions over every float that a parameter can be: what docs/gallery.md says of arguments
+// outside the ranges, on any driver.
+
+#include "lattice_sampler.hpp"
+#include "range.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+
+using namespace gabor;
+
+namespace {
+
+constexpr std::size_t per_batch = 1 << 14;
+
+// No noise of variance 1 made of so few nodes is as large as this.
+constexpr float largest_noise = 40;
+
+// Asks each number of taps for samples made by `make` and checks all answers.
+template <typename Make>
+void check_finite(Make make) {
+    const vulkan::Device device;
+    for (int taps = 2; taps <= 4; ++taps) {
+        test::LatticeSampler sampler(device, taps, per_batch);
+        test::AnyFloat draw;
+        const float nodes = static_cast<float>(taps) / 2;
+        for (test::LatticeSample& s : sampler.samples()) {
+            s = {{3, -4}, {0.3f, 0.8f}, {3.3f, 4.8f}, {nodes, nodes}, {0, 0}, 1, 0.3f,
+                 4,       0.7f,         draw.word(),  {4, 4}};
+            make(s, draw, nodes);
+        }
+        const auto answers = sampler.answers(per_batch);
+        test::Broken broken[] = {{"values"}, {"slopes"}, {"gabor_unorm"}, {"gabor_phasor"}};
+        for (std::size_t i = 0; i < per_batch; ++i) {
+            const test::LatticeSample& sample = sampler.samples()[i];
+            const test::LatticeAnswer& a = answers[i];
+            for (const std::span<const float> values :
+                 {std::span<const float>(a.value), std::span<const float>(a.complex),
+                  std::span<const float>(a.four), std::span<const float>(&a.noise, 1),
+                  std::span<const float>(&a.tiled, 1), std::span<const float>(&a.animated, 1),
+                  std::span<const float>(&a.at, 1)})
+                broken[0].see(values, largest_noise, sample);
+            const float any = std::numeric_limits<float>::max();
+            broken[1].see(a.slope_x, any, sample);
+            broken[1].see(a.slope_y, any, sample);
+            broken[1].see(a.gradient, any, sample);
+            broken[2].see({&a.unorm, 1}, 1, sample);
+            broken[3].see(a.phasor, largest_noise, sample);
+        }
+        for (const test::Broken& function : broken) {
+            INFO(taps << " taps, " << function.function << ": " << function.where);
+            CHECK(function.times == 0);
+        }
+    }
+}
+
+float number(test::AnyFloat& draw) {
+    float value = draw.any();
+    while (std::isnan(value))
+        value = draw.any();
+    return value;
+}
+
+} // namespace
+
+TEST_CASE("any frequency and any finite orientation give a finite noise on the lattice", "[range]") {
+    check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float) {
+        s.frequency = number(draw);
+        s.orientation = draw.within(std::numeric_limits<float>::max());
+    });
+}
+
+TEST_CASE("any cell, any place of the world and any finite time give a finite noise on the lattice",
+          "[range]") {
+    check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
+        for (int axis = 0; axis < 2; ++axis) {
+            s.cell[axis] = draw.cell();
+            s.period[axis] = draw.cell() & 0x7fffffff;
+            s.local[axis] = draw.within(64);
+            s.p[axis] = draw.within(test::world / nodes);
+        }
+        s.time = draw.within(std::numeric_limits<float>::max());
+    });
+}
+
+TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
+    check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
+        for (int axis = 0; axis < 2; ++axis) {
+            s.tile[axis] = number(draw);
+            // As far as positions in nodes do not overflow: see docs/gallery.md.
+            s.p[axis] =
+                draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / (2 * nodes)));
+        }
+    });
+}
