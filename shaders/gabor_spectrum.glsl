@@ -139,8 +139,8 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 // Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
 // the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
 // deviation while the filter's is at most 0.11 radii. With w = 5/3 the nine waves a = -4 ... 4 have room for what the
-// filter widens, up to a deviation of 0.5, with five nodes along the axis. From 0.08 to 0.11 one takes over from the
-// other. These are the windows of GABOR_TAPS 3.
+// filter widens, up to a deviation of 0.5, with five nodes along the axis; up to 0.3 four nodes within 4/3 will do. From
+// 0.08 to 0.11 one takes over from the other. These are the windows of GABOR_TAPS 3.
 //
 // The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
 // For nine, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
@@ -226,7 +226,8 @@ struct GaborBand {
     vec3 mean;
     vec4 even_0, even_1, even_2;
     vec4 odd_0, odd_1, odd_2;
-    float offset; // from the first of its five nodes, in node spacings
+    float offset; // from the first of its nodes, in node spacings
+    float reach;  // of nodes that count, in node spacings
     int first;
     int period;
     uint salt;
@@ -234,7 +235,7 @@ struct GaborBand {
 };
 
 // With the windows, less their common factor e^(-g c^2); `m` is r M.
-GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, uint salt, vec2 step) {
+GaborBand gabor_impl_band(float m, float c, float offset, float reach, int first, int period, uint salt, vec2 step) {
     GaborBand b;
     float g = 19.739209 * m;
     float fall = exp(0.23217617 - 1.7765288 * m); // e^(-2 pi^2 (m - v) 0.3^2)
@@ -254,6 +255,7 @@ GaborBand gabor_impl_band(float m, float c, float offset, int first, int period,
     b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5 * b.even_0;
     b.odd_2 = z * (q * b.even_1 - c * b.odd_1) - 0.5 * b.odd_0;
     b.offset = offset;
+    b.reach = reach;
     b.first = first;
     b.period = period;
     b.salt = salt;
@@ -269,9 +271,9 @@ struct GaborLine {
     vec2 phase; // of the noise's wave
 };
 
-// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+// What is left of the windows of line `index` as they fade over a quarter of a node spacing.
 float gabor_impl_fade(GaborBand b, int index) {
-    float fade = clamp(5.5555556 - 2.2222222 * abs(b.offset - float(index)), 0.0, 1.0);
+    float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
     return fade * fade * (3.0 - 2.0 * fade);
 }
 
@@ -311,7 +313,7 @@ vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights) {
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int rows, uint salt) {
+GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, float reach, int rows, uint salt) {
     vec2 m = s.xy + 0.13069097; // v
     vec2 blurred = gabor_impl_symmetric(s, wave);
     vec2 c = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -319,21 +321,24 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int row
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
     vec3 weights = vec3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
-    vec2 first = floor(place.local + 0.5) - 2.0;
+    bool five = reach > 2.0;
+    vec2 first = floor(place.local + (five ? 0.5 : 1.0)) - 2.0;
     vec2 offset = place.local - first;
     ivec2 node = place.cell + ivec2(first);
     vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, step_x);
-    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, reach, node.x, place.period.x, salt, step_x);
+    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, reach, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      step_y);
     GaborLine line;
     line.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
     line.phase = step_x;
     GaborLine c0 = gabor_impl_filtered_line(line, across, 0, gabor_impl_fade(across, 0));
     GaborLine c1 = gabor_impl_filtered_line(c0, across, 1, 1.0);
     GaborLine c2 = gabor_impl_filtered_line(c1, across, 2, 1.0);
-    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, 1.0);
-    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, gabor_impl_fade(across, 3));
+    GaborLine c4 = c3;
+    if (five) c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
     line.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
     line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), step_y);
     vec2 value = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0);
@@ -345,7 +350,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, int row
         gabor_impl_add_filtered(row, c1, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c2, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c3, line.word, place.animated, place.time);
-        gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
+        if (five) gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
         value += gabor_impl_contracted(row, line.window, weights);
         z_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
         z_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
@@ -376,15 +381,17 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootp
     float amplitude = 1.0;
     if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    float wide = clamp(33.333333 * sqrt(max(s.x, s.y)) - 2.6666667, 0.0, 1.0);
+    float deviation = sqrt(max(s.x, s.y));
+    float wide = clamp(33.333333 * deviation - 2.6666667, 0.0, 1.0);
     if (wide < 1.0) {
         float share = (1.0 - wide) * amplitude;
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
     }
     if (wide > 0.0) {
         float share = wide * amplitude;
-        int rows = wide > 0.0 ? 5 : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, salt), share, share);
+        float reach = clamp(0.5 + 5.0 * deviation, 2.0, 2.5);
+        int rows = wide > 0.0 ? (reach > 2.0 ? 5 : 4) : 0; // for compilers that run both sides of a branch
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, reach, rows, salt), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -487,8 +494,9 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
-// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on 3.3 times, with 16;
+// both in between; and from 0.6 on 4.2 times, with 25. Where compilers run both sides of a branch, as for CPUs, 5 and 7
+// times.
 vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS),

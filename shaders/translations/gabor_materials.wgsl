@@ -333,21 +333,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_19: f32;
+    var local_21: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_3: bool;
     var top: f32;
-    var local_20: vec3<f32>;
+    var local_22: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_21: vec3<f32>;
+    var local_23: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_22: f32;
+    var local_24: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -387,11 +387,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_19 = -1f;
+        local_21 = -1f;
     } else {
-        local_19 = 1f;
+        local_21 = 1f;
     }
-    let _e89 = local_19;
+    let _e89 = local_21;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -416,22 +416,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = first_3;
     if _e166 {
         let _e167 = upright;
-        local_20 = _e167;
+        local_22 = _e167;
     } else {
         let _e168 = level;
-        local_20 = _e168;
+        local_22 = _e168;
     }
-    let _e170 = local_20;
+    let _e170 = local_22;
     tone_1 = _e170;
     let _e172 = first_3;
     if _e172 {
         let _e173 = upright_fibre;
-        local_21 = _e173;
+        local_23 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_21 = _e174;
+        local_23 = _e174;
     }
-    let _e176 = local_21;
+    let _e176 = local_23;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -448,11 +448,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_3;
     if _e216 {
-        local_22 = 1f;
+        local_24 = 1f;
     } else {
-        local_22 = 0f;
+        local_24 = 0f;
     }
-    let _e220 = local_22;
+    let _e220 = local_24;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -1040,11 +1040,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var within_2: vec2<f32>;
     var turn_8: f32;
     var first_4: bool;
-    var local_23: vec3<f32>;
+    var local_25: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_24: vec2<f32>;
+    var local_26: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_25: f32;
+    var local_27: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1080,31 +1080,31 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e64 = first_4;
     if _e64 {
         let _e65 = upright_1;
-        local_23 = _e65;
+        local_25 = _e65;
     } else {
         let _e66 = level_1;
-        local_23 = _e66;
+        local_25 = _e66;
     }
-    let _e68 = local_23;
+    let _e68 = local_25;
     fibre_2 = _e68;
     let _e70 = first_4;
     if _e70 {
         let _e71 = within_2;
-        local_24 = _e71.yx;
+        local_26 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_24 = _e73;
+        local_26 = _e73;
     }
-    let _e75 = local_24;
+    let _e75 = local_26;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_8;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_25 = 0f;
+        local_27 = 0f;
     } else {
-        local_25 = 1f;
+        local_27 = 1f;
     }
-    let _e91 = local_25;
+    let _e91 = local_27;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -138,8 +138,8 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 // Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
 // the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
 // deviation while the filter's is at most 0.11 radii. With w = 5/3 the nine waves a = -4 ... 4 have room for what the
-// filter widens, up to a deviation of 0.5, with five nodes along the axis. From 0.08 to 0.11 one takes over from the
-// other. These are the windows of GABOR_TAPS 3.
+// filter widens, up to a deviation of 0.5, with five nodes along the axis; up to 0.3 four nodes within 4/3 will do. From
+// 0.08 to 0.11 one takes over from the other. These are the windows of GABOR_TAPS 3.
 //
 // The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
 // For nine, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
@@ -225,7 +225,8 @@ struct GaborBand {
     gabor_vec3 mean;
     gabor_vec4 even_0, even_1, even_2;
     gabor_vec4 odd_0, odd_1, odd_2;
-    float offset; // from the first of its five nodes, in node spacings
+    float offset; // from the first of its nodes, in node spacings
+    float reach;  // of nodes that count, in node spacings
     int first;
     int period;
     std::uint32_t salt;
@@ -233,7 +234,7 @@ struct GaborBand {
 };
 
 // With the windows, less their common factor e^(-g c^2); `m` is r M.
-GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first, int period, std::uint32_t salt, gabor_vec2 step) {
+GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, float reach, int first, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborBand b;
     float g = 19.739209f * m;
     float fall = gabor_cpp_exp(0.23217617f - 1.7765288f * m); // e^(-2 pi^2 (m - v) 0.3^2)
@@ -253,6 +254,7 @@ GABOR_INLINE GaborBand gabor_impl_band(float m, float c, float offset, int first
     b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5f * b.even_0;
     b.odd_2 = z * (q * b.even_1 - c * b.odd_1) - 0.5f * b.odd_0;
     b.offset = offset;
+    b.reach = reach;
     b.first = first;
     b.period = period;
     b.salt = salt;
@@ -268,9 +270,9 @@ struct GaborLine {
     gabor_vec2 phase; // of the noise's wave
 };
 
-// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+// What is left of the windows of line `index` as they fade over a quarter of a node spacing.
 GABOR_INLINE float gabor_impl_fade(GaborBand b, int index) {
-    float fade = gabor_cpp_clamp(5.5555556f - 2.2222222f * gabor_cpp_abs(b.offset - float(index)), 0.0f, 1.0f);
+    float fade = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(b.offset - float(index))), 0.0f, 1.0f);
     return fade * fade * (3.0f - 2.0f * fade);
 }
 
@@ -310,7 +312,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, ga
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, int rows, std::uint32_t salt) {
+GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, float reach, int rows, std::uint32_t salt) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
@@ -318,21 +320,24 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     float r = gabor_cpp_sqrt(1.0f - rho * rho);
     float lambda = rho / (1.0f + r);
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * lambda, 2.0f * lambda * lambda);
-    gabor_vec2 first = gabor_cpp_floor(place.local + 0.5f) - 2.0f;
+    bool five = reach > 2.0f;
+    gabor_vec2 first = gabor_cpp_floor(place.local + (five ? 0.5f : 1.0f)) - 2.0f;
     gabor_vec2 offset = place.local - first;
     gabor_ivec2 node = place.cell + gabor_ivec2(first);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, node.x, place.period.x, salt, step_x);
-    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, reach, node.x, place.period.x, salt, step_x);
+    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, reach, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      step_y);
     GaborLine line;
     line.turn = gabor_impl_wave(0.2f * (offset.x + 1.0f));
     line.phase = step_x;
     GaborLine c0 = gabor_impl_filtered_line(line, across, 0, gabor_impl_fade(across, 0));
     GaborLine c1 = gabor_impl_filtered_line(c0, across, 1, 1.0f);
     GaborLine c2 = gabor_impl_filtered_line(c1, across, 2, 1.0f);
-    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, 1.0f);
-    GaborLine c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
+    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, gabor_impl_fade(across, 3));
+    GaborLine c4 = c3;
+    if (five) c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
     line.turn = gabor_impl_wave(0.2f * (offset.y + 1.0f));
     line.phase = gabor_impl_product(gabor_impl_wave(gabor_cpp_dot(wave, offset / GABOR_RADIUS)), step_y);
     gabor_vec2 value = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f);
@@ -344,7 +349,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
         gabor_impl_add_filtered(row, c1, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c2, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c3, line.word, place.animated, place.time);
-        gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
+        if (five) gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
         value += gabor_impl_contracted(row, line.window, weights);
         z_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
         z_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
@@ -375,15 +380,17 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
     float amplitude = 1.0f;
     if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    float wide = gabor_cpp_clamp(33.333333f * gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y)) - 2.6666667f, 0.0f, 1.0f);
+    float deviation = gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y));
+    float wide = gabor_cpp_clamp(33.333333f * deviation - 2.6666667f, 0.0f, 1.0f);
     if (wide < 1.0f) {
         float share = (1.0f - wide) * amplitude;
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
     }
     if (wide > 0.0f) {
         float share = wide * amplitude;
-        int rows = wide > 0.0f ? 5 : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, rows, salt), share, share);
+        float reach = gabor_cpp_clamp(0.5f + 5.0f * deviation, 2.0f, 2.5f);
+        int rows = wide > 0.0f ? (reach > 2.0f ? 5 : 4) : 0; // for compilers that run both sides of a branch
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, reach, rows, salt), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -486,8 +493,9 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
-// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on 3.3 times, with 16;
+// both in between; and from 0.6 on 4.2 times, with 25. Where compilers run both sides of a branch, as for CPUs, 5 and 7
+// times.
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS),

@@ -578,6 +578,7 @@ struct GaborBand {
     odd_1_: vec4<f32>,
     odd_2_: vec4<f32>,
     offset: f32,
+    reach: f32,
     first: i32,
     period: i32,
     salt: u32,
@@ -585,7 +586,7 @@ struct GaborBand {
 }
 
 // With the windows, less their common factor e^(-g c^2); `m` is r M.
-fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
+fn gabor_impl_band(m: f32, c: f32, offset: f32, reach: f32, first: i32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
     var g: f32;
     var fall: f32;
@@ -600,91 +601,92 @@ fn gabor_impl_band(m: f32, c: f32, offset: f32, first: i32, period: i32, salt: u
 
     g = (19.739208f * m);
     fall = exp((0.23217617f - (1.7765288f * m)));
-    let _e17 = fall;
     let _e18 = fall;
-    let _e20 = fall;
-    let _e22 = fall;
-    fall_4_ = (((_e17 * _e18) * _e20) * _e22);
-    let _e26 = g;
-    rise_1 = exp(((0.6f * _e26) * c));
-    let _e32 = rise_1;
-    sink = (1f / _e32);
-    let _e42 = wave_5;
-    let _e43 = fall;
-    let _e44 = fall_4_;
+    let _e19 = fall;
+    let _e21 = fall;
+    let _e23 = fall;
+    fall_4_ = (((_e18 * _e19) * _e21) * _e23);
+    let _e27 = g;
+    rise_1 = exp(((0.6f * _e27) * c));
+    let _e33 = rise_1;
+    sink = (1f / _e33);
+    let _e43 = wave_5;
+    let _e44 = fall;
     let _e45 = fall_4_;
     let _e46 = fall_4_;
-    let _e48 = fall;
-    let _e50 = fall_4_;
+    let _e47 = fall_4_;
+    let _e49 = fall;
     let _e51 = fall_4_;
-    let _e53 = fall_4_;
-    let _e55 = fall_4_;
-    wave_5 = (_e42 * vec4<f32>(_e43, _e44, ((_e45 * _e46) * _e48), (((_e50 * _e51) * _e53) * _e55)));
-    let _e59 = wave_5;
-    let _e60 = rise_1;
+    let _e52 = fall_4_;
+    let _e54 = fall_4_;
+    let _e56 = fall_4_;
+    wave_5 = (_e43 * vec4<f32>(_e44, _e45, ((_e46 * _e47) * _e49), (((_e51 * _e52) * _e54) * _e56)));
+    let _e60 = wave_5;
     let _e61 = rise_1;
     let _e62 = rise_1;
-    let _e64 = rise_1;
+    let _e63 = rise_1;
     let _e65 = rise_1;
-    let _e67 = rise_1;
-    let _e69 = rise_1;
+    let _e66 = rise_1;
+    let _e68 = rise_1;
     let _e70 = rise_1;
-    let _e72 = rise_1;
+    let _e71 = rise_1;
     let _e73 = rise_1;
-    above = (_e59 * vec4<f32>(_e60, (_e61 * _e62), ((_e64 * _e65) * _e67), ((_e69 * _e70) * (_e72 * _e73))));
-    let _e79 = wave_5;
-    let _e80 = sink;
+    let _e74 = rise_1;
+    above = (_e60 * vec4<f32>(_e61, (_e62 * _e63), ((_e65 * _e66) * _e68), ((_e70 * _e71) * (_e73 * _e74))));
+    let _e80 = wave_5;
     let _e81 = sink;
     let _e82 = sink;
-    let _e84 = sink;
+    let _e83 = sink;
     let _e85 = sink;
-    let _e87 = sink;
-    let _e89 = sink;
+    let _e86 = sink;
+    let _e88 = sink;
     let _e90 = sink;
-    let _e92 = sink;
+    let _e91 = sink;
     let _e93 = sink;
-    below = (_e79 * vec4<f32>(_e80, (_e81 * _e82), ((_e84 * _e85) * _e87), ((_e89 * _e90) * (_e92 * _e93))));
-    let _e106 = g;
-    z_1 = sqrt((2f * _e106));
-    let _e113 = z_1;
-    let _e116 = z_1;
-    let _e118 = z_1;
-    b_2.mean = (0.3f * vec3<f32>(1f, (-(_e113) * c), ((((_e116 * c) * _e118) * c) - 0.5f)));
-    let _e126 = above;
-    let _e127 = below;
-    b_2.even_0_ = (_e126 + _e127);
-    let _e130 = above;
-    let _e131 = below;
-    b_2.odd_0_ = (_e130 - _e131);
-    let _e134 = z_1;
-    let _e135 = q;
-    let _e136 = b_2;
-    let _e139 = b_2;
-    b_2.even_1_ = (_e134 * ((_e135 * _e136.odd_0_) - (c * _e139.even_0_)));
-    let _e145 = z_1;
-    let _e146 = q;
-    let _e147 = b_2;
-    let _e150 = b_2;
-    b_2.odd_1_ = (_e145 * ((_e146 * _e147.even_0_) - (c * _e150.odd_0_)));
-    let _e156 = z_1;
-    let _e157 = q;
-    let _e158 = b_2;
-    let _e161 = b_2;
-    let _e167 = b_2;
-    b_2.even_2_ = ((_e156 * ((_e157 * _e158.odd_1_) - (c * _e161.even_1_))) - (0.5f * _e167.even_0_));
-    let _e172 = z_1;
-    let _e173 = q;
-    let _e174 = b_2;
-    let _e177 = b_2;
-    let _e183 = b_2;
-    b_2.odd_2_ = ((_e172 * ((_e173 * _e174.even_1_) - (c * _e177.odd_1_))) - (0.5f * _e183.odd_0_));
+    let _e94 = sink;
+    below = (_e80 * vec4<f32>(_e81, (_e82 * _e83), ((_e85 * _e86) * _e88), ((_e90 * _e91) * (_e93 * _e94))));
+    let _e107 = g;
+    z_1 = sqrt((2f * _e107));
+    let _e114 = z_1;
+    let _e117 = z_1;
+    let _e119 = z_1;
+    b_2.mean = (0.3f * vec3<f32>(1f, (-(_e114) * c), ((((_e117 * c) * _e119) * c) - 0.5f)));
+    let _e127 = above;
+    let _e128 = below;
+    b_2.even_0_ = (_e127 + _e128);
+    let _e131 = above;
+    let _e132 = below;
+    b_2.odd_0_ = (_e131 - _e132);
+    let _e135 = z_1;
+    let _e136 = q;
+    let _e137 = b_2;
+    let _e140 = b_2;
+    b_2.even_1_ = (_e135 * ((_e136 * _e137.odd_0_) - (c * _e140.even_0_)));
+    let _e146 = z_1;
+    let _e147 = q;
+    let _e148 = b_2;
+    let _e151 = b_2;
+    b_2.odd_1_ = (_e146 * ((_e147 * _e148.even_0_) - (c * _e151.odd_0_)));
+    let _e157 = z_1;
+    let _e158 = q;
+    let _e159 = b_2;
+    let _e162 = b_2;
+    let _e168 = b_2;
+    b_2.even_2_ = ((_e157 * ((_e158 * _e159.odd_1_) - (c * _e162.even_1_))) - (0.5f * _e168.even_0_));
+    let _e173 = z_1;
+    let _e174 = q;
+    let _e175 = b_2;
+    let _e178 = b_2;
+    let _e184 = b_2;
+    b_2.odd_2_ = ((_e173 * ((_e174 * _e175.even_1_) - (c * _e178.odd_1_))) - (0.5f * _e184.odd_0_));
     b_2.offset = offset;
+    b_2.reach = reach;
     b_2.first = first;
     b_2.period = period;
     b_2.salt = salt;
     b_2.back = vec2<f32>(step.x, -(step.y));
-    let _e196 = b_2;
-    return _e196;
+    let _e198 = b_2;
+    return _e198;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -695,11 +697,11 @@ struct GaborLine {
     phase: vec2<f32>,
 }
 
-// What is left of the windows of line `index`, 0 to 4, as they fade over 0.3 kernel radii; of lines 1 to 3 all.
+// What is left of the windows of line `index` as they fade over a quarter of a node spacing.
 fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
     var fade_1: f32;
 
-    fade_1 = clamp((5.555556f - (2.222222f * abs((b.offset - f32(index))))), 0f, 1f);
+    fade_1 = clamp((4f * (b.reach - abs((b.offset - f32(index))))), 0f, 1f);
     let _e14 = fade_1;
     let _e15 = fade_1;
     let _e19 = fade_1;
@@ -803,7 +805,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
 }
 
 // The noise at a place, filtered by nine waves along each axis.
-fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, rows: i32, salt: u32) -> GaborField {
+fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, reach: f32, rows: i32, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var blurred_2: vec2<f32>;
     var c_4: vec2<f32>;
@@ -811,6 +813,8 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var r_1: f32;
     var lambda: f32;
     var weights_1: vec3<f32>;
+    var five: bool;
+    var local_14: f32;
     var first_2: vec2<f32>;
     var offset_1: vec2<f32>;
     var node: vec2<i32>;
@@ -832,190 +836,208 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, ro
     var exponent_1: f32;
     var x_4: vec2<f32>;
     var y_5: vec2<f32>;
-    var local_14: f32;
+    var local_15: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
-    let _e10 = gabor_impl_symmetric(s, wave);
-    blurred_2 = _e10;
-    let _e12 = m_1;
-    let _e13 = _e12.yx;
-    let _e19 = blurred_2;
-    let _e20 = gabor_impl_symmetric(vec3<f32>(_e13.x, _e13.y, -(s.z)), _e19);
-    let _e24 = m_1;
-    let _e26 = m_1;
-    c_4 = (_e20 / vec2(((s.z * s.z) - (_e24.x * _e26.y))));
-    let _e34 = m_1;
-    let _e36 = m_1;
-    rho = (s.z * inverseSqrt((_e34.x * _e36.y)));
-    let _e43 = rho;
+    let _e11 = gabor_impl_symmetric(s, wave);
+    blurred_2 = _e11;
+    let _e13 = m_1;
+    let _e14 = _e13.yx;
+    let _e20 = blurred_2;
+    let _e21 = gabor_impl_symmetric(vec3<f32>(_e14.x, _e14.y, -(s.z)), _e20);
+    let _e25 = m_1;
+    let _e27 = m_1;
+    c_4 = (_e21 / vec2(((s.z * s.z) - (_e25.x * _e27.y))));
+    let _e35 = m_1;
+    let _e37 = m_1;
+    rho = (s.z * inverseSqrt((_e35.x * _e37.y)));
     let _e44 = rho;
-    r_1 = sqrt((1f - (_e43 * _e44)));
-    let _e49 = rho;
-    let _e51 = r_1;
-    lambda = (_e49 / (1f + _e51));
-    let _e58 = lambda;
-    let _e61 = lambda;
-    let _e63 = lambda;
-    weights_1 = vec3<f32>(1f, (-2f * _e58), ((2f * _e61) * _e63));
-    first_2 = (floor((place.local + vec2(0.5f))) - vec2(2f));
-    let _e77 = first_2;
-    offset_1 = (place.local - _e77);
-    let _e81 = first_2;
-    node = (place.cell + vec2<i32>(_e81));
-    let _e91 = gabor_impl_wave((wave.x / 1.5f));
-    step_x = _e91;
-    let _e99 = gabor_impl_wave((wave.y / 1.5f));
-    step_y = _e99;
-    let _e101 = r_1;
-    let _e102 = m_1;
-    let _e105 = c_4;
-    let _e107 = offset_1;
-    let _e109 = node;
-    let _e113 = step_x;
-    let _e114 = gabor_impl_band((_e101 * _e102.x), _e105.x, _e107.x, _e109.x, place.period.x, salt, _e113);
-    across = _e114;
-    let _e116 = r_1;
-    let _e117 = m_1;
-    let _e120 = c_4;
-    let _e122 = offset_1;
-    let _e124 = node;
-    let _e130 = step_y;
-    let _e131 = gabor_impl_band((_e116 * _e117.y), _e120.y, _e122.y, _e124.y, place.period.y, (salt ^ 1540483477u), _e130);
-    along = _e131;
-    let _e136 = offset_1;
-    let _e141 = gabor_impl_wave((0.2f * (_e136.x + 1f)));
-    line_2.turn = _e141;
-    let _e143 = step_x;
-    line_2.phase = _e143;
-    let _e144 = line_2;
-    let _e145 = across;
-    let _e147 = across;
-    let _e149 = gabor_impl_fade(_e147, 0i);
-    let _e150 = gabor_impl_filtered_line(_e144, _e145, 0i, _e149);
-    c0_ = _e150;
-    let _e152 = c0_;
+    let _e45 = rho;
+    r_1 = sqrt((1f - (_e44 * _e45)));
+    let _e50 = rho;
+    let _e52 = r_1;
+    lambda = (_e50 / (1f + _e52));
+    let _e59 = lambda;
+    let _e62 = lambda;
+    let _e64 = lambda;
+    weights_1 = vec3<f32>(1f, (-2f * _e59), ((2f * _e62) * _e64));
+    five = (reach > 2f);
+    let _e72 = five;
+    if _e72 {
+        local_14 = 0.5f;
+    } else {
+        local_14 = 1f;
+    }
+    let _e76 = local_14;
+    first_2 = (floor((place.local + vec2(_e76))) - vec2(2f));
+    let _e85 = first_2;
+    offset_1 = (place.local - _e85);
+    let _e89 = first_2;
+    node = (place.cell + vec2<i32>(_e89));
+    let _e99 = gabor_impl_wave((wave.x / 1.5f));
+    step_x = _e99;
+    let _e107 = gabor_impl_wave((wave.y / 1.5f));
+    step_y = _e107;
+    let _e109 = r_1;
+    let _e110 = m_1;
+    let _e113 = c_4;
+    let _e115 = offset_1;
+    let _e117 = node;
+    let _e121 = step_x;
+    let _e122 = gabor_impl_band((_e109 * _e110.x), _e113.x, _e115.x, reach, _e117.x, place.period.x, salt, _e121);
+    across = _e122;
+    let _e124 = r_1;
+    let _e125 = m_1;
+    let _e128 = c_4;
+    let _e130 = offset_1;
+    let _e132 = node;
+    let _e138 = step_y;
+    let _e139 = gabor_impl_band((_e124 * _e125.y), _e128.y, _e130.y, reach, _e132.y, place.period.y, (salt ^ 1540483477u), _e138);
+    along = _e139;
+    let _e144 = offset_1;
+    let _e149 = gabor_impl_wave((0.2f * (_e144.x + 1f)));
+    line_2.turn = _e149;
+    let _e151 = step_x;
+    line_2.phase = _e151;
+    let _e152 = line_2;
     let _e153 = across;
-    let _e156 = gabor_impl_filtered_line(_e152, _e153, 1i, 1f);
-    c1_ = _e156;
-    let _e158 = c1_;
-    let _e159 = across;
-    let _e162 = gabor_impl_filtered_line(_e158, _e159, 2i, 1f);
-    c2_ = _e162;
-    let _e164 = c2_;
-    let _e165 = across;
-    let _e168 = gabor_impl_filtered_line(_e164, _e165, 3i, 1f);
-    c3_ = _e168;
-    let _e170 = c3_;
-    let _e171 = across;
+    let _e155 = across;
+    let _e157 = gabor_impl_fade(_e155, 0i);
+    let _e158 = gabor_impl_filtered_line(_e152, _e153, 0i, _e157);
+    c0_ = _e158;
+    let _e160 = c0_;
+    let _e161 = across;
+    let _e164 = gabor_impl_filtered_line(_e160, _e161, 1i, 1f);
+    c1_ = _e164;
+    let _e166 = c1_;
+    let _e167 = across;
+    let _e170 = gabor_impl_filtered_line(_e166, _e167, 2i, 1f);
+    c2_ = _e170;
+    let _e172 = c2_;
     let _e173 = across;
-    let _e175 = gabor_impl_fade(_e173, 4i);
-    let _e176 = gabor_impl_filtered_line(_e170, _e171, 4i, _e175);
-    c4_ = _e176;
-    let _e180 = offset_1;
-    let _e185 = gabor_impl_wave((0.2f * (_e180.y + 1f)));
-    line_2.turn = _e185;
-    let _e187 = offset_1;
-    let _e195 = gabor_impl_wave(dot(wave, (_e187 / vec2(1.5f))));
-    let _e196 = step_y;
-    let _e197 = gabor_impl_product(_e195, _e196);
-    line_2.phase = _e197;
+    let _e175 = across;
+    let _e177 = gabor_impl_fade(_e175, 3i);
+    let _e178 = gabor_impl_filtered_line(_e172, _e173, 3i, _e177);
+    c3_ = _e178;
+    let _e180 = c3_;
+    c4_ = _e180;
+    let _e182 = five;
+    if _e182 {
+        let _e183 = c3_;
+        let _e184 = across;
+        let _e186 = across;
+        let _e188 = gabor_impl_fade(_e186, 4i);
+        let _e189 = gabor_impl_filtered_line(_e183, _e184, 4i, _e188);
+        c4_ = _e189;
+    }
+    let _e192 = offset_1;
+    let _e197 = gabor_impl_wave((0.2f * (_e192.y + 1f)));
+    line_2.turn = _e197;
+    let _e199 = offset_1;
+    let _e207 = gabor_impl_wave(dot(wave, (_e199 / vec2(1.5f))));
+    let _e208 = step_y;
+    let _e209 = gabor_impl_product(_e207, _e208);
+    line_2.phase = _e209;
     loop {
         {
-            let _e209 = line_2;
-            let _e210 = along;
-            let _e211 = j_2;
-            let _e212 = along;
-            let _e213 = j_2;
-            let _e214 = gabor_impl_fade(_e212, _e213);
-            let _e215 = gabor_impl_filtered_line(_e209, _e210, _e211, _e214);
-            line_2 = _e215;
+            let _e221 = line_2;
+            let _e222 = along;
+            let _e223 = j_2;
+            let _e224 = along;
+            let _e225 = j_2;
+            let _e226 = gabor_impl_fade(_e224, _e225);
+            let _e227 = gabor_impl_filtered_line(_e221, _e222, _e223, _e226);
+            line_2 = _e227;
             row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e223 = c0_;
-            let _e224 = line_2;
-            gabor_impl_add_filtered((&row_2), _e223, _e224.word, place.animated, place.time);
-            let _e230 = c1_;
-            let _e231 = line_2;
-            gabor_impl_add_filtered((&row_2), _e230, _e231.word, place.animated, place.time);
-            let _e237 = c2_;
-            let _e238 = line_2;
-            gabor_impl_add_filtered((&row_2), _e237, _e238.word, place.animated, place.time);
-            let _e244 = c3_;
-            let _e245 = line_2;
-            gabor_impl_add_filtered((&row_2), _e244, _e245.word, place.animated, place.time);
-            let _e251 = c4_;
-            let _e252 = line_2;
-            gabor_impl_add_filtered((&row_2), _e251, _e252.word, place.animated, place.time);
-            let _e257 = value_6;
-            let _e258 = row_2;
-            let _e259 = line_2;
-            let _e261 = weights_1;
-            let _e262 = gabor_impl_contracted(_e258, _e259.window, _e261);
-            value_6 = (_e257 + _e262);
-            let _e264 = z_x;
-            let _e265 = row_2;
-            let _e266 = gabor_impl_next(_e265);
-            let _e267 = line_2;
-            let _e269 = weights_1;
-            let _e270 = gabor_impl_contracted(_e266, _e267.window, _e269);
-            z_x = (_e264 + _e270);
-            let _e272 = z_y;
-            let _e273 = row_2;
-            let _e274 = line_2;
-            let _e276 = gabor_impl_next(_e274.window);
-            let _e277 = weights_1;
-            let _e278 = gabor_impl_contracted(_e273, _e276, _e277);
-            z_y = (_e272 + _e278);
+            let _e235 = c0_;
+            let _e236 = line_2;
+            gabor_impl_add_filtered((&row_2), _e235, _e236.word, place.animated, place.time);
+            let _e242 = c1_;
+            let _e243 = line_2;
+            gabor_impl_add_filtered((&row_2), _e242, _e243.word, place.animated, place.time);
+            let _e249 = c2_;
+            let _e250 = line_2;
+            gabor_impl_add_filtered((&row_2), _e249, _e250.word, place.animated, place.time);
+            let _e256 = c3_;
+            let _e257 = line_2;
+            gabor_impl_add_filtered((&row_2), _e256, _e257.word, place.animated, place.time);
+            let _e262 = five;
+            if _e262 {
+                let _e264 = c4_;
+                let _e265 = line_2;
+                gabor_impl_add_filtered((&row_2), _e264, _e265.word, place.animated, place.time);
+            }
+            let _e270 = value_6;
+            let _e271 = row_2;
+            let _e272 = line_2;
+            let _e274 = weights_1;
+            let _e275 = gabor_impl_contracted(_e271, _e272.window, _e274);
+            value_6 = (_e270 + _e275);
+            let _e277 = z_x;
+            let _e278 = row_2;
+            let _e279 = gabor_impl_next(_e278);
+            let _e280 = line_2;
+            let _e282 = weights_1;
+            let _e283 = gabor_impl_contracted(_e279, _e280.window, _e282);
+            z_x = (_e277 + _e283);
+            let _e285 = z_y;
+            let _e286 = row_2;
+            let _e287 = line_2;
+            let _e289 = gabor_impl_next(_e287.window);
+            let _e290 = weights_1;
+            let _e291 = gabor_impl_contracted(_e286, _e289, _e290);
+            z_y = (_e285 + _e291);
         }
-        let _e280 = j_2;
-        let _e282 = (_e280 + 1i);
-        j_2 = _e282;
-        if !((_e282 < rows)) {
+        let _e293 = j_2;
+        let _e295 = (_e293 + 1i);
+        j_2 = _e295;
+        if !((_e295 < rows)) {
             break;
         }
     }
-    let _e286 = c_4;
-    let _e288 = blurred_2;
-    let _e290 = r_1;
-    let _e291 = m_1;
-    let _e292 = c_4;
-    let _e293 = c_4;
-    exponent_1 = (19.739208f * (dot((wave + _e286), _e288) + (_e290 * dot(_e291, (_e292 * _e293)))));
-    let _e302 = c_4;
-    let _e305 = value_6;
-    let _e308 = r_1;
-    let _e310 = m_1;
-    let _e314 = z_x;
-    let _e315 = lambda;
-    let _e316 = z_y;
-    x_4 = (6.2831855f * (((wave.x + _e302.x) * _e305) + (inverseSqrt(((39.478416f * _e308) * _e310.x)) * (_e314 - (_e315 * _e316)))));
-    let _e325 = c_4;
-    let _e328 = value_6;
-    let _e331 = r_1;
-    let _e333 = m_1;
-    let _e337 = z_y;
-    let _e338 = lambda;
-    let _e339 = z_x;
-    y_5 = (6.2831855f * (((wave.y + _e325.y) * _e328) + (inverseSqrt(((39.478416f * _e331) * _e333.y)) * (_e337 - (_e338 * _e339)))));
-    let _e347 = lambda;
-    let _e348 = lambda;
-    let _e352 = exponent_1;
+    let _e299 = c_4;
+    let _e301 = blurred_2;
+    let _e303 = r_1;
+    let _e304 = m_1;
+    let _e305 = c_4;
+    let _e306 = c_4;
+    exponent_1 = (19.739208f * (dot((wave + _e299), _e301) + (_e303 * dot(_e304, (_e305 * _e306)))));
+    let _e315 = c_4;
+    let _e318 = value_6;
+    let _e321 = r_1;
+    let _e323 = m_1;
+    let _e327 = z_x;
+    let _e328 = lambda;
+    let _e329 = z_y;
+    x_4 = (6.2831855f * (((wave.x + _e315.x) * _e318) + (inverseSqrt(((39.478416f * _e321) * _e323.x)) * (_e327 - (_e328 * _e329)))));
+    let _e338 = c_4;
+    let _e341 = value_6;
+    let _e344 = r_1;
+    let _e346 = m_1;
+    let _e350 = z_y;
+    let _e351 = lambda;
+    let _e352 = z_x;
+    y_5 = (6.2831855f * (((wave.y + _e338.y) * _e341) + (inverseSqrt(((39.478416f * _e344) * _e346.y)) * (_e350 - (_e351 * _e352)))));
+    let _e360 = lambda;
+    let _e361 = lambda;
+    let _e365 = exponent_1;
     if false {
-        local_14 = 1f;
+        local_15 = 1f;
     } else {
-        local_14 = 1.125f;
+        local_15 = 1.125f;
     }
-    let _e366 = local_14;
-    scale_1 = ((sqrt((1f - (_e347 * _e348))) * exp(-(_e352))) / (1459955300000000000000000000f * _e366));
-    let _e370 = scale_1;
-    let _e371 = value_6;
-    let _e373 = scale_1;
-    let _e374 = x_4;
-    let _e377 = x_4;
-    let _e381 = scale_1;
-    let _e382 = y_5;
-    let _e385 = y_5;
-    return GaborField((_e370 * _e371), (_e373 * vec2<f32>(-(_e374.y), _e377.x)), (_e381 * vec2<f32>(-(_e382.y), _e385.x)));
+    let _e379 = local_15;
+    scale_1 = ((sqrt((1f - (_e360 * _e361))) * exp(-(_e365))) / (1459955300000000000000000000f * _e379));
+    let _e383 = scale_1;
+    let _e384 = value_6;
+    let _e386 = scale_1;
+    let _e387 = x_4;
+    let _e390 = x_4;
+    let _e394 = scale_1;
+    let _e395 = y_5;
+    let _e398 = y_5;
+    return GaborField((_e383 * _e384), (_e386 * vec2<f32>(-(_e387.y), _e390.x)), (_e394 * vec2<f32>(-(_e395.y), _e398.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -1030,10 +1052,13 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var s_4: vec3<f32>;
     var salt_7: u32;
     var amplitude_3: f32 = 1f;
+    var deviation: f32;
     var wide: f32;
     var share_1: f32;
     var share_2: f32;
-    var local_15: i32;
+    var reach_2: f32;
+    var local_16: i32;
+    var local_17: i32;
     var rows_2: i32;
 
     kernel_7 = kernel;
@@ -1062,56 +1087,68 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
         let _e52 = gabor_impl_transmitted(_e50, _e51);
         amplitude_3 = (_e48 * sqrt((_e49 / _e52)));
     }
-    let _e57 = s_4;
-    let _e59 = s_4;
-    wide = clamp(((33.333332f * sqrt(max(_e57.x, _e59.y))) - 2.6666667f), 0f, 1f);
-    let _e70 = wide;
-    if (_e70 < 1f) {
+    let _e56 = s_4;
+    let _e58 = s_4;
+    deviation = sqrt(max(_e56.x, _e58.y));
+    let _e64 = deviation;
+    wide = clamp(((33.333332f * _e64) - 2.6666667f), 0f, 1f);
+    let _e72 = wide;
+    if (_e72 < 1f) {
         {
-            let _e74 = wide;
-            let _e76 = amplitude_3;
-            share_1 = ((1f - _e74) * _e76);
-            let _e80 = wave_7;
-            let _e81 = s_4;
-            let _e82 = salt_7;
-            let _e83 = gabor_impl_filtered_narrow(place, _e80, _e81, _e82);
-            let _e84 = share_1;
-            let _e85 = share_1;
-            gabor_impl_accumulate((&sum_8), _e83, _e84, _e85);
+            let _e76 = wide;
+            let _e78 = amplitude_3;
+            share_1 = ((1f - _e76) * _e78);
+            let _e82 = wave_7;
+            let _e83 = s_4;
+            let _e84 = salt_7;
+            let _e85 = gabor_impl_filtered_narrow(place, _e82, _e83, _e84);
+            let _e86 = share_1;
+            let _e87 = share_1;
+            gabor_impl_accumulate((&sum_8), _e85, _e86, _e87);
         }
     }
-    let _e87 = wide;
-    if (_e87 > 0f) {
+    let _e89 = wide;
+    if (_e89 > 0f) {
         {
-            let _e90 = wide;
-            let _e91 = amplitude_3;
-            share_2 = (_e90 * _e91);
-            let _e94 = wide;
-            if (_e94 > 0f) {
-                local_15 = 5i;
+            let _e92 = wide;
+            let _e93 = amplitude_3;
+            share_2 = (_e92 * _e93);
+            let _e98 = deviation;
+            reach_2 = clamp((0.5f + (5f * _e98)), 2f, 2.5f);
+            let _e105 = wide;
+            if (_e105 > 0f) {
+                let _e108 = reach_2;
+                if (_e108 > 2f) {
+                    local_16 = 5i;
+                } else {
+                    local_16 = 4i;
+                }
+                let _e114 = local_16;
+                local_17 = _e114;
             } else {
-                local_15 = 0i;
+                local_17 = 0i;
             }
-            let _e100 = local_15;
-            rows_2 = _e100;
-            let _e103 = wave_7;
-            let _e104 = s_4;
-            let _e105 = rows_2;
-            let _e106 = salt_7;
-            let _e107 = gabor_impl_filtered_wide(place, _e103, _e104, _e105, _e106);
-            let _e108 = share_2;
-            let _e109 = share_2;
-            gabor_impl_accumulate((&sum_8), _e107, _e108, _e109);
+            let _e117 = local_17;
+            rows_2 = _e117;
+            let _e120 = wave_7;
+            let _e121 = s_4;
+            let _e122 = reach_2;
+            let _e123 = rows_2;
+            let _e124 = salt_7;
+            let _e125 = gabor_impl_filtered_wide(place, _e120, _e121, _e122, _e123, _e124);
+            let _e126 = share_2;
+            let _e127 = share_2;
+            gabor_impl_accumulate((&sum_8), _e125, _e126, _e127);
         }
     }
-    let _e112 = sum_8;
-    let _e114 = stretch_1;
-    sum_8.slope_x = (_e112.slope_x * _e114.x);
-    let _e118 = sum_8;
-    let _e120 = stretch_1;
-    sum_8.slope_y = (_e118.slope_y * _e120.y);
-    let _e123 = sum_8;
-    return _e123;
+    let _e130 = sum_8;
+    let _e132 = stretch_1;
+    sum_8.slope_x = (_e130.slope_x * _e132.x);
+    let _e136 = sum_8;
+    let _e138 = stretch_1;
+    sum_8.slope_y = (_e136.slope_y * _e138.y);
+    let _e141 = sum_8;
+    return _e141;
 }
 
 // A lobe of waves around one wave vector.
@@ -1353,7 +1390,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side: f32;
     var smaller: f32;
-    var local_16: f32;
+    var local_18: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1408,11 +1445,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller;
                 let _e113 = apart;
-                local_16 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_18 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_16 = 0f;
+                local_18 = 0f;
             }
-            let _e117 = local_16;
+            let _e117 = local_18;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller;
             let _e125 = axis_2;
@@ -1432,8 +1469,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on, with 25, about 4.2
-// times; both in between. Where compilers run both sides of a branch, as for CPUs, 5 and 7 times.
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on 3.3 times, with 16;
+// both in between; and from 0.6 on 4.2 times, with 25. Where compilers run both sides of a branch, as for CPUs, 5 and 7
+// times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -1466,7 +1504,7 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four_1: vec4<f32>;
     var i_4: i32 = 0i;
-    var local_17: u32;
+    var local_19: u32;
     var noise_1: vec4<f32>;
 
     loop {
@@ -1477,13 +1515,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_4;
             if (_e17 == 0i) {
-                local_17 = seed;
+                local_19 = seed;
             } else {
                 let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_17 = _e22;
+                local_19 = _e22;
             }
-            let _e24 = local_17;
+            let _e24 = local_19;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
             let _e27 = i_4;
@@ -1510,7 +1548,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var lobe_1: GaborLobe;
     var unit_1: f32;
     var noise_2: vec4<f32>;
-    var local_18: vec4<f32>;
+    var local_20: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1558,11 +1596,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e76 = power_2;
         let _e78 = vec3(inverseSqrt(_e76));
         let _e80 = power_2;
-        local_18 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
+        local_20 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
     } else {
-        local_18 = vec4(0f);
+        local_20 = vec4(0f);
     }
-    let _e90 = local_18;
+    let _e90 = local_20;
     return _e90;
 }
 
