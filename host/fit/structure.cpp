@@ -21,7 +21,9 @@ void Structure::add_row(std::span<const float> row) {
     std::ranges::copy(row, row_.begin());
     if (++count_ < 4)
         return;
-    const auto& [below, here, above] = rows_;
+    const auto& below = rows_[0];
+    const auto& here = rows_[1];
+    const auto& above = rows_[2];
     const auto add = [&](statistics::Moments& moments, auto derivative) {
         for (std::size_t x = 0; x < derivatives_.size(); ++x)
             derivatives_[x] = derivative(x + 1);

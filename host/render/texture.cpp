@@ -47,7 +47,7 @@ void check_texture(const Request& request, const image::Window& region) {
 }
 
 int drawn_levels(const image::Window& region) {
-    return std::bit_width(static_cast<unsigned>(std::min(region.width, region.height)));
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::min(region.width, region.height))));
 }
 
 // Pixel centres are at (i + 0.5) / scale, so that this is the same noise under larger pixels.
