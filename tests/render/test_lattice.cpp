@@ -33,7 +33,7 @@ LatticeSample draw_sample(Draw& draw, int taps) {
         if (draw.word() % 4 == 0)
             local = std::nextafter(0.5f * std::round(2 * local), draw.word() % 2 ? 1e9f : -1e9f);
         s.radius[axis] = radius * draw.uniform(0.8, 1.3);
-        s.period[axis] = draw.word() % 2 ? static_cast<std::int32_t>(taps + draw.word() % 50) : 0;
+        s.period[axis] = draw.word() % 2 ? taps + static_cast<std::int32_t>(draw.word() % 50) : 0;
         s.tile[axis] = draw.word() % 4 ? draw.uniform(0.1, 20) : std::round(draw.uniform(1, 20));
     }
     s.animated = draw.word() % 2;

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t channels = render::material_channels.size();
 constexpr std::size_t height_channel = 3;
-constexpr std::size_t means = 4; // colour and height
 
 // Draws a material, sharp or filtered.
 class Drawing {
@@ -117,7 +116,7 @@ void compare(const vulkan::Device& device, std::string_view material) {
         for (std::size_t i = 0; i < picture.size(); i += channels) {
             for (std::size_t k = 0; k < channels; ++k)
                 REQUIRE(std::isfinite(picture[i + k]));
-            for (const std::size_t k : {0, 1, 2, 4, 5})
+            for (const std::size_t k : {0u, 1u, 2u, 4u, 5u})
                 REQUIRE((picture[i + k] >= 0 && picture[i + k] <= 1));
         }
 
