@@ -321,7 +321,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, float r
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
     vec3 weights = vec3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
-    bool five = reach > 2.0;
+    bool five = rows == 5;
     vec2 first = floor(place.local + (five ? 0.5 : 1.0)) - 2.0;
     vec2 offset = place.local - first;
     ivec2 node = place.cell + ivec2(first);

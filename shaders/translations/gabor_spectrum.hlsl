@@ -338,7 +338,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, flo
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
     float3 weights = float3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
-    bool five = reach > 2.0;
+    bool five = rows == 5;
     float2 first = floor(place.local + (five ? 0.5 : 1.0)) - 2.0;
     float2 offset = place.local - first;
     int2 node = place.cell + (int2)(first);

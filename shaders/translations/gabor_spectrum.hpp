@@ -320,7 +320,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     float r = gabor_cpp_sqrt(1.0f - rho * rho);
     float lambda = rho / (1.0f + r);
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * lambda, 2.0f * lambda * lambda);
-    bool five = reach > 2.0f;
+    bool five = rows == 5;
     gabor_vec2 first = gabor_cpp_floor(place.local + (five ? 0.5f : 1.0f)) - 2.0f;
     gabor_vec2 offset = place.local - first;
     gabor_ivec2 node = place.cell + gabor_ivec2(first);

@@ -862,7 +862,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, re
     let _e62 = lambda;
     let _e64 = lambda;
     weights_1 = vec3<f32>(1f, (-2f * _e59), ((2f * _e62) * _e64));
-    five = (reach > 2f);
+    five = (rows == 5i);
     let _e72 = five;
     if _e72 {
         local_14 = 0.5f;

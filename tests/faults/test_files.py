@@ -120,7 +120,7 @@ class Studies(ProgramTest):
             self.assertEqual([path.name for path in (self.folder / "broken").iterdir()], [f"{STUDY}.csv"])
             shutil.rmtree(self.folder / "broken")
             tables += 1
-            if kills == earlier: # none came in time: the whole one was slower, on a machine that had other work
+            if kills == earlier:  # none came in time: the whole one was slower, on a machine that had other work
                 duration /= 2
         print(f"{kills} times ended, {tables} tables complete")
 

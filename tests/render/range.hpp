@@ -17,7 +17,10 @@
 namespace gabor::test {
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
-inline constexpr float world = 2147483520; // the last float below 2^31
+inline constexpr float world = 2147483520; ///< the last float below 2^31
+
+/// No noise of variance 1 made of so few impulses or nodes is as large as this.
+inline constexpr float largest_noise = 40;
 
 inline constexpr float edges[] = {0,
                                   std::numeric_limits<float>::denorm_min(),
@@ -63,11 +66,12 @@ inline constexpr std::int32_t cell_edges[] = {0,
                                               std::numeric_limits<std::int32_t>::min(),
                                               std::numeric_limits<std::int32_t>::min() + 1};
 
+/// Draws arguments: floats, words and cells.
 class AnyFloat {
   public:
     std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
 
-    // Half of them edges of either sign, half any bits at all.
+    /// Half of them edges of either sign, half any bits at all.
     float any() {
         if (word() % 2)
             return std::bit_cast<float>(word());
@@ -75,7 +79,7 @@ class AnyFloat {
         return word() % 2 ? -edge : edge;
     }
 
-    // Of those only what is within [-most, most].
+    /// Of those only what is within [-most, most], with infinity all but NaN.
     float within(float most) {
         float value = any();
         while (!(std::abs(value) <= most))

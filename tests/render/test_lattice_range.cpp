@@ -18,9 +18,6 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// No noise of variance 1 made of so few nodes is as large as this.
-constexpr float largest_noise = 40;
-
 // Asks each number of taps for samples made by `make` and checks all answers.
 template <typename Make>
 void check_finite(Make make) {
@@ -44,13 +41,13 @@ void check_finite(Make make) {
                   std::span<const float>(a.four), std::span<const float>(&a.noise, 1),
                   std::span<const float>(&a.tiled, 1), std::span<const float>(&a.animated, 1),
                   std::span<const float>(&a.at, 1)})
-                broken[0].see(values, largest_noise, sample);
+                broken[0].see(values, test::largest_noise, sample);
             const float any = std::numeric_limits<float>::max();
             broken[1].see(a.slope_x, any, sample);
             broken[1].see(a.slope_y, any, sample);
             broken[1].see(a.gradient, any, sample);
             broken[2].see({&a.unorm, 1}, 1, sample);
-            broken[3].see(a.phasor, largest_noise, sample);
+            broken[3].see(a.phasor, test::largest_noise, sample);
         }
         for (const test::Broken& function : broken) {
             INFO(taps << " taps, " << function.function << ": " << function.where);
@@ -59,18 +56,11 @@ void check_finite(Make make) {
     }
 }
 
-float number(test::AnyFloat& draw) {
-    float value = draw.any();
-    while (std::isnan(value))
-        value = draw.any();
-    return value;
-}
-
 } // namespace
 
 TEST_CASE("any frequency and any finite orientation give a finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float) {
-        s.frequency = number(draw);
+        s.frequency = draw.within(test::infinity);
         s.orientation = draw.within(std::numeric_limits<float>::max());
     });
 }
@@ -91,7 +81,7 @@ TEST_CASE("any cell, any place of the world and any finite time give a finite no
 TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
         for (int axis = 0; axis < 2; ++axis) {
-            s.tile[axis] = number(draw);
+            s.tile[axis] = draw.within(test::infinity);
             // As far as positions in nodes do not overflow: see docs/gallery.md.
             s.p[axis] =
                 draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / (2 * nodes)));

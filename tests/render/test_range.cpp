@@ -18,9 +18,6 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// No noise of variance 1 made of so few impulses is as large as this.
-constexpr float largest_noise = 40;
-
 // Asks for samples made by `make` and checks all answers.
 template <typename Make>
 void check_finite(const noise::Recipe& recipe, Make make) {
@@ -43,16 +40,16 @@ void check_finite(const noise::Recipe& recipe, Make make) {
             // A slope is as large as the wave turns, 10^6 times at most. What is not the noise itself is only
             // promised to be finite: with sines for a kernel its quadrature grows where the frequency falls.
             const float any = std::numeric_limits<float>::max();
-            broken[0].see({&a.value[1], 1}, largest_noise, sample);
+            broken[0].see({&a.value[1], 1}, test::largest_noise, sample);
             broken[1].see(a.value, any, sample);
             broken[2].see(a.slope_x, any, sample);
             broken[2].see(a.slope_y, any, sample);
-            broken[3].see({&a.at, 1}, largest_noise, sample);
-            broken[4].see({&a.noise, 1}, largest_noise, sample);
+            broken[3].see({&a.at, 1}, test::largest_noise, sample);
+            broken[4].see({&a.noise, 1}, test::largest_noise, sample);
             broken[5].see(a.complex, any, sample);
             broken[6].see(a.gradient, any, sample);
-            broken[7].see({&a.tiled, 1}, largest_noise, sample);
-            broken[8].see({&a.animated, 1}, largest_noise, sample);
+            broken[7].see({&a.tiled, 1}, test::largest_noise, sample);
+            broken[8].see({&a.animated, 1}, test::largest_noise, sample);
             broken[9].see({&a.unorm, 1}, 1, sample);
             broken[10].see(a.phasor, any, sample);
         }

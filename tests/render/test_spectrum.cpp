@@ -475,7 +475,7 @@ TEST_CASE("any footprint and any frequency give a finite filtered noise", "[filt
         const Sample& s = sampler.samples()[i];
         const auto [value, removed] = answers[i].filtered;
         INFO(to_string(s) << ": " << value << ", " << removed);
-        REQUIRE(std::abs(value) < 40);
+        REQUIRE(std::abs(value) < test::largest_noise);
         REQUIRE((removed >= 0 && removed <= 1));
         if (std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1])) < 1.1e3)
             continue;
