@@ -1,3 +1,4 @@
+// clang-format off
 // gabor_lattice.hpp: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice: for C++ on the CPU.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.

@@ -1,3 +1,4 @@
+// clang-format off
 // gabor_lattice_3d.hpp: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
 // after gabor_lattice.hpp; every name that it adds begins with gabor_, Gabor or GABOR_: for C++ on the CPU.
 //

@@ -1,3 +1,4 @@
+// clang-format off
 // gabor_materials.hpp: materials made of Gabor noise. Include it after gabor_lattice.hpp and gabor_spectrum.hpp: for C++ on the CPU.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.

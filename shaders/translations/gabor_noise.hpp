@@ -1,3 +1,4 @@
+// clang-format off
 // gabor_noise.hpp: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. Paste or include it after
 // `#version`: GLSL 450, 330 core or 300 es. gabor_lattice.hpp has the same calls, is faster, and is normal at every
 // place: use this file for the paper's noise itself. The functions to call stand at its end. Every name begins with

@@ -1,3 +1,4 @@
+// clang-format off
 // gabor_spectrum.hpp: Gabor noise of any power spectrum, and without aliasing. Include it after gabor_lattice.hpp: for C++ on the CPU.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
