@@ -138,12 +138,12 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 //
 // Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
 // the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
-// deviation while the filter's is at most 0.11 radii. With w = 5/3 the nine waves a = -4 ... 4 have room for what the
-// filter widens, up to a deviation of 0.5, with five nodes along the axis; up to 0.3 four nodes within 4/3 will do. From
-// 0.08 to 0.11 one takes over from the other. These are the windows of GABOR_TAPS 3.
+// deviation while the filter's is at most 0.1 radii. The seven waves a = -3 ... 3 have room for what the filter widens,
+// with w = 4/3 and four nodes along the axis up to a deviation of 0.33 along it, with w up to 5/3 and five nodes
+// beyond. From 0.09 to 0.1 seven waves take over from three. These are the windows of GABOR_TAPS 3.
 //
 // The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
-// For nine, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
+// For seven, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
 // variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F of the
 // filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
 // g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
@@ -214,52 +214,62 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, vec2(1.0));
 }
 
-// Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
+// Of seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     vec3 real;
     vec3 imaginary;
 };
 
-// An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
-// q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor,
+// mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with q = 1 / 2w, 2 / 2w and 3 / 2w.
 struct GaborBand {
     vec3 mean;
-    vec4 even_0, even_1, even_2;
-    vec4 odd_0, odd_1, odd_2;
+    vec3 even_0;
+    vec3 even_1;
+    vec3 even_2;
+    vec3 odd_0;
+    vec3 odd_1;
+    vec3 odd_2;
+    float reach;  // w, in node spacings
     float offset; // from the first of its nodes, in node spacings
-    float reach;  // of nodes that count, in node spacings
     int first;
     int period;
     uint salt;
-    vec2 back; // what the wave turns from one node to the next
+    vec2 turn_back; // of the wave of 1 / 2w cycles from one node to the next
+    vec2 back;      // of the noise's wave
 };
 
-// With the windows, less their common factor e^(-g c^2); `m` is r M.
-GaborBand gabor_impl_band(float m, float c, float offset, float reach, int first, int period, uint salt, vec2 step) {
+// With the windows, less their common factor e^(-g c^2), for a filter of a given deviation along the axis; `m` is r M.
+GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, vec2 step) {
     GaborBand b;
-    float g = 19.739209 * m;
-    float fall = exp(0.23217617 - 1.7765288 * m); // e^(-2 pi^2 (m - v) 0.3^2)
-    float fall_4 = fall * fall * fall * fall;
-    float rise = exp(0.6 * g * c), sink = 1.0 / rise;
-    vec4 wave = vec4(0.23650835, 0.1063056, 0.01392097, -0.00794986); // H(q) / 2w
-    wave *= vec4(fall, fall_4, fall_4 * fall_4 * fall, fall_4 * fall_4 * fall_4 * fall_4);
-    vec4 above = wave * vec4(rise, rise * rise, rise * rise * rise, rise * rise * (rise * rise));
-    vec4 below = wave * vec4(sink, sink * sink, sink * sink * sink, sink * sink * (sink * sink));
-    vec4 q = vec4(0.3, 0.6, 0.9, 1.2);
-    float z = sqrt(2.0 * g);
-    b.mean = 0.3 * vec3(1.0, -z * c, z * c * z * c - 0.5);
-    b.even_0 = above + below;
-    b.odd_0 = above - below;
-    b.even_1 = z * (q * b.odd_0 - c * b.even_0);
-    b.odd_1 = z * (q * b.even_0 - c * b.odd_0);
-    b.even_2 = z * (q * b.odd_1 - c * b.even_1) - 0.5 * b.even_0;
-    b.odd_2 = z * (q * b.even_1 - c * b.odd_1) - 0.5 * b.odd_0;
-    b.offset = offset;
-    b.reach = reach;
-    b.first = first;
+    b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
+    float zero = floor(local + (b.reach > 2.0 ? 0.5 : 1.0)) - 2.0;
+    b.offset = local - zero;
+    b.first = cell + int(zero);
     b.period = period;
     b.salt = salt;
+    b.turn_back = gabor_impl_wave(-0.5 / b.reach);
     b.back = vec2(step.x, -step.y);
+
+    float g = 19.739209 * m, unit = 0.75 / b.reach;
+    float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
+    float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
+    float t = b.reach - 2.0; // H(q) / 2w, within 0.00024
+    vec3 wave = vec3(0.25723323, 0.06366198, -0.00923401)
+              + t * (vec3(-0.03099653, 0.11426109, 0.02659126) - t * vec3(0.0214304, 0.05809383, -0.0403848));
+    float fall_4 = fall * fall * (fall * fall);
+    wave *= vec3(fall, fall_4, fall_4 * fall_4 * fall);
+    vec3 above = wave * vec3(rise, rise * rise, rise * rise * rise);
+    vec3 below = wave * vec3(sink, sink * sink, sink * sink * sink);
+    vec3 q = unit * vec3(1.0, 2.0, 3.0);
+    float half_variance = 0.25 / g;
+    b.mean = unit * vec3(1.0, -c, c * c - half_variance);
+    b.even_0 = above + below;
+    b.odd_0 = above - below;
+    b.even_1 = q * b.odd_0 - c * b.even_0;
+    b.odd_1 = q * b.even_0 - c * b.odd_0;
+    b.even_2 = q * b.odd_1 - c * b.even_1 - half_variance * b.even_0;
+    b.odd_2 = q * b.even_1 - c * b.odd_1 - half_variance * b.odd_0;
     return b;
 }
 
@@ -267,7 +277,7 @@ GaborBand gabor_impl_band(float m, float c, float offset, float reach, int first
 struct GaborLine {
     uint word;
     GaborFactors window;
-    vec2 turn;  // e^(2 pi i 0.3 d)
+    vec2 turn;  // e^(2 pi i d / 2w)
     vec2 phase; // of the noise's wave
 };
 
@@ -277,21 +287,27 @@ float gabor_impl_fade(GaborBand b, int index) {
     return fade * fade * (3.0 - 2.0 * fade);
 }
 
-// Line `index` from the turn and the phase of the one before.
-GaborLine gabor_impl_filtered_line(GaborLine line, GaborBand b, int index, float fade) {
+// Line `index` from its turn and phase.
+GaborLine gabor_impl_filtered_line(GaborBand b, int index, vec2 turn, vec2 phase, float fade) {
+    GaborLine line;
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
-    line.turn = gabor_impl_product(line.turn, vec2(0.30901699, -0.95105652)); // 2/3 of a kernel radius
-    line.phase = gabor_impl_product(line.phase, b.back);
-    vec2 two = gabor_impl_product(line.turn, line.turn);
-    vec2 three = gabor_impl_product(two, line.turn);
-    vec2 four = gabor_impl_product(two, two);
-    vec4 cosine = vec4(line.turn.x, two.x, three.x, four.x);
-    vec4 sine = vec4(line.turn.y, two.y, three.y, four.y);
+    line.turn = turn;
+    line.phase = phase;
+    vec2 two = 2.0 * turn.x * turn - vec2(1.0, 0.0);
+    vec2 three = 2.0 * turn.x * two - turn;
+    vec3 cosine = vec3(turn.x, two.x, three.x);
+    vec3 sine = vec3(turn.y, two.y, three.y);
     vec3 real = b.mean + vec3(dot(b.even_0, cosine), dot(b.even_1, cosine), dot(b.even_2, cosine));
     vec3 imaginary = vec3(dot(b.odd_0, sine), dot(b.odd_1, sine), dot(b.odd_2, sine));
-    vec2 phase = fade * line.phase;
+    phase *= fade;
     line.window = GaborFactors(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
     return line;
+}
+
+// Line `index` from the one before.
+GaborLine gabor_impl_next_line(GaborLine line, GaborBand b, int index, float fade) {
+    return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
+                                    gabor_impl_product(line.phase, b.back), fade);
 }
 
 // Adds a node to the sums of a row.
@@ -312,39 +328,39 @@ vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights) {
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The noise at a place, filtered by nine waves along each axis.
-GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, float reach, int rows, uint salt) {
+// The noise at a place, filtered by seven waves along each axis; not at all if it is not `wanted`.
+GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wanted, uint salt) {
     vec2 m = s.xy + 0.13069097; // v
+    vec2 deviation = sqrt(s.xy);
     vec2 blurred = gabor_impl_symmetric(s, wave);
     vec2 c = gabor_impl_symmetric(vec3(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
     float rho = s.z * inversesqrt(m.x * m.y);
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
-    vec3 weights = vec3(1.0, -2.0 * lambda, 2.0 * lambda * lambda);
-    bool five = rows == 5;
-    vec2 first = floor(place.local + (five ? 0.5 : 1.0)) - 2.0;
-    vec2 offset = place.local - first;
-    ivec2 node = place.cell + ivec2(first);
+    float mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
+    vec3 weights = vec3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborBand across = gabor_impl_band(r * m.x, c.x, offset.x, reach, node.x, place.period.x, salt, step_x);
-    GaborBand along = gabor_impl_band(r * m.y, c.y, offset.y, reach, node.y, place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                      step_y);
-    GaborLine line;
-    line.turn = gabor_impl_wave(0.2 * (offset.x + 1.0));
-    line.phase = step_x;
-    GaborLine c0 = gabor_impl_filtered_line(line, across, 0, gabor_impl_fade(across, 0));
-    GaborLine c1 = gabor_impl_filtered_line(c0, across, 1, 1.0);
-    GaborLine c2 = gabor_impl_filtered_line(c1, across, 2, 1.0);
-    GaborLine c3 = gabor_impl_filtered_line(c2, across, 3, gabor_impl_fade(across, 3));
+    GaborBand across = gabor_impl_band(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
+                                       step_x);
+    GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
+                                      salt ^ GABOR_IMPL_ROWS, step_y);
+    bool five = across.reach > 2.0;
+    vec2 turn = gabor_impl_wave(0.5 / across.reach * across.offset);
+    GaborLine c0 = gabor_impl_filtered_line(across, 0, turn, vec2(1.0, 0.0), gabor_impl_fade(across, 0));
+    GaborLine c1 = gabor_impl_next_line(c0, across, 1, 1.0);
+    GaborLine c2 = gabor_impl_next_line(c1, across, 2, 1.0);
+    GaborLine c3 = gabor_impl_next_line(c2, across, 3, gabor_impl_fade(across, 3));
     GaborLine c4 = c3;
-    if (five) c4 = gabor_impl_filtered_line(c3, across, 4, gabor_impl_fade(across, 4));
-    line.turn = gabor_impl_wave(0.2 * (offset.y + 1.0));
-    line.phase = gabor_impl_product(gabor_impl_wave(dot(wave, offset / GABOR_RADIUS)), step_y);
-    vec2 value = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0);
+    if (five) c4 = gabor_impl_next_line(c3, across, 4, gabor_impl_fade(across, 4));
+    GaborLine line; // the one before the first row
+    line.turn = gabor_impl_wave(0.5 / along.reach * (along.offset + 1.0));
+    line.phase = gabor_impl_wave(dot(wave, vec2(across.offset, along.offset + 1.0)) / GABOR_RADIUS);
+    int rows = wanted ? (along.reach > 2.0 ? 5 : 4) : 0; // for compilers that run both sides of a branch
+    vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {
-        line = gabor_impl_filtered_line(line, along, j, gabor_impl_fade(along, j));
+        line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
         GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
         gabor_impl_add_filtered(row, c0, line.word, place.animated, place.time);
         gabor_impl_add_filtered(row, c1, line.word, place.animated, place.time);
@@ -352,14 +368,15 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, float r
         gabor_impl_add_filtered(row, c3, line.word, place.animated, place.time);
         if (five) gabor_impl_add_filtered(row, c4, line.word, place.animated, place.time);
         value += gabor_impl_contracted(row, line.window, weights);
-        z_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
-        z_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
-    // Derivatives are q = c + z / sqrt(4 pi^2 r M) times the waves: z times a factor is the next one, which the third
-    // lacks, and the one before times 1/2 or 1. Along x the sums of both are z_x and -lambda z_y.
-    vec2 x = 6.2831853 * ((wave.x + c.x) * value + inversesqrt(39.478418 * r * m.x) * (z_x - lambda * z_y));
-    vec2 y = 6.2831853 * ((wave.y + c.y) * value + inversesqrt(39.478418 * r * m.y) * (z_y - lambda * z_x));
+    // A derivative is 2 pi i (F + q) times a wave, and of the factors f_0, f_1, f_2 of an axis (q - c) f_n is the next,
+    // which the third lacks, and n / 4g times the one before.
+    vec2 mean = wave + c, before = lambda * sqrt(m.yx / m);
+    vec2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
+    vec2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
     float scale = sqrt(1.0 - lambda * lambda) * exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     return GaborField(scale * value, scale * vec2(-x.y, x.x), scale * vec2(-y.y, y.x));
 }
@@ -382,16 +399,14 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootp
     if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     float deviation = sqrt(max(s.x, s.y));
-    float wide = clamp(33.333333 * deviation - 2.6666667, 0.0, 1.0);
+    float wide = clamp(100.0 * deviation - 9.0, 0.0, 1.0);
     if (wide < 1.0) {
         float share = (1.0 - wide) * amplitude;
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
     }
     if (wide > 0.0) {
         float share = wide * amplitude;
-        float reach = clamp(0.5 + 5.0 * deviation, 2.0, 2.5);
-        int rows = wide > 0.0 ? (reach > 2.0 ? 5 : 4) : 0; // for compilers that run both sides of a branch
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, reach, rows, salt), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), share, share);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -494,9 +509,9 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on 3.3 times, with 16;
-// both in between; and from 0.6 on 4.2 times, with 25. Where compilers run both sides of a branch, as for CPUs, 5 and 7
-// times.
+// Cost: on GPUs 1.7 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.9 times, with
+// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 4.4 times, along both 25 and 4.9 times. Where
+// compilers run both sides of a branch, as for CPUs, 3 and 5 times.
 vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     float removed;
     GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS),

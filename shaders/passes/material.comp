@@ -27,19 +27,21 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     return GABOR_MATERIAL(p, seed);
 }
 
-// A plane through space on which the material lies.
+// A plane through space on which the material lies, and its origin's place on the material: far from that of other
+// planes, which would mirror each other where they meet.
 struct Plane {
     vec3 right;
     vec3 down;
+    vec2 origin;
 };
 
 Plane plane_along(int axis) {
     return Plane(axis == 0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
-                 axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0));
+                 axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0), vec2(64.0 * float(2 - axis)));
 }
 
-vec2 on_plane(vec3 p, Plane plane) {
-    return vec2(dot(p, plane.right), dot(p, plane.down));
+vec2 on_plane(vec3 v, Plane plane) {
+    return vec2(dot(v, plane.right), dot(v, plane.down));
 }
 
 void main() {
@@ -106,7 +108,7 @@ void main() {
         float level = 0.0;
         for (int i = 0; i < 3; ++i) {
             vec2 along = i == 0 ? vec2(0.0) : i == 1 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-            GaborMaterial there = material_at(on_plane(p, plane) + side * along, step_x, step_y);
+            GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
             if (i == 0) {
                 level = there.height;
                 m.colour += share * there.colour;

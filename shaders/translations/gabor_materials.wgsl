@@ -152,15 +152,15 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 
 // The place in axes turned by an angle.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_7: vec2<f32>;
+    var turn_9: vec2<f32>;
 
     let _e5 = gabor_impl_wave((-0.15915494f * angle));
-    turn_7 = _e5;
-    let _e7 = turn_7;
+    turn_9 = _e5;
+    let _e7 = turn_9;
     let _e9 = gabor_impl_product(_e7, pixel.p);
-    let _e10 = turn_7;
+    let _e10 = turn_9;
     let _e12 = gabor_impl_product(_e10, pixel.dx);
-    let _e13 = turn_7;
+    let _e13 = turn_9;
     let _e15 = gabor_impl_product(_e13, pixel.dy);
     return GaborPixel(_e9, _e12, _e15, pixel.filtered);
 }
@@ -333,21 +333,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_21: f32;
+    var local_22: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_3: bool;
+    var first_1: bool;
     var top: f32;
-    var local_22: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_23: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_24: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_24: f32;
+    var local_25: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -387,11 +387,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_21 = -1f;
+        local_22 = -1f;
     } else {
-        local_21 = 1f;
+        local_22 = 1f;
     }
-    let _e89 = local_21;
+    let _e89 = local_22;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -409,29 +409,29 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_3 = (_e151.x > _e153.y);
+    first_1 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_3;
+    let _e166 = first_1;
     if _e166 {
         let _e167 = upright;
-        local_22 = _e167;
+        local_23 = _e167;
     } else {
         let _e168 = level;
-        local_22 = _e168;
+        local_23 = _e168;
     }
-    let _e170 = local_22;
+    let _e170 = local_23;
     tone_1 = _e170;
-    let _e172 = first_3;
+    let _e172 = first_1;
     if _e172 {
         let _e173 = upright_fibre;
-        local_23 = _e173;
+        local_24 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_23 = _e174;
+        local_24 = _e174;
     }
-    let _e176 = local_23;
+    let _e176 = local_24;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -446,13 +446,13 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e210 = top;
     let _e212 = kept;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_3;
+    let _e216 = first_1;
     if _e216 {
-        local_24 = 1f;
+        local_25 = 1f;
     } else {
-        local_24 = 0f;
+        local_25 = 0f;
     }
-    let _e220 = local_24;
+    let _e220 = local_25;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -484,7 +484,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
     var a_4: vec2<f32>;
-    var b_6: vec2<f32>;
+    var b_7: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
     var kept_1: f32;
@@ -524,11 +524,11 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     a_4 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
     let _e71 = other;
     let _e73 = powers;
-    b_6 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
+    b_7 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
     let _e80 = a_4;
-    let _e82 = b_6;
+    let _e82 = b_7;
     let _e85 = a_4;
-    let _e86 = b_6;
+    let _e86 = b_7;
     let _e87 = gabor_impl_product(_e85, _e86);
     cells = ((_e80.x + _e82.x) + _e87.x);
     let _e91 = powers;
@@ -1038,13 +1038,13 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_8: f32;
-    var first_4: bool;
-    var local_25: vec3<f32>;
+    var turn_10: f32;
+    var first_2: bool;
+    var local_26: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_26: vec2<f32>;
+    var local_27: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_27: f32;
+    var local_28: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1074,37 +1074,37 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     within_2 = ((_e38 * _e39.p) - _e42);
     let _e47 = tow;
     let _e49 = tow;
-    turn_8 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
-    let _e60 = turn_8;
-    first_4 = (_e60 < 1.5f);
-    let _e64 = first_4;
+    turn_10 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
+    let _e60 = turn_10;
+    first_2 = (_e60 < 1.5f);
+    let _e64 = first_2;
     if _e64 {
         let _e65 = upright_1;
-        local_25 = _e65;
+        local_26 = _e65;
     } else {
         let _e66 = level_1;
-        local_25 = _e66;
+        local_26 = _e66;
     }
-    let _e68 = local_25;
+    let _e68 = local_26;
     fibre_2 = _e68;
-    let _e70 = first_4;
+    let _e70 = first_2;
     if _e70 {
         let _e71 = within_2;
-        local_26 = _e71.yx;
+        local_27 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_26 = _e73;
+        local_27 = _e73;
     }
-    let _e75 = local_26;
+    let _e75 = local_27;
     along_across = _e75;
     let _e78 = along_across;
-    let _e81 = turn_8;
+    let _e81 = turn_10;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_27 = 0f;
+        local_28 = 0f;
     } else {
-        local_27 = 1f;
+        local_28 = 1f;
     }
-    let _e91 = local_27;
+    let _e91 = local_28;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -561,132 +561,148 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     return _e90;
 }
 
-// Of nine waves: complex numbers for the factors 1, z and z^2 - 1/2 of an axis.
+// Of seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
 }
 
-// An axis: its filtered windows are, for each factor, mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with the four
-// q = 0.3, 0.6, 0.9 and 1.2, at a distance of d kernel radii.
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor,
+// mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with q = 1 / 2w, 2 / 2w and 3 / 2w.
 struct GaborBand {
     mean: vec3<f32>,
-    even_0_: vec4<f32>,
-    even_1_: vec4<f32>,
-    even_2_: vec4<f32>,
-    odd_0_: vec4<f32>,
-    odd_1_: vec4<f32>,
-    odd_2_: vec4<f32>,
-    offset: f32,
+    even_0_: vec3<f32>,
+    even_1_: vec3<f32>,
+    even_2_: vec3<f32>,
+    odd_0_: vec3<f32>,
+    odd_1_: vec3<f32>,
+    odd_2_: vec3<f32>,
     reach: f32,
+    offset: f32,
     first: i32,
     period: i32,
     salt: u32,
+    turn_back: vec2<f32>,
     back: vec2<f32>,
 }
 
-// With the windows, less their common factor e^(-g c^2); `m` is r M.
-fn gabor_impl_band(m: f32, c: f32, offset: f32, reach: f32, first: i32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
+// With the windows, less their common factor e^(-g c^2), for a filter of a given deviation along the axis; `m` is r M.
+fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
+    var local_15: f32;
+    var zero_1: f32;
     var g: f32;
+    var unit_1: f32;
     var fall: f32;
-    var fall_4_: f32;
     var rise_1: f32;
     var sink: f32;
-    var wave_5: vec4<f32> = vec4<f32>(0.23650835f, 0.1063056f, 0.01392097f, -0.00794986f);
-    var above: vec4<f32>;
-    var below: vec4<f32>;
-    var q: vec4<f32> = vec4<f32>(0.3f, 0.6f, 0.9f, 1.2f);
-    var z_1: f32;
+    var t_2: f32;
+    var wave_5: vec3<f32>;
+    var fall_4_: f32;
+    var above: vec3<f32>;
+    var below: vec3<f32>;
+    var q: vec3<f32>;
+    var half_variance: f32;
 
-    g = (19.739208f * m);
-    fall = exp((0.23217617f - (1.7765288f * m)));
-    let _e18 = fall;
-    let _e19 = fall;
-    let _e21 = fall;
-    let _e23 = fall;
-    fall_4_ = (((_e18 * _e19) * _e21) * _e23);
-    let _e27 = g;
-    rise_1 = exp(((0.6f * _e27) * c));
-    let _e33 = rise_1;
-    sink = (1f / _e33);
-    let _e43 = wave_5;
-    let _e44 = fall;
-    let _e45 = fall_4_;
-    let _e46 = fall_4_;
-    let _e47 = fall_4_;
-    let _e49 = fall;
-    let _e51 = fall_4_;
-    let _e52 = fall_4_;
-    let _e54 = fall_4_;
-    let _e56 = fall_4_;
-    wave_5 = (_e43 * vec4<f32>(_e44, _e45, ((_e46 * _e47) * _e49), (((_e51 * _e52) * _e54) * _e56)));
-    let _e60 = wave_5;
-    let _e61 = rise_1;
-    let _e62 = rise_1;
-    let _e63 = rise_1;
-    let _e65 = rise_1;
-    let _e66 = rise_1;
-    let _e68 = rise_1;
-    let _e70 = rise_1;
-    let _e71 = rise_1;
-    let _e73 = rise_1;
-    let _e74 = rise_1;
-    above = (_e60 * vec4<f32>(_e61, (_e62 * _e63), ((_e65 * _e66) * _e68), ((_e70 * _e71) * (_e73 * _e74))));
-    let _e80 = wave_5;
-    let _e81 = sink;
-    let _e82 = sink;
-    let _e83 = sink;
-    let _e85 = sink;
-    let _e86 = sink;
-    let _e88 = sink;
-    let _e90 = sink;
-    let _e91 = sink;
-    let _e93 = sink;
-    let _e94 = sink;
-    below = (_e80 * vec4<f32>(_e81, (_e82 * _e83), ((_e85 * _e86) * _e88), ((_e90 * _e91) * (_e93 * _e94))));
-    let _e107 = g;
-    z_1 = sqrt((2f * _e107));
-    let _e114 = z_1;
-    let _e117 = z_1;
-    let _e119 = z_1;
-    b_2.mean = (0.3f * vec3<f32>(1f, (-(_e114) * c), ((((_e117 * c) * _e119) * c) - 0.5f)));
-    let _e127 = above;
-    let _e128 = below;
-    b_2.even_0_ = (_e127 + _e128);
-    let _e131 = above;
-    let _e132 = below;
-    b_2.odd_0_ = (_e131 - _e132);
-    let _e135 = z_1;
-    let _e136 = q;
-    let _e137 = b_2;
-    let _e140 = b_2;
-    b_2.even_1_ = (_e135 * ((_e136 * _e137.odd_0_) - (c * _e140.even_0_)));
-    let _e146 = z_1;
-    let _e147 = q;
-    let _e148 = b_2;
-    let _e151 = b_2;
-    b_2.odd_1_ = (_e146 * ((_e147 * _e148.even_0_) - (c * _e151.odd_0_)));
-    let _e157 = z_1;
-    let _e158 = q;
-    let _e159 = b_2;
-    let _e162 = b_2;
-    let _e168 = b_2;
-    b_2.even_2_ = ((_e157 * ((_e158 * _e159.odd_1_) - (c * _e162.even_1_))) - (0.5f * _e168.even_0_));
-    let _e173 = z_1;
-    let _e174 = q;
-    let _e175 = b_2;
-    let _e178 = b_2;
-    let _e184 = b_2;
-    b_2.odd_2_ = ((_e173 * ((_e174 * _e175.even_1_) - (c * _e178.odd_1_))) - (0.5f * _e184.odd_0_));
-    b_2.offset = offset;
-    b_2.reach = reach;
-    b_2.first = first;
+    b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
+    let _e17 = b_2;
+    if (_e17.reach > 2f) {
+        local_15 = 0.5f;
+    } else {
+        local_15 = 1f;
+    }
+    let _e24 = local_15;
+    zero_1 = (floor((local + _e24)) - 2f);
+    let _e31 = zero_1;
+    b_2.offset = (local - _e31);
+    let _e34 = zero_1;
+    b_2.first = (cell + i32(_e34));
     b_2.period = period;
     b_2.salt = salt;
+    let _e42 = b_2;
+    let _e45 = gabor_impl_wave((-0.5f / _e42.reach));
+    b_2.turn_back = _e45;
     b_2.back = vec2<f32>(step.x, -(step.y));
-    let _e198 = b_2;
-    return _e198;
+    g = (19.739208f * m);
+    let _e55 = b_2;
+    unit_1 = (0.75f / _e55.reach);
+    let _e60 = g;
+    let _e62 = unit_1;
+    let _e64 = unit_1;
+    fall = exp((((2.5797362f - _e60) * _e62) * _e64));
+    let _e69 = g;
+    let _e72 = unit_1;
+    rise_1 = exp((((2f * _e69) * c) * _e72));
+    let _e77 = rise_1;
+    sink = (1f / _e77);
+    let _e80 = b_2;
+    t_2 = (_e80.reach - 2f);
+    let _e90 = t_2;
+    let _e96 = t_2;
+    wave_5 = (vec3<f32>(0.25723323f, 0.06366198f, -0.00923401f) + (_e90 * (vec3<f32>(-0.03099653f, 0.11426109f, 0.02659126f) - (_e96 * vec3<f32>(0.0214304f, 0.05809383f, -0.0403848f)))));
+    let _e107 = fall;
+    let _e108 = fall;
+    let _e110 = fall;
+    let _e111 = fall;
+    fall_4_ = ((_e107 * _e108) * (_e110 * _e111));
+    let _e115 = wave_5;
+    let _e116 = fall;
+    let _e117 = fall_4_;
+    let _e118 = fall_4_;
+    let _e119 = fall_4_;
+    let _e121 = fall;
+    wave_5 = (_e115 * vec3<f32>(_e116, _e117, ((_e118 * _e119) * _e121)));
+    let _e125 = wave_5;
+    let _e126 = rise_1;
+    let _e127 = rise_1;
+    let _e128 = rise_1;
+    let _e130 = rise_1;
+    let _e131 = rise_1;
+    let _e133 = rise_1;
+    above = (_e125 * vec3<f32>(_e126, (_e127 * _e128), ((_e130 * _e131) * _e133)));
+    let _e138 = wave_5;
+    let _e139 = sink;
+    let _e140 = sink;
+    let _e141 = sink;
+    let _e143 = sink;
+    let _e144 = sink;
+    let _e146 = sink;
+    below = (_e138 * vec3<f32>(_e139, (_e140 * _e141), ((_e143 * _e144) * _e146)));
+    let _e151 = unit_1;
+    q = (_e151 * vec3<f32>(1f, 2f, 3f));
+    let _e159 = g;
+    half_variance = (0.25f / _e159);
+    let _e163 = unit_1;
+    let _e167 = half_variance;
+    b_2.mean = (_e163 * vec3<f32>(1f, -(c), ((c * c) - _e167)));
+    let _e172 = above;
+    let _e173 = below;
+    b_2.even_0_ = (_e172 + _e173);
+    let _e176 = above;
+    let _e177 = below;
+    b_2.odd_0_ = (_e176 - _e177);
+    let _e180 = q;
+    let _e181 = b_2;
+    let _e184 = b_2;
+    b_2.even_1_ = ((_e180 * _e181.odd_0_) - (c * _e184.even_0_));
+    let _e189 = q;
+    let _e190 = b_2;
+    let _e193 = b_2;
+    b_2.odd_1_ = ((_e189 * _e190.even_0_) - (c * _e193.odd_0_));
+    let _e198 = q;
+    let _e199 = b_2;
+    let _e202 = b_2;
+    let _e206 = half_variance;
+    let _e207 = b_2;
+    b_2.even_2_ = (((_e198 * _e199.odd_1_) - (c * _e202.even_1_)) - (_e206 * _e207.even_0_));
+    let _e212 = q;
+    let _e213 = b_2;
+    let _e216 = b_2;
+    let _e220 = half_variance;
+    let _e221 = b_2;
+    b_2.odd_2_ = (((_e212 * _e213.even_1_) - (c * _e216.odd_1_)) - (_e220 * _e221.odd_0_));
+    let _e225 = b_2;
+    return _e225;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -708,71 +724,62 @@ fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
     return ((_e14 * _e15) * (3f - (2f * _e19)));
 }
 
-// Line `index` from the turn and the phase of the one before.
-fn gabor_impl_filtered_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) -> GaborLine {
-    var line_1: GaborLine;
+// Line `index` from its turn and phase.
+fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborLine {
+    var phase_3: vec2<f32>;
+    var line: GaborLine;
     var two: vec2<f32>;
     var three: vec2<f32>;
-    var four: vec2<f32>;
-    var cosine_1: vec4<f32>;
-    var sine_1: vec4<f32>;
+    var cosine_1: vec3<f32>;
+    var sine_1: vec3<f32>;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
-    var phase_2: vec2<f32>;
 
-    line_1 = line;
-    let _e9 = gabor_impl_wrap((b.first + index), b.period);
-    let _e11 = gabor_impl_line_word(_e9, b.salt);
-    line_1.word = _e11;
-    let _e13 = line_1;
-    let _e19 = gabor_impl_product(_e13.turn, vec2<f32>(0.309017f, -0.95105654f));
-    line_1.turn = _e19;
-    let _e21 = line_1;
-    let _e24 = gabor_impl_product(_e21.phase, b.back);
-    line_1.phase = _e24;
-    let _e25 = line_1;
-    let _e27 = line_1;
-    let _e29 = gabor_impl_product(_e25.turn, _e27.turn);
-    two = _e29;
-    let _e31 = two;
-    let _e32 = line_1;
-    let _e34 = gabor_impl_product(_e31, _e32.turn);
-    three = _e34;
-    let _e36 = two;
-    let _e37 = two;
-    let _e38 = gabor_impl_product(_e36, _e37);
-    four = _e38;
-    let _e40 = line_1;
-    let _e43 = two;
-    let _e45 = three;
-    let _e47 = four;
-    cosine_1 = vec4<f32>(_e40.turn.x, _e43.x, _e45.x, _e47.x);
-    let _e51 = line_1;
-    let _e54 = two;
-    let _e56 = three;
-    let _e58 = four;
-    sine_1 = vec4<f32>(_e51.turn.y, _e54.y, _e56.y, _e58.y);
-    let _e64 = cosine_1;
-    let _e67 = cosine_1;
-    let _e70 = cosine_1;
-    real = (b.mean + vec3<f32>(dot(b.even_0_, _e64), dot(b.even_1_, _e67), dot(b.even_2_, _e70)));
-    let _e76 = sine_1;
-    let _e79 = sine_1;
-    let _e82 = sine_1;
-    imaginary = vec3<f32>(dot(b.odd_0_, _e76), dot(b.odd_1_, _e79), dot(b.odd_2_, _e82));
-    let _e86 = line_1;
-    phase_2 = (fade * _e86.phase);
-    let _e91 = phase_2;
-    let _e93 = real;
-    let _e95 = phase_2;
-    let _e97 = imaginary;
-    let _e100 = phase_2;
-    let _e102 = imaginary;
-    let _e104 = phase_2;
-    let _e106 = real;
-    line_1.window = GaborFactors(((_e91.x * _e93) - (_e95.y * _e97)), ((_e100.x * _e102) + (_e104.y * _e106)));
-    let _e110 = line_1;
-    return _e110;
+    phase_3 = phase;
+    let _e11 = gabor_impl_wrap((b.first + index), b.period);
+    let _e13 = gabor_impl_line_word(_e11, b.salt);
+    line.word = _e13;
+    line.turn = turn;
+    let _e16 = phase_3;
+    line.phase = _e16;
+    two = (((2f * turn.x) * turn) - vec2<f32>(1f, 0f));
+    let _e29 = two;
+    three = (((2f * turn.x) * _e29) - turn);
+    let _e34 = two;
+    let _e36 = three;
+    cosine_1 = vec3<f32>(turn.x, _e34.x, _e36.x);
+    let _e41 = two;
+    let _e43 = three;
+    sine_1 = vec3<f32>(turn.y, _e41.y, _e43.y);
+    let _e49 = cosine_1;
+    let _e52 = cosine_1;
+    let _e55 = cosine_1;
+    real = (b.mean + vec3<f32>(dot(b.even_0_, _e49), dot(b.even_1_, _e52), dot(b.even_2_, _e55)));
+    let _e61 = sine_1;
+    let _e64 = sine_1;
+    let _e67 = sine_1;
+    imaginary = vec3<f32>(dot(b.odd_0_, _e61), dot(b.odd_1_, _e64), dot(b.odd_2_, _e67));
+    let _e71 = phase_3;
+    phase_3 = (_e71 * fade);
+    let _e74 = phase_3;
+    let _e76 = real;
+    let _e78 = phase_3;
+    let _e80 = imaginary;
+    let _e83 = phase_3;
+    let _e85 = imaginary;
+    let _e87 = phase_3;
+    let _e89 = real;
+    line.window = GaborFactors(((_e74.x * _e76) - (_e78.y * _e80)), ((_e83.x * _e85) + (_e87.y * _e89)));
+    let _e93 = line;
+    return _e93;
+}
+
+// Line `index` from the one before.
+fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) -> GaborLine {
+    let _e6 = gabor_impl_product(line.turn, b.turn_back);
+    let _e9 = gabor_impl_product(line.phase, b.back);
+    let _e10 = gabor_impl_filtered_line(b, index, _e6, _e9, fade);
+    return _e10;
 }
 
 // Adds a node to the sums of a row.
@@ -804,240 +811,251 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The noise at a place, filtered by nine waves along each axis.
-fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, reach: f32, rows: i32, salt: u32) -> GaborField {
+// The noise at a place, filtered by seven waves along each axis; not at all if it is not `wanted`.
+fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
+    var deviation_1: vec2<f32>;
     var blurred_2: vec2<f32>;
     var c_4: vec2<f32>;
     var rho: f32;
     var r_1: f32;
     var lambda: f32;
+    var mixed: f32;
     var weights_1: vec3<f32>;
-    var five: bool;
-    var local_14: f32;
-    var first_2: vec2<f32>;
-    var offset_1: vec2<f32>;
-    var node: vec2<i32>;
     var step_x: vec2<f32>;
     var step_y: vec2<f32>;
     var across: GaborBand;
     var along: GaborBand;
-    var line_2: GaborLine;
+    var five: bool;
+    var turn_8: vec2<f32>;
     var c0_: GaborLine;
     var c1_: GaborLine;
     var c2_: GaborLine;
     var c3_: GaborLine;
     var c4_: GaborLine;
+    var line_2: GaborLine;
+    var local_16: i32;
+    var local_17: i32;
+    var rows_1: i32;
     var value_6: vec2<f32> = vec2(0f);
-    var z_x: vec2<f32> = vec2(0f);
-    var z_y: vec2<f32> = vec2(0f);
+    var next_x: vec2<f32> = vec2(0f);
+    var next_y: vec2<f32> = vec2(0f);
     var j_2: i32 = 0i;
     var row_2: GaborFactors;
     var exponent_1: f32;
+    var mean: vec2<f32>;
+    var before: vec2<f32>;
     var x_4: vec2<f32>;
     var y_5: vec2<f32>;
-    var local_15: f32;
+    var local_18: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
-    let _e11 = gabor_impl_symmetric(s, wave);
-    blurred_2 = _e11;
-    let _e13 = m_1;
-    let _e14 = _e13.yx;
-    let _e20 = blurred_2;
-    let _e21 = gabor_impl_symmetric(vec3<f32>(_e14.x, _e14.y, -(s.z)), _e20);
-    let _e25 = m_1;
+    deviation_1 = sqrt(s.xy);
+    let _e13 = gabor_impl_symmetric(s, wave);
+    blurred_2 = _e13;
+    let _e15 = m_1;
+    let _e16 = _e15.yx;
+    let _e22 = blurred_2;
+    let _e23 = gabor_impl_symmetric(vec3<f32>(_e16.x, _e16.y, -(s.z)), _e22);
     let _e27 = m_1;
-    c_4 = (_e21 / vec2(((s.z * s.z) - (_e25.x * _e27.y))));
-    let _e35 = m_1;
+    let _e29 = m_1;
+    c_4 = (_e23 / vec2(((s.z * s.z) - (_e27.x * _e29.y))));
     let _e37 = m_1;
-    rho = (s.z * inverseSqrt((_e35.x * _e37.y)));
-    let _e44 = rho;
-    let _e45 = rho;
-    r_1 = sqrt((1f - (_e44 * _e45)));
-    let _e50 = rho;
-    let _e52 = r_1;
-    lambda = (_e50 / (1f + _e52));
-    let _e59 = lambda;
-    let _e62 = lambda;
-    let _e64 = lambda;
-    weights_1 = vec3<f32>(1f, (-2f * _e59), ((2f * _e62) * _e64));
-    five = (rows == 5i);
-    let _e72 = five;
-    if _e72 {
-        local_14 = 0.5f;
+    let _e39 = m_1;
+    rho = (s.z * inverseSqrt((_e37.x * _e39.y)));
+    let _e46 = rho;
+    let _e47 = rho;
+    r_1 = sqrt((1f - (_e46 * _e47)));
+    let _e52 = rho;
+    let _e54 = r_1;
+    lambda = (_e52 / (1f + _e54));
+    let _e61 = r_1;
+    let _e64 = r_1;
+    mixed = (((39.478416f * s.z) * _e61) / (1f + _e64));
+    let _e71 = mixed;
+    let _e74 = mixed;
+    let _e76 = mixed;
+    weights_1 = vec3<f32>(1f, (-2f * _e71), ((2f * _e74) * _e76));
+    let _e86 = gabor_impl_wave((wave.x / 1.5f));
+    step_x = _e86;
+    let _e94 = gabor_impl_wave((wave.y / 1.5f));
+    step_y = _e94;
+    let _e96 = deviation_1;
+    let _e98 = r_1;
+    let _e99 = m_1;
+    let _e102 = c_4;
+    let _e110 = step_x;
+    let _e111 = gabor_impl_band(_e96.x, (_e98 * _e99.x), _e102.x, place.cell.x, place.local.x, place.period.x, salt, _e110);
+    across = _e111;
+    let _e113 = deviation_1;
+    let _e115 = r_1;
+    let _e116 = m_1;
+    let _e119 = c_4;
+    let _e129 = step_y;
+    let _e130 = gabor_impl_band(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
+    along = _e130;
+    let _e132 = across;
+    five = (_e132.reach > 2f);
+    let _e138 = across;
+    let _e141 = across;
+    let _e144 = gabor_impl_wave(((0.5f / _e138.reach) * _e141.offset));
+    turn_8 = _e144;
+    let _e146 = across;
+    let _e148 = turn_8;
+    let _e152 = across;
+    let _e154 = gabor_impl_fade(_e152, 0i);
+    let _e155 = gabor_impl_filtered_line(_e146, 0i, _e148, vec2<f32>(1f, 0f), _e154);
+    c0_ = _e155;
+    let _e157 = c0_;
+    let _e158 = across;
+    let _e161 = gabor_impl_next_line(_e157, _e158, 1i, 1f);
+    c1_ = _e161;
+    let _e163 = c1_;
+    let _e164 = across;
+    let _e167 = gabor_impl_next_line(_e163, _e164, 2i, 1f);
+    c2_ = _e167;
+    let _e169 = c2_;
+    let _e170 = across;
+    let _e172 = across;
+    let _e174 = gabor_impl_fade(_e172, 3i);
+    let _e175 = gabor_impl_next_line(_e169, _e170, 3i, _e174);
+    c3_ = _e175;
+    let _e177 = c3_;
+    c4_ = _e177;
+    let _e179 = five;
+    if _e179 {
+        let _e180 = c3_;
+        let _e181 = across;
+        let _e183 = across;
+        let _e185 = gabor_impl_fade(_e183, 4i);
+        let _e186 = gabor_impl_next_line(_e180, _e181, 4i, _e185);
+        c4_ = _e186;
+    }
+    let _e190 = along;
+    let _e193 = along;
+    let _e198 = gabor_impl_wave(((0.5f / _e190.reach) * (_e193.offset + 1f)));
+    line_2.turn = _e198;
+    let _e200 = across;
+    let _e202 = along;
+    let _e213 = gabor_impl_wave((dot(wave, vec2<f32>(_e200.offset, (_e202.offset + 1f))) / 1.5f));
+    line_2.phase = _e213;
+    if wanted {
+        let _e214 = along;
+        if (_e214.reach > 2f) {
+            local_16 = 5i;
+        } else {
+            local_16 = 4i;
+        }
+        let _e221 = local_16;
+        local_17 = _e221;
     } else {
-        local_14 = 1f;
+        local_17 = 0i;
     }
-    let _e76 = local_14;
-    first_2 = (floor((place.local + vec2(_e76))) - vec2(2f));
-    let _e85 = first_2;
-    offset_1 = (place.local - _e85);
-    let _e89 = first_2;
-    node = (place.cell + vec2<i32>(_e89));
-    let _e99 = gabor_impl_wave((wave.x / 1.5f));
-    step_x = _e99;
-    let _e107 = gabor_impl_wave((wave.y / 1.5f));
-    step_y = _e107;
-    let _e109 = r_1;
-    let _e110 = m_1;
-    let _e113 = c_4;
-    let _e115 = offset_1;
-    let _e117 = node;
-    let _e121 = step_x;
-    let _e122 = gabor_impl_band((_e109 * _e110.x), _e113.x, _e115.x, reach, _e117.x, place.period.x, salt, _e121);
-    across = _e122;
-    let _e124 = r_1;
-    let _e125 = m_1;
-    let _e128 = c_4;
-    let _e130 = offset_1;
-    let _e132 = node;
-    let _e138 = step_y;
-    let _e139 = gabor_impl_band((_e124 * _e125.y), _e128.y, _e130.y, reach, _e132.y, place.period.y, (salt ^ 1540483477u), _e138);
-    along = _e139;
-    let _e144 = offset_1;
-    let _e149 = gabor_impl_wave((0.2f * (_e144.x + 1f)));
-    line_2.turn = _e149;
-    let _e151 = step_x;
-    line_2.phase = _e151;
-    let _e152 = line_2;
-    let _e153 = across;
-    let _e155 = across;
-    let _e157 = gabor_impl_fade(_e155, 0i);
-    let _e158 = gabor_impl_filtered_line(_e152, _e153, 0i, _e157);
-    c0_ = _e158;
-    let _e160 = c0_;
-    let _e161 = across;
-    let _e164 = gabor_impl_filtered_line(_e160, _e161, 1i, 1f);
-    c1_ = _e164;
-    let _e166 = c1_;
-    let _e167 = across;
-    let _e170 = gabor_impl_filtered_line(_e166, _e167, 2i, 1f);
-    c2_ = _e170;
-    let _e172 = c2_;
-    let _e173 = across;
-    let _e175 = across;
-    let _e177 = gabor_impl_fade(_e175, 3i);
-    let _e178 = gabor_impl_filtered_line(_e172, _e173, 3i, _e177);
-    c3_ = _e178;
-    let _e180 = c3_;
-    c4_ = _e180;
-    let _e182 = five;
-    if _e182 {
-        let _e183 = c3_;
-        let _e184 = across;
-        let _e186 = across;
-        let _e188 = gabor_impl_fade(_e186, 4i);
-        let _e189 = gabor_impl_filtered_line(_e183, _e184, 4i, _e188);
-        c4_ = _e189;
-    }
-    let _e192 = offset_1;
-    let _e197 = gabor_impl_wave((0.2f * (_e192.y + 1f)));
-    line_2.turn = _e197;
-    let _e199 = offset_1;
-    let _e207 = gabor_impl_wave(dot(wave, (_e199 / vec2(1.5f))));
-    let _e208 = step_y;
-    let _e209 = gabor_impl_product(_e207, _e208);
-    line_2.phase = _e209;
+    let _e224 = local_17;
+    rows_1 = _e224;
     loop {
         {
-            let _e221 = line_2;
-            let _e222 = along;
-            let _e223 = j_2;
-            let _e224 = along;
-            let _e225 = j_2;
-            let _e226 = gabor_impl_fade(_e224, _e225);
-            let _e227 = gabor_impl_filtered_line(_e221, _e222, _e223, _e226);
-            line_2 = _e227;
+            let _e237 = line_2;
+            let _e238 = along;
+            let _e239 = j_2;
+            let _e240 = along;
+            let _e241 = j_2;
+            let _e242 = gabor_impl_fade(_e240, _e241);
+            let _e243 = gabor_impl_next_line(_e237, _e238, _e239, _e242);
+            line_2 = _e243;
             row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e235 = c0_;
-            let _e236 = line_2;
-            gabor_impl_add_filtered((&row_2), _e235, _e236.word, place.animated, place.time);
-            let _e242 = c1_;
-            let _e243 = line_2;
-            gabor_impl_add_filtered((&row_2), _e242, _e243.word, place.animated, place.time);
-            let _e249 = c2_;
-            let _e250 = line_2;
-            gabor_impl_add_filtered((&row_2), _e249, _e250.word, place.animated, place.time);
-            let _e256 = c3_;
-            let _e257 = line_2;
-            gabor_impl_add_filtered((&row_2), _e256, _e257.word, place.animated, place.time);
-            let _e262 = five;
-            if _e262 {
-                let _e264 = c4_;
-                let _e265 = line_2;
-                gabor_impl_add_filtered((&row_2), _e264, _e265.word, place.animated, place.time);
+            let _e251 = c0_;
+            let _e252 = line_2;
+            gabor_impl_add_filtered((&row_2), _e251, _e252.word, place.animated, place.time);
+            let _e258 = c1_;
+            let _e259 = line_2;
+            gabor_impl_add_filtered((&row_2), _e258, _e259.word, place.animated, place.time);
+            let _e265 = c2_;
+            let _e266 = line_2;
+            gabor_impl_add_filtered((&row_2), _e265, _e266.word, place.animated, place.time);
+            let _e272 = c3_;
+            let _e273 = line_2;
+            gabor_impl_add_filtered((&row_2), _e272, _e273.word, place.animated, place.time);
+            let _e278 = five;
+            if _e278 {
+                let _e280 = c4_;
+                let _e281 = line_2;
+                gabor_impl_add_filtered((&row_2), _e280, _e281.word, place.animated, place.time);
             }
-            let _e270 = value_6;
-            let _e271 = row_2;
-            let _e272 = line_2;
-            let _e274 = weights_1;
-            let _e275 = gabor_impl_contracted(_e271, _e272.window, _e274);
-            value_6 = (_e270 + _e275);
-            let _e277 = z_x;
-            let _e278 = row_2;
-            let _e279 = gabor_impl_next(_e278);
-            let _e280 = line_2;
-            let _e282 = weights_1;
-            let _e283 = gabor_impl_contracted(_e279, _e280.window, _e282);
-            z_x = (_e277 + _e283);
-            let _e285 = z_y;
-            let _e286 = row_2;
-            let _e287 = line_2;
-            let _e289 = gabor_impl_next(_e287.window);
+            let _e286 = value_6;
+            let _e287 = row_2;
+            let _e288 = line_2;
             let _e290 = weights_1;
-            let _e291 = gabor_impl_contracted(_e286, _e289, _e290);
-            z_y = (_e285 + _e291);
+            let _e291 = gabor_impl_contracted(_e287, _e288.window, _e290);
+            value_6 = (_e286 + _e291);
+            let _e293 = next_x;
+            let _e294 = row_2;
+            let _e295 = gabor_impl_next(_e294);
+            let _e296 = line_2;
+            let _e298 = weights_1;
+            let _e299 = gabor_impl_contracted(_e295, _e296.window, _e298);
+            next_x = (_e293 + _e299);
+            let _e301 = next_y;
+            let _e302 = row_2;
+            let _e303 = line_2;
+            let _e305 = gabor_impl_next(_e303.window);
+            let _e306 = weights_1;
+            let _e307 = gabor_impl_contracted(_e302, _e305, _e306);
+            next_y = (_e301 + _e307);
         }
-        let _e293 = j_2;
-        let _e295 = (_e293 + 1i);
-        j_2 = _e295;
-        if !((_e295 < rows)) {
+        let _e309 = j_2;
+        let _e311 = (_e309 + 1i);
+        j_2 = _e311;
+        let _e312 = rows_1;
+        if !((_e311 < _e312)) {
             break;
         }
     }
-    let _e299 = c_4;
-    let _e301 = blurred_2;
-    let _e303 = r_1;
-    let _e304 = m_1;
-    let _e305 = c_4;
-    let _e306 = c_4;
-    exponent_1 = (19.739208f * (dot((wave + _e299), _e301) + (_e303 * dot(_e304, (_e305 * _e306)))));
-    let _e315 = c_4;
-    let _e318 = value_6;
-    let _e321 = r_1;
-    let _e323 = m_1;
-    let _e327 = z_x;
-    let _e328 = lambda;
-    let _e329 = z_y;
-    x_4 = (6.2831855f * (((wave.x + _e315.x) * _e318) + (inverseSqrt(((39.478416f * _e321) * _e323.x)) * (_e327 - (_e328 * _e329)))));
-    let _e338 = c_4;
-    let _e341 = value_6;
-    let _e344 = r_1;
-    let _e346 = m_1;
-    let _e350 = z_y;
-    let _e351 = lambda;
-    let _e352 = z_x;
-    y_5 = (6.2831855f * (((wave.y + _e338.y) * _e341) + (inverseSqrt(((39.478416f * _e344) * _e346.y)) * (_e350 - (_e351 * _e352)))));
-    let _e360 = lambda;
-    let _e361 = lambda;
-    let _e365 = exponent_1;
+    let _e316 = c_4;
+    let _e318 = blurred_2;
+    let _e320 = r_1;
+    let _e321 = m_1;
+    let _e322 = c_4;
+    let _e323 = c_4;
+    exponent_1 = (19.739208f * (dot((wave + _e316), _e318) + (_e320 * dot(_e321, (_e322 * _e323)))));
+    let _e330 = c_4;
+    mean = (wave + _e330);
+    let _e333 = lambda;
+    let _e334 = m_1;
+    let _e336 = m_1;
+    before = (_e333 * sqrt((_e334.yx / _e336)));
+    let _e342 = mean;
+    let _e344 = value_6;
+    let _e346 = next_x;
+    let _e348 = before;
+    let _e350 = next_y;
+    x_4 = (6.2831855f * (((_e342.x * _e344) + _e346) - (_e348.x * _e350)));
+    let _e356 = mean;
+    let _e358 = value_6;
+    let _e360 = next_y;
+    let _e362 = before;
+    let _e364 = next_x;
+    y_5 = (6.2831855f * (((_e356.y * _e358) + _e360) - (_e362.y * _e364)));
+    let _e370 = lambda;
+    let _e371 = lambda;
+    let _e375 = exponent_1;
     if false {
-        local_15 = 1f;
+        local_18 = 1f;
     } else {
-        local_15 = 1.125f;
+        local_18 = 1.125f;
     }
-    let _e379 = local_15;
-    scale_1 = ((sqrt((1f - (_e360 * _e361))) * exp(-(_e365))) / (1459955300000000000000000000f * _e379));
-    let _e383 = scale_1;
-    let _e384 = value_6;
-    let _e386 = scale_1;
-    let _e387 = x_4;
-    let _e390 = x_4;
-    let _e394 = scale_1;
-    let _e395 = y_5;
-    let _e398 = y_5;
-    return GaborField((_e383 * _e384), (_e386 * vec2<f32>(-(_e387.y), _e390.x)), (_e394 * vec2<f32>(-(_e395.y), _e398.x)));
+    let _e389 = local_18;
+    scale_1 = ((sqrt((1f - (_e370 * _e371))) * exp(-(_e375))) / (1459955300000000000000000000f * _e389));
+    let _e393 = scale_1;
+    let _e394 = value_6;
+    let _e396 = scale_1;
+    let _e397 = x_4;
+    let _e400 = x_4;
+    let _e404 = scale_1;
+    let _e405 = y_5;
+    let _e408 = y_5;
+    return GaborField((_e393 * _e394), (_e396 * vec2<f32>(-(_e397.y), _e400.x)), (_e404 * vec2<f32>(-(_e405.y), _e408.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -1052,14 +1070,10 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var s_4: vec3<f32>;
     var salt_7: u32;
     var amplitude_3: f32 = 1f;
-    var deviation: f32;
+    var deviation_2: f32;
     var wide: f32;
     var share_1: f32;
     var share_2: f32;
-    var reach_2: f32;
-    var local_16: i32;
-    var local_17: i32;
-    var rows_2: i32;
 
     kernel_7 = kernel;
     stretch_1 = (place.radius / vec2(1.5f));
@@ -1089,9 +1103,9 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     }
     let _e56 = s_4;
     let _e58 = s_4;
-    deviation = sqrt(max(_e56.x, _e58.y));
-    let _e64 = deviation;
-    wide = clamp(((33.333332f * _e64) - 2.6666667f), 0f, 1f);
+    deviation_2 = sqrt(max(_e56.x, _e58.y));
+    let _e64 = deviation_2;
+    wide = clamp(((100f * _e64) - 9f), 0f, 1f);
     let _e72 = wide;
     if (_e72 < 1f) {
         {
@@ -1113,42 +1127,24 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e92 = wide;
             let _e93 = amplitude_3;
             share_2 = (_e92 * _e93);
-            let _e98 = deviation;
-            reach_2 = clamp((0.5f + (5f * _e98)), 2f, 2.5f);
-            let _e105 = wide;
-            if (_e105 > 0f) {
-                let _e108 = reach_2;
-                if (_e108 > 2f) {
-                    local_16 = 5i;
-                } else {
-                    local_16 = 4i;
-                }
-                let _e114 = local_16;
-                local_17 = _e114;
-            } else {
-                local_17 = 0i;
-            }
-            let _e117 = local_17;
-            rows_2 = _e117;
-            let _e120 = wave_7;
-            let _e121 = s_4;
-            let _e122 = reach_2;
-            let _e123 = rows_2;
-            let _e124 = salt_7;
-            let _e125 = gabor_impl_filtered_wide(place, _e120, _e121, _e122, _e123, _e124);
-            let _e126 = share_2;
-            let _e127 = share_2;
-            gabor_impl_accumulate((&sum_8), _e125, _e126, _e127);
+            let _e97 = wave_7;
+            let _e98 = s_4;
+            let _e99 = wide;
+            let _e102 = salt_7;
+            let _e103 = gabor_impl_filtered_wide(place, _e97, _e98, (_e99 > 0f), _e102);
+            let _e104 = share_2;
+            let _e105 = share_2;
+            gabor_impl_accumulate((&sum_8), _e103, _e104, _e105);
         }
     }
-    let _e130 = sum_8;
-    let _e132 = stretch_1;
-    sum_8.slope_x = (_e130.slope_x * _e132.x);
-    let _e136 = sum_8;
-    let _e138 = stretch_1;
-    sum_8.slope_y = (_e136.slope_y * _e138.y);
-    let _e141 = sum_8;
-    return _e141;
+    let _e108 = sum_8;
+    let _e110 = stretch_1;
+    sum_8.slope_x = (_e108.slope_x * _e110.x);
+    let _e114 = sum_8;
+    let _e116 = stretch_1;
+    sum_8.slope_y = (_e114.slope_y * _e116.y);
+    let _e119 = sum_8;
+    return _e119;
 }
 
 // A lobe of waves around one wave vector.
@@ -1384,13 +1380,13 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
     var footprint_1: GaborFootprint;
-    var mean: f32;
+    var mean_1: f32;
     var axis_2: vec2<f32>;
     var apart: f32;
     var larger: f32;
     var side: f32;
     var smaller: f32;
-    var local_18: f32;
+    var local_19: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1416,14 +1412,14 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     footprint_1.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
     let _e46 = footprint_1;
     let _e49 = footprint_1;
-    mean = (0.5f * (_e46.covariance.x + _e49.covariance.y));
+    mean_1 = (0.5f * (_e46.covariance.x + _e49.covariance.y));
     let _e56 = footprint_1;
     let _e59 = footprint_1;
     let _e64 = footprint_1;
     axis_2 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
     let _e69 = axis_2;
     apart = length(_e69);
-    let _e72 = mean;
+    let _e72 = mean_1;
     let _e73 = apart;
     larger = (_e72 + _e73);
     let _e77 = footprint_1;
@@ -1445,11 +1441,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller;
                 let _e113 = apart;
-                local_18 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_19 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_18 = 0f;
+                local_19 = 0f;
             }
-            let _e117 = local_18;
+            let _e117 = local_19;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller;
             let _e125 = axis_2;
@@ -1469,9 +1465,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.16 kernel radii, with 9 nodes; from 0.22 on 3.3 times, with 16;
-// both in between; and from 0.6 on 4.2 times, with 25. Where compilers run both sides of a branch, as for CPUs, 5 and 7
-// times.
+// Cost: on GPUs 1.7 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.9 times, with
+// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 4.4 times, along both 25 and 4.9 times. Where
+// compilers run both sides of a branch, as for CPUs, 3 and 5 times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -1502,9 +1498,9 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // Four noises at p as a pixel sees them, those of gabor_noise_four, and the share that is removed of the variance of
 // each.
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
-    var four_1: vec4<f32>;
+    var four: vec4<f32>;
     var i_4: i32 = 0i;
-    var local_19: u32;
+    var local_20: u32;
     var noise_1: vec4<f32>;
 
     loop {
@@ -1515,18 +1511,18 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_4;
             if (_e17 == 0i) {
-                local_19 = seed;
+                local_20 = seed;
             } else {
                 let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_19 = _e22;
+                local_20 = _e22;
             }
-            let _e24 = local_19;
+            let _e24 = local_20;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_1 = _e25;
             let _e27 = i_4;
             let _e29 = noise_1;
-            four_1[_e27] = _e29.x;
+            four[_e27] = _e29.x;
             let _e31 = noise_1;
             (*removed) = _e31.w;
         }
@@ -1535,7 +1531,7 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
             i_4 = (_e14 + 1i);
         }
     }
-    let _e33 = four_1;
+    let _e33 = four;
     return _e33;
 }
 
@@ -1546,9 +1542,9 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var power_2: f32 = 0f;
     var i_5: i32 = 0i;
     var lobe_1: GaborLobe;
-    var unit_1: f32;
+    var unit_2: f32;
     var noise_2: vec4<f32>;
-    var local_20: vec4<f32>;
+    var local_21: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1562,10 +1558,10 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e26 = lobes_9.lobe[_e23];
             lobe_1 = _e26;
             let _e29 = lobe_1;
-            unit_1 = (1f / _e29.radius);
-            let _e33 = unit_1;
-            let _e35 = unit_1;
-            let _e37 = unit_1;
+            unit_2 = (1f / _e29.radius);
+            let _e33 = unit_2;
+            let _e35 = unit_2;
+            let _e37 = unit_2;
             let _e39 = lobe_1;
             let _e41 = lobe_1;
             let _e44 = lobe_1;
@@ -1575,8 +1571,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             noise_2 = _e48;
             let _e50 = sum_9;
             let _e51 = lobe_1;
-            let _e55 = unit_1;
-            let _e56 = unit_1;
+            let _e55 = unit_2;
+            let _e56 = unit_2;
             let _e58 = (sqrt(_e51.power) * vec3<f32>(1f, _e55, _e56));
             let _e59 = lobe_1;
             let _e65 = noise_2;
@@ -1596,11 +1592,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e76 = power_2;
         let _e78 = vec3(inverseSqrt(_e76));
         let _e80 = power_2;
-        local_20 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
+        local_21 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
     } else {
-        local_20 = vec4(0f);
+        local_21 = vec4(0f);
     }
-    let _e90 = local_20;
+    let _e90 = local_21;
     return _e90;
 }
 

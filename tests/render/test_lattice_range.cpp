@@ -3,11 +3,14 @@
 
 #include "lattice_sampler.hpp"
 #include "range.hpp"
+#include "sampler_lattice_3d.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -87,4 +90,53 @@ TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
                 draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / (2 * nodes)));
         }
     });
+}
+
+TEST_CASE("any float gives a finite noise in space", "[range]") {
+    const vulkan::Device device;
+    for (const auto entry : {test::Entry3d::field, test::Entry3d::surface, test::Entry3d::tiled,
+                             test::Entry3d::animated, test::Entry3d::filtered}) {
+        test::LatticeSampler3d sampler(device, per_batch, entry);
+        test::AnyFloat draw;
+        const auto drawn = [&draw](float most) {
+            return std::array{draw.within(most), draw.within(most), draw.within(most)};
+        };
+        for (std::size_t i = 0; i < per_batch; ++i) {
+            test::LatticeSample3d s;
+            s.place.local = s.p = {0.3f, 0.8f, 3.1f};
+            s.seed = draw.word();
+            if (i % 4 == 0) {
+                s.frequency = draw.within(test::infinity);
+                s.direction = drawn(test::infinity);
+                s.normal = drawn(test::infinity);
+            } else if (i % 4 == 1) {
+                s.dx = drawn(test::infinity);
+                s.dy = drawn(test::infinity);
+            } else if (i % 4 == 2) {
+                s.tile = drawn(test::infinity);
+                for (std::size_t axis = 0; axis < 3; ++axis) // as far as periods do not overflow
+                    s.p[axis] =
+                        draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / 3));
+            } else {
+                s.p = drawn(test::world / 3);
+                s.place.local = drawn(64);
+                s.place.cell = {draw.cell(), draw.cell(), draw.cell()};
+                for (std::int32_t& period : s.place.period)
+                    period = draw.cell() & 0x7fffffff;
+                s.place.time = draw.within(std::numeric_limits<float>::max());
+            }
+            sampler.samples()[i] = s;
+        }
+        const auto answers = sampler.answers(per_batch);
+        test::Broken broken{fmt::format("entry {}", static_cast<int>(entry))};
+        const bool by_place = entry == test::Entry3d::field || entry == test::Entry3d::surface;
+        for (std::size_t i = 0; i < per_batch; ++i) {
+            const std::span<const float> values = answers[i].value;
+            broken.see(values.first(by_place ? 2 : 1), test::largest_noise, sampler.samples()[i]);
+            broken.see(values.first(by_place ? 9 : 4), std::numeric_limits<float>::max(),
+                       sampler.samples()[i]);
+        }
+        INFO(broken.function << ": " << broken.where);
+        CHECK(broken.times == 0);
+    }
 }
