@@ -266,9 +266,8 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
 
 // Whether there is something else in the picture that has no colours.
 bool is_colourless(const Request& request) {
-    const bool sharp_slice = std::holds_alternative<Slice>(request.view) && !request.filter;
-    return (in_space(request) && !sharp_slice) || request.quadrature || request.gradient || request.phasor ||
-           request.values > 1 || !request.paint.empty() || has_material(request);
+    return request.quadrature || request.gradient || request.phasor || request.values > 1 ||
+           !request.paint.empty() || has_material(request);
 }
 
 // ---- Values ----
@@ -500,8 +499,7 @@ void check_colour(const Request& request) {
             "that came with it");
     if (is_colourless(request))
         throw RequestError(
-            "colours are drawn in the plane and in slices of space without a filter, and without paint, "
-            "materials and other channels than `removed`");
+            "colours are drawn without paint, materials and other values: quadrature, gradient, phasor");
 }
 
 } // namespace

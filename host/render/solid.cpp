@@ -1,6 +1,7 @@
 #include "render/solid.hpp"
 
 #include "noise/spectrum.hpp"
+#include "render/pixels.hpp"
 
 #include "passes/solid.h"
 #include "passes/solid_surface.h"
@@ -48,7 +49,8 @@ std::vector<std::uint32_t> solid_constants(const Request& request) {
             request.quadrature,
             request.gradient,
             request.phasor,
-            wrapped_time(request) != 0};
+            wrapped_time(request) != 0,
+            request.colour.has_value()};
 }
 
 std::vector<passes::SolidWave> solid_waves(const Request& request) {
@@ -59,7 +61,10 @@ std::vector<passes::SolidWave> solid_waves(const Request& request) {
                          .radius = static_cast<float>(wave.radius),
                          .amplitude = static_cast<float>(std::sqrt(wave.share)),
                          .seed = wave.seed,
-                         .isotropic = wave.isotropic});
+                         .isotropic = wave.isotropic,
+                         .weights = {}});
+    for (std::size_t i = 0; i < waves.size(); ++i) // in colour one wave for each lobe
+        put_weights(waves[i].weights, request, i);
     return waves;
 }
 
@@ -89,8 +94,9 @@ Solid::Solid(const vulkan::Device& device, const Request& request, const image::
              const std::vector<passes::SolidWave>& waves, Code code)
     : height_(region.height),
       pass_(device, code_or(code, along_surface(request) ? Code(solid_surface_spirv) : Code(solid_spirv)),
-            {2, sizeof(passes::SolidPush)}, solid_constants(request)),
-      waves_(upload(device, waves)), push_(solid_push(request, request.width, request.height)) {
+            {3, sizeof(passes::SolidPush)}, solid_constants(request)),
+      waves_(upload(device, waves)), colour_(upload(device, std::vector{pixels_colour(request)})),
+      push_(solid_push(request, request.width, request.height)) {
     push_.waves = static_cast<int>(waves.size());
     push_.width = region.width;
     push_.first_column = region.x;
@@ -102,7 +108,7 @@ std::vector<RegionRenderer::Band> Solid::bands(int most_rows) const {
 }
 
 vulkan::Job Solid::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, pass_, {waves_, result}};
+    return {device, pass_, {waves_, result, colour_}};
 }
 
 void Solid::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {

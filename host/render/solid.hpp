@@ -44,6 +44,7 @@ class Solid : public RegionRenderer {
     int height_;
     vulkan::Pass pass_;
     vulkan::Buffer waves_;
+    vulkan::Buffer colour_;
     passes::SolidPush push_;
 };
 

@@ -29,7 +29,7 @@ vulkan::Pass::Interface interface_of(const NoisePass& noise) {
     if (render::has_material(noise.request))
         return {1, sizeof(passes::MaterialPush)};
     if (render::in_space(noise.request))
-        return {2, sizeof(passes::SolidPush)};
+        return {3, sizeof(passes::SolidPush)};
     if (noise.block)
         return {5, sizeof(passes::BakePush)};
     return {6, sizeof(passes::PixelsPush)};
@@ -94,7 +94,8 @@ void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::B
                           },
                           [&](const SolidInput& of) {
                               upload(device_, waves_, of.waves);
-                              buffers = {waves_, values_};
+                              upload(device_, colour_, std::vector{of.colour});
+                              buffers = {waves_, values_, colour_};
                           },
                           [&](const MaterialInput&) { buffers = {values_}; },
                           [&](const render::BakeTables& of) {

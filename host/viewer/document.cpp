@@ -68,8 +68,6 @@ render::Request with_output(render::Request request, Output output) {
         request.quadrature = request.phasor = true;
         render::give_way(request, "phasor");
     }
-    if (render::in_space(request))
-        request.colour.reset(); // the window draws space in grey
     return request;
 }
 

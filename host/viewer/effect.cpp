@@ -25,8 +25,7 @@ std::string_view without_effect(const Document& document, std::string_view contr
             return "A material has noises of its own";
         return {};
     }
-    if (request.colour && !space && document.output == Output::value &&
-        (control == "colours" || control == "contrast"))
+    if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
         return "A photograph's noise has its colours";
     if (control == "recipe" && space)
         return "Noise in space has one recipe, the lattice's";

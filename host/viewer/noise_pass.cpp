@@ -147,6 +147,14 @@ float left_of_wave(double frequency, double pixels) {
     return static_cast<float>(std::exp(-2 * std::pow(std::numbers::pi * frequency, 2) * variance));
 }
 
+// Leaves a share of a wave, in grey and in colour.
+template <typename Wave>
+void reduce(Wave& wave, float share) {
+    wave.amplitude *= share;
+    for (passes::vec2& weight : wave.weights)
+        weight = {share * weight.x, share * weight.y};
+}
+
 // A slice of noise in space that begins where the camera is, to a whole value.
 passes::SolidPush solid_push(const NoisePass& noise, const Camera& camera, Extent extent, int stride) {
     passes::SolidPush push = render::solid_push(noise.request, extent.width, extent.height, stride);
@@ -297,11 +305,12 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
         return request.filter ? 1 : left_of_wave(frequency / request.scale, stride / camera.zoom);
     };
     if (render::in_space(request)) {
-        SolidInput input{solid_push(noise, camera, extent, stride), render::solid_waves(request)};
+        SolidInput input{solid_push(noise, camera, extent, stride), render::solid_waves(request),
+                         render::pixels_colour(request)};
         input.push.waves = static_cast<int>(input.waves.size());
         if (is_flat(request.view))
             for (passes::SolidWave& wave : input.waves)
-                wave.amplitude *= left(double{wave.frequency} / double{wave.radius});
+                reduce(wave, left(double{wave.frequency} / double{wave.radius}));
         return {grid, std::move(input)};
     }
     const double scale = request.scale * camera.zoom;
@@ -342,12 +351,8 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
     } else {
         push.pixel *= static_cast<float>(stride);
         if (request.paint.empty())
-            for (passes::PixelsWave& wave : input.waves) {
-                const float share = left(double{wave.frequency} / double{wave.radius});
-                wave.amplitude *= share;
-                for (passes::vec2& weight : wave.weights)
-                    weight = {share * weight.x, share * weight.y};
-            }
+            for (passes::PixelsWave& wave : input.waves)
+                reduce(wave, left(double{wave.frequency} / double{wave.radius}));
         add_points(input.columns, camera.x, extent.width, scale, stride, cells.x);
         add_points(input.rows, camera.y, extent.height, scale, stride, cells.y);
     }

@@ -69,6 +69,7 @@ struct PixelsInput {
 struct SolidInput {
     passes::SolidPush push;
     std::vector<passes::SolidWave> waves;
+    passes::PixelsColour colour = {};
 };
 
 /// What passes/material.comp reads.

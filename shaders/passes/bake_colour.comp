@@ -4,6 +4,7 @@
 // The last step of a bake in colour: of each pixel, the components that passes/bake.comp has added up become its colour.
 
 #include "passes/bake_interface.h"
+const int colour_binding = 4;
 #include "colour.glsl"
 
 layout(constant_id = 0) const int channels = 3; // floats per pixel

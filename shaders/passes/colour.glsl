@@ -1,8 +1,9 @@
-// The colour of a pixel, from the components that noises add up to.
+// The colour of a pixel, from the components that noises add up to. What includes this says which buffer `colour_binding`
+// is.
 
 #include "passes/colour.h"
 
-layout(std430, set = 0, binding = 4) readonly buffer Colour { PixelsColour colour; };
+layout(std430, set = 0, binding = colour_binding) readonly buffer Colour { PixelsColour colour; };
 
 // Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
 // mean of that over what was removed: of z^n over a normal rest of variance v.

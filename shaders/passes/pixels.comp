@@ -4,6 +4,7 @@
 // A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
+const int colour_binding = 4;
 #include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3

@@ -16,8 +16,9 @@ layout(constant_id = 6) const bool with_gradient = false; // along the picture's
 layout(constant_id = 7) const bool with_phasor = false;
 const int rays = 4; // through a pixel for its coverage, along each axis
 layout(constant_id = 8) const bool animated = false; // whether time is not 0
-layout(constant_id = 9) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
-const int channels = values + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+layout(constant_id = 9) const bool coloured = false; // three values are a colour
+layout(constant_id = 10) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
+const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
 #include "gabor_lattice.glsl"
@@ -28,7 +29,9 @@ layout(local_size_x = solid_group, local_size_y = solid_group) in;
 layout(std430, set = 0, binding = 0) readonly buffer Waves { SolidWave wave_table[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
 
+const int colour_binding = 2;
 #include "body.glsl"
+#include "colour.glsl"
 
 GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
     bool isotropic = some_isotropic && (!some_directed || wave.isotropic == 1u);
@@ -48,10 +51,12 @@ struct Values {
     vec4 values;
     vec2 complex;
     vec3 slope;
+    vec3 components;
+    vec3 components_removed;
 };
 
 Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
-    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0));
+    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     for (int i = 0; i < waves; ++i) {
         SolidWave wave = wave_table[i];
         GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
@@ -69,14 +74,28 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
                 sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
                 sum.slope += wave.amplitude / wave.radius * field.gradient;
             }
+            if (coloured) { // with one value
+                vec2 a = wave.weights[0];
+                vec2 b = wave.weights[1];
+                vec2 c = wave.weights[2];
+                vec2 value = vec2(field.quadrature, field.noise);
+                sum.components += vec3(dot(a, value), dot(b, value), dot(c, value));
+                sum.components_removed += field.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
+            }
         }
     }
     return sum;
 }
 
 void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes) {
-    for (int i = 0; i < values; ++i)
-        picture[at++] = here.values[i];
+    if (coloured) {
+        vec3 shown = colour_of(here.components, here.components_removed);
+        for (int i = 0; i < 3; ++i)
+            picture[at++] = shown[i];
+    } else {
+        for (int i = 0; i < values; ++i)
+            picture[at++] = here.values[i];
+    }
     if (with_quadrature)
         picture[at++] = here.complex.x;
     if (with_gradient) {

@@ -3,7 +3,7 @@
 #ifndef GABOR_SOLID_INTERFACE_H
 #define GABOR_SOLID_INTERFACE_H
 
-#include "passes/interface.h"
+#include "passes/colour.h"
 
 GABOR_INTERFACE_BEGIN
 
@@ -16,7 +16,8 @@ struct SolidWave {
     float radius;    // of its kernels, in those of the picture
     float amplitude; // the root of its share of the variance
     uint seed;
-    uint isotropic; // 1 where waves have all directions
+    uint isotropic;  // 1 where waves have all directions
+    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
 };
 
 // Lengths are in kernel radii of the picture.

@@ -17,6 +17,7 @@
 #include <complex>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace gabor;
@@ -274,43 +275,86 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
     }
 }
 
-TEST_CASE("a slice of space in colour mixes what it has in grey", "[render]") {
+TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") {
     const vulkan::Device device;
-    render::Request request{.width = 90,
-                            .height = 60,
-                            .scale = 17.3,
-                            .lobes = {several[0], several[1]},
-                            .seed = 77,
-                            .time = 0.3,
-                            .view = render::Slice{2.7},
-                            .quadrature = true};
     const image::Window region{0, 0, 90, 60};
-    const std::vector<float> grey = rendered(device, request, region); // noise, quadrature, coverage
-    request.quadrature = false;
     const double share = std::sqrt(2 / 3.0); // of the first lobe in the deviation
     const double rest = std::sqrt(1 / 3.0);
-    request.colour =
-        noise::Colour{.weights = {{{{0, share}, {share, 0}, {0.6 * share, 0.8 * share}}},
-                                  {{{0, rest}, {rest, 0}, {0.6 * rest, 0.8 * rest}}}},
-                      .histogram = {{{0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}}},
-                      .mean = {0.5, 0, 0},
-                      .mixing = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-    CHECK_NOTHROW(render::check(request));
-    const std::vector<float> colours = rendered(device, request, region); // red, green, blue, coverage
-    REQUIRE(grey.size() == 3u * 90 * 60);
-    REQUIRE(colours.size() == 4u * 90 * 60);
-    double largest = 0;
-    for (std::size_t i = 0; i < 90u * 60; ++i) {
-        const double y = grey[3 * i];
-        const double q = grey[3 * i + 1];
-        const auto within_law = [](double z) { return std::clamp(z, -4.0, 4.0); }; // polynomials end there
-        const std::array expected{0.5 + within_law(y), within_law(q), within_law(0.6 * q + 0.8 * y), 1.0};
-        for (std::size_t c = 0; c < 4; ++c)
-            largest = std::max(largest, std::abs(colours[4 * i + c] - expected[c]));
+    const noise::Colour colour{.weights = {{{{0, share}, {share, 0}, {0.6 * share, 0.8 * share}}},
+                                           {{{0, rest}, {rest, 0}, {0.6 * rest, 0.8 * rest}}}},
+                               .histogram = {{{0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}}},
+                               .mean = {0.5, 0, 0},
+                               .mixing = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    const std::pair<const char*, render::View> views[]{
+        {"slice", render::Slice{2.7}},
+        {"sphere", render::Body{}},
+        {"solid torus", render::Body{.shape = render::Shape::torus, .solid = true}}};
+    for (const auto& [name, view] : views) {
+        for (const bool filter : {false, true}) {
+            render::Request request{.width = 90,
+                                    .height = 60,
+                                    .scale = 17.3,
+                                    .lobes = {several[0], several[1]},
+                                    .seed = 77,
+                                    .time = 0.3,
+                                    .view = view,
+                                    .filter = filter,
+                                    .quadrature = true};
+            const std::vector<float> grey = rendered(device, request, region); // noise, quadrature, coverage
+            request.quadrature = false;
+            request.colour = colour;
+            CHECK_NOTHROW(render::check(request));
+            const std::vector<float> colours =
+                rendered(device, request, region); // red, green, blue, coverage
+            REQUIRE(grey.size() == 3u * 90 * 60);
+            REQUIRE(colours.size() == 4u * 90 * 60);
+            double largest = 0;
+            for (std::size_t i = 0; i < 90u * 60; ++i) {
+                const double y = grey[3 * i];
+                const double q = grey[3 * i + 1];
+                const auto within_law = [](double z) {
+                    return std::clamp(z, -4.0, 4.0);
+                }; // polynomials end there
+                std::array expected{0.5 + within_law(y), within_law(q), within_law(0.6 * q + 0.8 * y), 1.0};
+                expected[3] = double{grey[3 * i + 2]};
+                if (expected[3] == 0) // beside the body
+                    expected.fill(0);
+                for (std::size_t c = 0; c < 4; ++c)
+                    largest = std::max(largest, std::abs(colours[4 * i + c] - expected[c]));
+            }
+            fmt::print("{}{} in colour: largest difference {:.2g}\n", filter ? "filtered " : "", name,
+                       largest);
+            CHECK(largest > 0);
+            CHECK(largest < 5e-6);
+        }
     }
-    fmt::print("slice in colour: largest difference {:.2g}\n", largest);
-    CHECK(largest > 0);
-    CHECK(largest < 5e-6);
+}
+
+TEST_CASE("colours of space through the filter keep their mean", "[render]") {
+    const vulkan::Device device;
+    render::Request request{
+        .width = 96, .height = 96, .scale = 2, .seed = 77, .view = render::Slice{2.7}, .filter = true};
+    request.lobes.front().frequency = 0.3;
+    const std::vector<float> grey = rendered(device, request, {0, 0, 96, 96});
+    request.colour =
+        noise::Colour{.weights = {{{{0, 1}, {1, 0}, {0.6, 0.8}}}},
+                      .histogram = {{{0, 0, 1, 0, 0, 0}, {0, 0, 1, 0, 0, 0}, {0, 0, 0, 0, 1, 0}}},
+                      .mean = {0, 0, 0},
+                      .mixing = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    const std::vector<float> colours = rendered(device, request, {0, 0, 96, 96});
+    double square = 0;
+    std::array<double, 3> mean{};
+    for (std::size_t i = 0; i < 96u * 96; ++i) {
+        square += double{grey[2 * i]} * double{grey[2 * i]} / (96 * 96);
+        for (std::size_t c = 0; c < 3; ++c)
+            mean[c] += double{colours[4 * i + c]} / (96 * 96);
+    }
+    fmt::print("variance {:.2f} of the filtered noise, means of z^2 and z^4 {:.3f} {:.3f} {:.3f}\n", square,
+               mean[0], mean[1], mean[2]);
+    CHECK(square < 0.8);
+    CHECK(mean[0] == Approx(1).margin(0.06));
+    CHECK(mean[1] == Approx(1).margin(0.06));
+    CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
 TEST_CASE("a region of a spectrum has the bits of the whole, whatever the bands", "[render]") {

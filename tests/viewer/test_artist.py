@@ -8,6 +8,7 @@ import unittest
 import numpy as np
 
 from events import EventsTest  # noqa: I001 (it finds the next one)
+from exr import Exr
 from png import read_colour_png
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "fit"))
@@ -69,6 +70,25 @@ class Artist(EventsTest):
             self.assertEqual(fit[each], expected[each])
         self.keys("Tab", "Tab")
         self.close()
+
+    def test_bodies_have_the_colours_of_a_photograph(self):
+        write_png(self.folder / "cloth.png", colour_noise(160))
+        self.gabor("fit", "cloth.png", "-o", "cloth.json")
+        cloth = json.loads(self.read("cloth.json"))
+        views = "sphere", "torus", "slice"
+        for view in views:
+            text = json.dumps({**cloth, "width": 160, "height": 120, "view": view, "filter": True})
+            (self.folder / f"{view}.json").write_text(text)
+        self.play("\n".join(f"open {view}.json\nscreenshot {view}.png" for view in views) + "\nquit",
+                  "--window", "480x320")
+        for view in views:
+            self.gabor("render", "--like", f"{view}.json", "--png", "expected.png", "-o", "expected.exr")
+            seen, expected = (read_colour_png(self.folder / f"{file}.png").astype(int) for file in (view, "expected"))
+            inside = Exr(self.folder / "expected.exr").channels["A"] == 1
+            self.assertGreater(inside.mean(), 0.1)
+            off = np.abs(seen - expected)[inside].max(axis=1)
+            self.assertLessEqual(np.quantile(off, 0.995), 1, f"{view}: {off.max()}")
+            self.assertGreater(seen[inside].std(axis=0).min(), 5, view)
 
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
