@@ -232,6 +232,7 @@ struct GaborBand {
     vec3 odd_2;
     float reach;  // w, in node spacings
     float offset; // from the first of its nodes, in node spacings
+    int count;    // of nodes, 4 or 5
     int first;
     int period;
     uint salt;
@@ -243,7 +244,8 @@ struct GaborBand {
 GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, vec2 step) {
     GaborBand b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
-    float zero = floor(local + (b.reach > 2.0 ? 0.5 : 1.0)) - 2.0;
+    b.count = b.reach > 2.0 ? 5 : 4;
+    float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
     b.offset = local - zero;
     b.first = cell + int(zero);
     b.period = period;
@@ -345,7 +347,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
                                        step_x);
     GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
-    bool five = across.reach > 2.0;
+    bool five = across.count == 5;
     vec2 turn = gabor_impl_wave(0.5 / across.reach * across.offset);
     GaborLine c0 = gabor_impl_filtered_line(across, 0, turn, vec2(1.0, 0.0), gabor_impl_fade(across, 0));
     GaborLine c1 = gabor_impl_next_line(c0, across, 1, 1.0);
@@ -356,7 +358,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     GaborLine line; // the one before the first row
     line.turn = gabor_impl_wave(0.5 / along.reach * (along.offset + 1.0));
     line.phase = gabor_impl_wave(dot(wave, vec2(across.offset, along.offset + 1.0)) / GABOR_RADIUS);
-    int rows = wanted ? (along.reach > 2.0 ? 5 : 4) : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
     vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {

@@ -5,6 +5,21 @@
 
 layout(std430, set = 0, binding = colour_binding) readonly buffer Colour { PixelsColour colour; };
 
+// What noises add up to, and the variance that a filter removed from it.
+struct Components {
+    vec3 value;
+    vec3 removed;
+};
+
+// Adds a noise, given with its quadrature, of whose variance a share was removed.
+void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
+    vec2 a = weights[0];
+    vec2 b = weights[1];
+    vec2 c = weights[2];
+    sum.value += vec3(dot(a, value), dot(b, value), dot(c, value));
+    sum.removed += removed * vec3(dot(a, a), dot(b, b), dot(c, c));
+}
+
 // Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
 // mean of that over what was removed: of z^n over a normal rest of variance v.
 vec3 colour_of(vec3 z, vec3 v) {

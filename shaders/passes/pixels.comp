@@ -46,11 +46,10 @@ struct Values {
     vec2 complex;
     vec2 slope;
     float removed;
-    vec3 components; // of colours
-    vec3 components_removed;
+    Components components; // of colours
 };
 
-const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0));
+const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
 
 // Where a pixel is, and how far from it are its neighbours along the picture's axes.
 struct Footprint {
@@ -108,21 +107,15 @@ Values values_at(Footprint here) {
         sum.complex += wave.amplitude * one.complex;
         sum.slope += wave.amplitude / wave.radius * one.slope;
         sum.removed += wave.amplitude * wave.amplitude * one.removed;
-        if (coloured) {
-            vec2 a = wave.weights[0];
-            vec2 b = wave.weights[1];
-            vec2 c = wave.weights[2];
-            vec2 value = one.complex;
-            sum.components += vec3(dot(a, value), dot(b, value), dot(c, value));
-            sum.components_removed += one.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
-        }
+        if (coloured)
+            add_to(sum.components, wave.weights, one.complex, one.removed);
     }
     return sum;
 }
 
 void write_pixel(int at, Values here) {
     if (coloured) {
-        vec3 shown = colour_of(here.components, here.components_removed);
+        vec3 shown = colour_of(here.components.value, here.components.removed);
         for (int i = 0; i < 3; ++i)
             picture[at++] = shown[i];
     } else {
@@ -154,7 +147,7 @@ void main() {
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         if (seen.y <= 0.0) { // the sky
-            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, vec3(0.0), vec3(1.0)));
+            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0))));
             return;
         }
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.

@@ -29,8 +29,8 @@ layout(local_size_x = solid_group, local_size_y = solid_group) in;
 layout(std430, set = 0, binding = 0) readonly buffer Waves { SolidWave wave_table[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
 
-const int colour_binding = 2;
 #include "body.glsl"
+const int colour_binding = 2;
 #include "colour.glsl"
 
 GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
@@ -51,12 +51,11 @@ struct Values {
     vec4 values;
     vec2 complex;
     vec3 slope;
-    vec3 components;
-    vec3 components_removed;
+    Components components;
 };
 
 Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
-    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0), Components(vec3(0.0), vec3(0.0)));
     for (int i = 0; i < waves; ++i) {
         SolidWave wave = wave_table[i];
         GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
@@ -74,14 +73,8 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
                 sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
                 sum.slope += wave.amplitude / wave.radius * field.gradient;
             }
-            if (coloured) { // with one value
-                vec2 a = wave.weights[0];
-                vec2 b = wave.weights[1];
-                vec2 c = wave.weights[2];
-                vec2 value = vec2(field.quadrature, field.noise);
-                sum.components += vec3(dot(a, value), dot(b, value), dot(c, value));
-                sum.components_removed += field.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
-            }
+            if (coloured) // with one value
+                add_to(sum.components, wave.weights, vec2(field.quadrature, field.noise), field.removed);
         }
     }
     return sum;
@@ -89,7 +82,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
 
 void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes) {
     if (coloured) {
-        vec3 shown = colour_of(here.components, here.components_removed);
+        vec3 shown = colour_of(here.components.value, here.components.removed);
         for (int i = 0; i < 3; ++i)
             picture[at++] = shown[i];
     } else {

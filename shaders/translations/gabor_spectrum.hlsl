@@ -249,6 +249,7 @@ struct GaborBand {
     float3 odd_2;
     float reach;  // w, in node spacings
     float offset; // from the first of its nodes, in node spacings
+    int count;    // of nodes, 4 or 5
     int first;
     int period;
     uint salt;
@@ -260,7 +261,8 @@ struct GaborBand {
 GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
     GaborBand b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
-    float zero = floor(local + (b.reach > 2.0 ? 0.5 : 1.0)) - 2.0;
+    b.count = b.reach > 2.0 ? 5 : 4;
+    float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
     b.offset = local - zero;
     b.first = cell + int(zero);
     b.period = period;
@@ -362,7 +364,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
                                        step_x);
     GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
-    bool five = across.reach > 2.0;
+    bool five = across.count == 5;
     float2 turn = gabor_impl_wave(0.5 / across.reach * across.offset);
     GaborLine c0 = gabor_impl_filtered_line(across, 0, turn, float2(1.0, 0.0), gabor_impl_fade(across, 0));
     GaborLine c1 = gabor_impl_next_line(c0, across, 1, 1.0);
@@ -373,7 +375,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     GaborLine line_; // the one before the first row
     line_.turn = gabor_impl_wave(0.5 / along.reach * (along.offset + 1.0));
     line_.phase = gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS);
-    int rows = wanted ? (along.reach > 2.0 ? 5 : 4) : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {

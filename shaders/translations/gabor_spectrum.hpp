@@ -232,6 +232,7 @@ struct GaborBand {
     gabor_vec3 odd_2;
     float reach;  // w, in node spacings
     float offset; // from the first of its nodes, in node spacings
+    int count;    // of nodes, 4 or 5
     int first;
     int period;
     std::uint32_t salt;
@@ -243,7 +244,8 @@ struct GaborBand {
 GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborBand b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
-    float zero = gabor_cpp_floor(local + (b.reach > 2.0f ? 0.5f : 1.0f)) - 2.0f;
+    b.count = b.reach > 2.0f ? 5 : 4;
+    float zero = gabor_cpp_floor(local + (b.count == 5 ? 0.5f : 1.0f)) - 2.0f;
     b.offset = local - zero;
     b.first = cell + int(zero);
     b.period = period;
@@ -345,7 +347,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
                                        step_x);
     GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
-    bool five = across.reach > 2.0f;
+    bool five = across.count == 5;
     gabor_vec2 turn = gabor_impl_wave(0.5f / across.reach * across.offset);
     GaborLine c0 = gabor_impl_filtered_line(across, 0, turn, gabor_vec2(1.0f, 0.0f), gabor_impl_fade(across, 0));
     GaborLine c1 = gabor_impl_next_line(c0, across, 1, 1.0f);
@@ -356,7 +358,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborLine line; // the one before the first row
     line.turn = gabor_impl_wave(0.5f / along.reach * (along.offset + 1.0f));
     line.phase = gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS);
-    int rows = wanted ? (along.reach > 2.0f ? 5 : 4) : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {

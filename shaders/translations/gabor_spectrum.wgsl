@@ -579,6 +579,7 @@ struct GaborBand {
     odd_2_: vec3<f32>,
     reach: f32,
     offset: f32,
+    count: i32,
     first: i32,
     period: i32,
     salt: u32,
@@ -589,7 +590,8 @@ struct GaborBand {
 // With the windows, less their common factor e^(-g c^2), for a filter of a given deviation along the axis; `m` is r M.
 fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
-    var local_15: f32;
+    var local_15: i32;
+    var local_16: f32;
     var zero_1: f32;
     var g: f32;
     var unit_1: f32;
@@ -605,104 +607,112 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     var half_variance: f32;
 
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
-    let _e17 = b_2;
-    if (_e17.reach > 2f) {
-        local_15 = 0.5f;
+    let _e18 = b_2;
+    if (_e18.reach > 2f) {
+        local_15 = 5i;
     } else {
-        local_15 = 1f;
+        local_15 = 4i;
     }
-    let _e24 = local_15;
-    zero_1 = (floor((local + _e24)) - 2f);
-    let _e31 = zero_1;
-    b_2.offset = (local - _e31);
-    let _e34 = zero_1;
-    b_2.first = (cell + i32(_e34));
+    let _e25 = local_15;
+    b_2.count = _e25;
+    let _e26 = b_2;
+    if (_e26.count == 5i) {
+        local_16 = 0.5f;
+    } else {
+        local_16 = 1f;
+    }
+    let _e33 = local_16;
+    zero_1 = (floor((local + _e33)) - 2f);
+    let _e40 = zero_1;
+    b_2.offset = (local - _e40);
+    let _e43 = zero_1;
+    b_2.first = (cell + i32(_e43));
     b_2.period = period;
     b_2.salt = salt;
-    let _e42 = b_2;
-    let _e45 = gabor_impl_wave((-0.5f / _e42.reach));
-    b_2.turn_back = _e45;
+    let _e51 = b_2;
+    let _e54 = gabor_impl_wave((-0.5f / _e51.reach));
+    b_2.turn_back = _e54;
     b_2.back = vec2<f32>(step.x, -(step.y));
     g = (19.739208f * m);
-    let _e55 = b_2;
-    unit_1 = (0.75f / _e55.reach);
-    let _e60 = g;
-    let _e62 = unit_1;
-    let _e64 = unit_1;
-    fall = exp((((2.5797362f - _e60) * _e62) * _e64));
+    let _e64 = b_2;
+    unit_1 = (0.75f / _e64.reach);
     let _e69 = g;
-    let _e72 = unit_1;
-    rise_1 = exp((((2f * _e69) * c) * _e72));
-    let _e77 = rise_1;
-    sink = (1f / _e77);
-    let _e80 = b_2;
-    t_2 = (_e80.reach - 2f);
-    let _e90 = t_2;
-    let _e96 = t_2;
-    wave_5 = (vec3<f32>(0.25723323f, 0.06366198f, -0.00923401f) + (_e90 * (vec3<f32>(-0.03099653f, 0.11426109f, 0.02659126f) - (_e96 * vec3<f32>(0.0214304f, 0.05809383f, -0.0403848f)))));
-    let _e107 = fall;
-    let _e108 = fall;
-    let _e110 = fall;
-    let _e111 = fall;
-    fall_4_ = ((_e107 * _e108) * (_e110 * _e111));
-    let _e115 = wave_5;
+    let _e71 = unit_1;
+    let _e73 = unit_1;
+    fall = exp((((2.5797362f - _e69) * _e71) * _e73));
+    let _e78 = g;
+    let _e81 = unit_1;
+    rise_1 = exp((((2f * _e78) * c) * _e81));
+    let _e86 = rise_1;
+    sink = (1f / _e86);
+    let _e89 = b_2;
+    t_2 = (_e89.reach - 2f);
+    let _e99 = t_2;
+    let _e105 = t_2;
+    wave_5 = (vec3<f32>(0.25723323f, 0.06366198f, -0.00923401f) + (_e99 * (vec3<f32>(-0.03099653f, 0.11426109f, 0.02659126f) - (_e105 * vec3<f32>(0.0214304f, 0.05809383f, -0.0403848f)))));
     let _e116 = fall;
-    let _e117 = fall_4_;
-    let _e118 = fall_4_;
-    let _e119 = fall_4_;
-    let _e121 = fall;
-    wave_5 = (_e115 * vec3<f32>(_e116, _e117, ((_e118 * _e119) * _e121)));
-    let _e125 = wave_5;
-    let _e126 = rise_1;
-    let _e127 = rise_1;
-    let _e128 = rise_1;
-    let _e130 = rise_1;
-    let _e131 = rise_1;
-    let _e133 = rise_1;
-    above = (_e125 * vec3<f32>(_e126, (_e127 * _e128), ((_e130 * _e131) * _e133)));
-    let _e138 = wave_5;
-    let _e139 = sink;
-    let _e140 = sink;
-    let _e141 = sink;
-    let _e143 = sink;
-    let _e144 = sink;
-    let _e146 = sink;
-    below = (_e138 * vec3<f32>(_e139, (_e140 * _e141), ((_e143 * _e144) * _e146)));
-    let _e151 = unit_1;
-    q = (_e151 * vec3<f32>(1f, 2f, 3f));
-    let _e159 = g;
-    half_variance = (0.25f / _e159);
-    let _e163 = unit_1;
-    let _e167 = half_variance;
-    b_2.mean = (_e163 * vec3<f32>(1f, -(c), ((c * c) - _e167)));
-    let _e172 = above;
-    let _e173 = below;
-    b_2.even_0_ = (_e172 + _e173);
-    let _e176 = above;
-    let _e177 = below;
-    b_2.odd_0_ = (_e176 - _e177);
-    let _e180 = q;
-    let _e181 = b_2;
-    let _e184 = b_2;
-    b_2.even_1_ = ((_e180 * _e181.odd_0_) - (c * _e184.even_0_));
+    let _e117 = fall;
+    let _e119 = fall;
+    let _e120 = fall;
+    fall_4_ = ((_e116 * _e117) * (_e119 * _e120));
+    let _e124 = wave_5;
+    let _e125 = fall;
+    let _e126 = fall_4_;
+    let _e127 = fall_4_;
+    let _e128 = fall_4_;
+    let _e130 = fall;
+    wave_5 = (_e124 * vec3<f32>(_e125, _e126, ((_e127 * _e128) * _e130)));
+    let _e134 = wave_5;
+    let _e135 = rise_1;
+    let _e136 = rise_1;
+    let _e137 = rise_1;
+    let _e139 = rise_1;
+    let _e140 = rise_1;
+    let _e142 = rise_1;
+    above = (_e134 * vec3<f32>(_e135, (_e136 * _e137), ((_e139 * _e140) * _e142)));
+    let _e147 = wave_5;
+    let _e148 = sink;
+    let _e149 = sink;
+    let _e150 = sink;
+    let _e152 = sink;
+    let _e153 = sink;
+    let _e155 = sink;
+    below = (_e147 * vec3<f32>(_e148, (_e149 * _e150), ((_e152 * _e153) * _e155)));
+    let _e160 = unit_1;
+    q = (_e160 * vec3<f32>(1f, 2f, 3f));
+    let _e168 = g;
+    half_variance = (0.25f / _e168);
+    let _e172 = unit_1;
+    let _e176 = half_variance;
+    b_2.mean = (_e172 * vec3<f32>(1f, -(c), ((c * c) - _e176)));
+    let _e181 = above;
+    let _e182 = below;
+    b_2.even_0_ = (_e181 + _e182);
+    let _e185 = above;
+    let _e186 = below;
+    b_2.odd_0_ = (_e185 - _e186);
     let _e189 = q;
     let _e190 = b_2;
     let _e193 = b_2;
-    b_2.odd_1_ = ((_e189 * _e190.even_0_) - (c * _e193.odd_0_));
+    b_2.even_1_ = ((_e189 * _e190.odd_0_) - (c * _e193.even_0_));
     let _e198 = q;
     let _e199 = b_2;
     let _e202 = b_2;
-    let _e206 = half_variance;
-    let _e207 = b_2;
-    b_2.even_2_ = (((_e198 * _e199.odd_1_) - (c * _e202.even_1_)) - (_e206 * _e207.even_0_));
-    let _e212 = q;
-    let _e213 = b_2;
+    b_2.odd_1_ = ((_e198 * _e199.even_0_) - (c * _e202.odd_0_));
+    let _e207 = q;
+    let _e208 = b_2;
+    let _e211 = b_2;
+    let _e215 = half_variance;
     let _e216 = b_2;
-    let _e220 = half_variance;
-    let _e221 = b_2;
-    b_2.odd_2_ = (((_e212 * _e213.even_1_) - (c * _e216.odd_1_)) - (_e220 * _e221.odd_0_));
+    b_2.even_2_ = (((_e207 * _e208.odd_1_) - (c * _e211.even_1_)) - (_e215 * _e216.even_0_));
+    let _e221 = q;
+    let _e222 = b_2;
     let _e225 = b_2;
-    return _e225;
+    let _e229 = half_variance;
+    let _e230 = b_2;
+    b_2.odd_2_ = (((_e221 * _e222.even_1_) - (c * _e225.odd_1_)) - (_e229 * _e230.odd_0_));
+    let _e234 = b_2;
+    return _e234;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -834,7 +844,6 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var c3_: GaborLine;
     var c4_: GaborLine;
     var line_2: GaborLine;
-    var local_16: i32;
     var local_17: i32;
     var rows_1: i32;
     var value_6: vec2<f32> = vec2(0f);
@@ -896,7 +905,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e130 = gabor_impl_band(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
     along = _e130;
     let _e132 = across;
-    five = (_e132.reach > 2f);
+    five = (_e132.count == 5i);
     let _e138 = across;
     let _e141 = across;
     let _e144 = gabor_impl_wave(((0.5f / _e138.reach) * _e141.offset));
@@ -942,120 +951,114 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     line_2.phase = _e213;
     if wanted {
         let _e214 = along;
-        if (_e214.reach > 2f) {
-            local_16 = 5i;
-        } else {
-            local_16 = 4i;
-        }
-        let _e221 = local_16;
-        local_17 = _e221;
+        local_17 = _e214.count;
     } else {
         local_17 = 0i;
     }
-    let _e224 = local_17;
-    rows_1 = _e224;
+    let _e218 = local_17;
+    rows_1 = _e218;
     loop {
         {
-            let _e237 = line_2;
-            let _e238 = along;
-            let _e239 = j_2;
-            let _e240 = along;
-            let _e241 = j_2;
-            let _e242 = gabor_impl_fade(_e240, _e241);
-            let _e243 = gabor_impl_next_line(_e237, _e238, _e239, _e242);
-            line_2 = _e243;
+            let _e231 = line_2;
+            let _e232 = along;
+            let _e233 = j_2;
+            let _e234 = along;
+            let _e235 = j_2;
+            let _e236 = gabor_impl_fade(_e234, _e235);
+            let _e237 = gabor_impl_next_line(_e231, _e232, _e233, _e236);
+            line_2 = _e237;
             row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e251 = c0_;
-            let _e252 = line_2;
-            gabor_impl_add_filtered((&row_2), _e251, _e252.word, place.animated, place.time);
-            let _e258 = c1_;
-            let _e259 = line_2;
-            gabor_impl_add_filtered((&row_2), _e258, _e259.word, place.animated, place.time);
-            let _e265 = c2_;
-            let _e266 = line_2;
-            gabor_impl_add_filtered((&row_2), _e265, _e266.word, place.animated, place.time);
-            let _e272 = c3_;
-            let _e273 = line_2;
-            gabor_impl_add_filtered((&row_2), _e272, _e273.word, place.animated, place.time);
-            let _e278 = five;
-            if _e278 {
-                let _e280 = c4_;
-                let _e281 = line_2;
-                gabor_impl_add_filtered((&row_2), _e280, _e281.word, place.animated, place.time);
+            let _e245 = c0_;
+            let _e246 = line_2;
+            gabor_impl_add_filtered((&row_2), _e245, _e246.word, place.animated, place.time);
+            let _e252 = c1_;
+            let _e253 = line_2;
+            gabor_impl_add_filtered((&row_2), _e252, _e253.word, place.animated, place.time);
+            let _e259 = c2_;
+            let _e260 = line_2;
+            gabor_impl_add_filtered((&row_2), _e259, _e260.word, place.animated, place.time);
+            let _e266 = c3_;
+            let _e267 = line_2;
+            gabor_impl_add_filtered((&row_2), _e266, _e267.word, place.animated, place.time);
+            let _e272 = five;
+            if _e272 {
+                let _e274 = c4_;
+                let _e275 = line_2;
+                gabor_impl_add_filtered((&row_2), _e274, _e275.word, place.animated, place.time);
             }
-            let _e286 = value_6;
-            let _e287 = row_2;
-            let _e288 = line_2;
-            let _e290 = weights_1;
-            let _e291 = gabor_impl_contracted(_e287, _e288.window, _e290);
-            value_6 = (_e286 + _e291);
-            let _e293 = next_x;
-            let _e294 = row_2;
-            let _e295 = gabor_impl_next(_e294);
-            let _e296 = line_2;
-            let _e298 = weights_1;
-            let _e299 = gabor_impl_contracted(_e295, _e296.window, _e298);
-            next_x = (_e293 + _e299);
-            let _e301 = next_y;
-            let _e302 = row_2;
-            let _e303 = line_2;
-            let _e305 = gabor_impl_next(_e303.window);
-            let _e306 = weights_1;
-            let _e307 = gabor_impl_contracted(_e302, _e305, _e306);
-            next_y = (_e301 + _e307);
+            let _e280 = value_6;
+            let _e281 = row_2;
+            let _e282 = line_2;
+            let _e284 = weights_1;
+            let _e285 = gabor_impl_contracted(_e281, _e282.window, _e284);
+            value_6 = (_e280 + _e285);
+            let _e287 = next_x;
+            let _e288 = row_2;
+            let _e289 = gabor_impl_next(_e288);
+            let _e290 = line_2;
+            let _e292 = weights_1;
+            let _e293 = gabor_impl_contracted(_e289, _e290.window, _e292);
+            next_x = (_e287 + _e293);
+            let _e295 = next_y;
+            let _e296 = row_2;
+            let _e297 = line_2;
+            let _e299 = gabor_impl_next(_e297.window);
+            let _e300 = weights_1;
+            let _e301 = gabor_impl_contracted(_e296, _e299, _e300);
+            next_y = (_e295 + _e301);
         }
-        let _e309 = j_2;
-        let _e311 = (_e309 + 1i);
-        j_2 = _e311;
-        let _e312 = rows_1;
-        if !((_e311 < _e312)) {
+        let _e303 = j_2;
+        let _e305 = (_e303 + 1i);
+        j_2 = _e305;
+        let _e306 = rows_1;
+        if !((_e305 < _e306)) {
             break;
         }
     }
+    let _e310 = c_4;
+    let _e312 = blurred_2;
+    let _e314 = r_1;
+    let _e315 = m_1;
     let _e316 = c_4;
-    let _e318 = blurred_2;
-    let _e320 = r_1;
-    let _e321 = m_1;
-    let _e322 = c_4;
-    let _e323 = c_4;
-    exponent_1 = (19.739208f * (dot((wave + _e316), _e318) + (_e320 * dot(_e321, (_e322 * _e323)))));
-    let _e330 = c_4;
-    mean = (wave + _e330);
-    let _e333 = lambda;
-    let _e334 = m_1;
-    let _e336 = m_1;
-    before = (_e333 * sqrt((_e334.yx / _e336)));
-    let _e342 = mean;
-    let _e344 = value_6;
-    let _e346 = next_x;
-    let _e348 = before;
-    let _e350 = next_y;
-    x_4 = (6.2831855f * (((_e342.x * _e344) + _e346) - (_e348.x * _e350)));
-    let _e356 = mean;
-    let _e358 = value_6;
-    let _e360 = next_y;
-    let _e362 = before;
-    let _e364 = next_x;
-    y_5 = (6.2831855f * (((_e356.y * _e358) + _e360) - (_e362.y * _e364)));
-    let _e370 = lambda;
-    let _e371 = lambda;
-    let _e375 = exponent_1;
+    let _e317 = c_4;
+    exponent_1 = (19.739208f * (dot((wave + _e310), _e312) + (_e314 * dot(_e315, (_e316 * _e317)))));
+    let _e324 = c_4;
+    mean = (wave + _e324);
+    let _e327 = lambda;
+    let _e328 = m_1;
+    let _e330 = m_1;
+    before = (_e327 * sqrt((_e328.yx / _e330)));
+    let _e336 = mean;
+    let _e338 = value_6;
+    let _e340 = next_x;
+    let _e342 = before;
+    let _e344 = next_y;
+    x_4 = (6.2831855f * (((_e336.x * _e338) + _e340) - (_e342.x * _e344)));
+    let _e350 = mean;
+    let _e352 = value_6;
+    let _e354 = next_y;
+    let _e356 = before;
+    let _e358 = next_x;
+    y_5 = (6.2831855f * (((_e350.y * _e352) + _e354) - (_e356.y * _e358)));
+    let _e364 = lambda;
+    let _e365 = lambda;
+    let _e369 = exponent_1;
     if false {
         local_18 = 1f;
     } else {
         local_18 = 1.125f;
     }
-    let _e389 = local_18;
-    scale_1 = ((sqrt((1f - (_e370 * _e371))) * exp(-(_e375))) / (1459955300000000000000000000f * _e389));
-    let _e393 = scale_1;
-    let _e394 = value_6;
-    let _e396 = scale_1;
-    let _e397 = x_4;
-    let _e400 = x_4;
-    let _e404 = scale_1;
-    let _e405 = y_5;
-    let _e408 = y_5;
-    return GaborField((_e393 * _e394), (_e396 * vec2<f32>(-(_e397.y), _e400.x)), (_e404 * vec2<f32>(-(_e405.y), _e408.x)));
+    let _e383 = local_18;
+    scale_1 = ((sqrt((1f - (_e364 * _e365))) * exp(-(_e369))) / (1459955300000000000000000000f * _e383));
+    let _e387 = scale_1;
+    let _e388 = value_6;
+    let _e390 = scale_1;
+    let _e391 = x_4;
+    let _e394 = x_4;
+    let _e398 = scale_1;
+    let _e399 = y_5;
+    let _e402 = y_5;
+    return GaborField((_e387 * _e388), (_e390 * vec2<f32>(-(_e391.y), _e394.x)), (_e398 * vec2<f32>(-(_e399.y), _e402.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
