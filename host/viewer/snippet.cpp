@@ -271,10 +271,10 @@ std::string snippet(const Document& document, Extent extent) {
     if (!request.paint.empty())
         text += "// Frequency and orientation were painted; here they are those beside the paint.\n";
     text += fmt::format("#include \"{}\" // or paste it here\n", noise::drop_in(recipe));
+    if (space || request.filter)
+        text += "#include \"gabor_spectrum.glsl\" // and this one\n";
     if (space)
         text += "#include \"gabor_lattice_3d.glsl\" // and this one\n";
-    else if (request.filter)
-        text += "#include \"gabor_spectrum.glsl\" // and this one\n";
     return text + (space ? of_space(request, of) : of_plane(document, of, extent)) + of_colours(document, of);
 }
 

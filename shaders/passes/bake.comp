@@ -24,6 +24,7 @@
 #include "passes/bake_interface.h"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
+#include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 #endif
 

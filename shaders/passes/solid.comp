@@ -22,6 +22,7 @@ const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (
                    + (with_normal ? 4 : 0);
 
 #include "gabor_lattice.glsl"
+#include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;

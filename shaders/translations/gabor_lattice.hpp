@@ -73,6 +73,8 @@ struct gabor_vector<T, 3> {
     GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
     GABOR_INLINE gabor_vector<T, 2> yx() const { return {y, x}; }
     GABOR_INLINE gabor_vector<T, 2> yz() const { return {y, z}; }
+    GABOR_INLINE gabor_vector<T, 3> yzx() const { return {y, z, x}; }
+    GABOR_INLINE gabor_vector<T, 3> zxy() const { return {z, x, y}; }
     GABOR_INLINE void set_xy(gabor_vector<T, 2> v) { x = v.x, y = v.y; }
 };
 
@@ -93,6 +95,7 @@ struct gabor_vector<T, 4> {
     GABOR_INLINE gabor_vector<T, 2> xy() const { return {x, y}; }
     GABOR_INLINE gabor_vector<T, 2> zw() const { return {z, w}; }
     GABOR_INLINE gabor_vector<T, 3> xyz() const { return {x, y, z}; }
+    GABOR_INLINE gabor_vector<T, 3> yzw() const { return {y, z, w}; }
 };
 
 using gabor_vec2 = gabor_vector<float, 2>;

@@ -1,14 +1,14 @@
 // gabor_lattice_3d.hlsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.hlsl; every name that it adds begins with gabor_, Gabor or GABOR_: for HLSL, shader model 5.0 and up.
+// after gabor_spectrum.hlsl, which has the filter; every name that it adds begins with gabor_, Gabor or GABOR_: for HLSL, shader model 5.0 and up.
 //
-// Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
+// Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_LATTICE_3D_HLSL
 #define GABOR_LATTICE_3D_HLSL
-#ifndef GABOR_LATTICE_HLSL
-#error Include gabor_lattice.hlsl before gabor_lattice_3d.hlsl
+#ifndef GABOR_SPECTRUM_HLSL
+#error Include gabor_lattice.hlsl and gabor_spectrum.hlsl before gabor_lattice_3d.hlsl
 #elif GABOR_TAPS != 3
 #error gabor_lattice_3d.hlsl needs GABOR_TAPS 3
 #endif
@@ -66,81 +66,7 @@ GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, flo
     return made;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-uint gabor_impl_slice_word(uint row, uint slice) {
-    return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// ---- The filter ----------------------------------------------------------------------------------------------------
-
-// A complex number for each of 27 nodes or waves, in the order of three indices.
-struct GaborCube {
-    float2 number[27];
-};
-
-// Takes the first index from the nodes along an axis to the three waves that they are together between nodes, and makes
-// it the last: for a = -1, 0, 1 a node adds e^(pi i a d) / 4 = (h - 1/2 - i a h' / pi) / 2, 1/2 and again the first of
-// its window h(d). Within half a deviation of the filter from the window's end it fades, so that nothing jumps.
-GaborCube gabor_impl_to_waves(GaborCube nodes, GaborAxis axis, float deviation) {
-    float4 value, slope;
-    gabor_impl_windows(axis.offset, value, slope);
-    float2 phase[3];
-    for (int i = 0; i < 3; ++i) {
-        float inside = 1.0 - abs(axis.offset + 1.0 - float(i)) / GABOR_RADIUS;
-        float fade = smoothstep(0.0, max(0.5 * deviation, 1.0e-6), inside);
-        phase[i] = 0.5 * fade * gabor_impl_wave(float(1 - i) * axis.turns);
-    }
-    GaborCube waves;
-    for (int n = 0; n < 9; ++n) {
-        float2 mean = (float2)(0.0), even = (float2)(0.0), odd = (float2)(0.0);
-        for (int i = 0; i < 3; ++i) {
-            float2 node = gabor_impl_product(nodes.number[9 * i + n], phase[i]);
-            mean += node;
-            even += (value[i] - 0.5) * node;
-            odd += 0.31830989 * slope[i] * float2(node.y, -node.x);
-        }
-        waves.number[3 * n] = even - odd;
-        waves.number[3 * n + 1] = mean;
-        waves.number[3 * n + 2] = even + odd;
-    }
-    return waves;
-}
-
-// Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
-// exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
-// neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: |det(1 + i S)|^(-1/2).
-GaborField3d gabor_impl_filtered(GaborPlace3d place, float3 wave, GaborAxis x, GaborAxis y, GaborAxis z, float2 turn) {
-    float3 dx = clamp(place.dx, -1.0e6, 1.0e6);
-    float3 dy = clamp(place.dy, -1.0e6, 1.0e6);
-    float trace = 0.25 * (dot(dx, dx) + dot(dy, dy));
-    float determinant = 0.0625 * dot(cross(dx, dy), cross(dx, dy));
-    float fade = rsqrt(length(float2(trace, 1.0 - determinant)));
-    float3 spacing = 0.5 * place.radius / GABOR_RADIUS; // of waves
-    GaborCube cube;
-    for (int n = 0; n < 27; ++n) {
-        uint row = gabor_impl_slice_word(y.word[n / 3 % 3], z.word[n / 9]);
-        cube.number[n] = gabor_impl_amplitude_at(x.word[n % 3] * row, place.animated, place.time);
-    }
-    cube = gabor_impl_to_waves(cube, z, spacing.z * length(float2(dx.z, dy.z)));
-    cube = gabor_impl_to_waves(cube, y, spacing.y * length(float2(dx.y, dy.y)));
-    cube = gabor_impl_to_waves(cube, x, spacing.x * length(float2(dx.x, dy.x)));
-    GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0);
-    for (int n = 0; n < 27; ++n) {
-        float3 aside = float3(float(n % 3), float(n / 3 % 3), float(n / 9)) - 1.0;
-        float3 k = wave + spacing * aside;
-        float left = fade * exp(-4.934802 * (dot(k, dx) * dot(k, dx) + dot(k, dy) * dot(k, dy)));
-        float2 value = left * gabor_impl_product(cube.number[n], turn);
-        sum.noise += value.y;
-        sum.gradient += 6.2831853 * value.x * k;
-        sum.quadrature += value.x;
-        sum.quadrature_gradient -= 6.2831853 * value.y * k;
-        sum.removed -= 8.0 / 27.0 * left * left * exp2(-2.0 * dot(aside, aside));
-    }
-    return sum;
-}
-
-// ---- The noise at a place ------------------------------------------------------------------------------------------
+// ---- The noise at a place --------------------------------------------------------------------------------------------
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 float3 gabor_impl_unit(float3 v) {
@@ -148,48 +74,115 @@ float3 gabor_impl_unit(float3 v) {
     return v * rsqrt(max(dot(v, v), 1.0e-30));
 }
 
-// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z.
+// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
+// filter adds mixed derivatives, with its covariances yz, zx, xy.
 void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
-                          int k) {
+                          int k, float3 mixed) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     float4 slice, slope;
     gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
     gabor_impl_add(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
+    if (place.filtered)
+        sum += float4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
+                    + mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
 }
 
-// E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times it.
-GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed) {
-    float3 wave = min(abs(frequency), 1.0e6) * gabor_impl_unit(direction);
-    uint salt = gabor_impl_salt(seed);
-    uint rows = salt ^ GABOR_IMPL_ROWS, slices = salt ^ GABOR_IMPL_SLICES;
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, rows, wave.y, place.radius.y);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, slices, wave.z, place.radius.z);
+// The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
+// derivative of a wave is 2 pi i F times it.
+GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, uint salt) {
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                  GABOR_RADIUS);
+    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                  GABOR_RADIUS);
     float2 turn = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
               * gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
-    if (place.filtered)
-        return gabor_impl_filtered(place, wave, x, y, z, turn);
+    if (place.filtered) {
+        float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
+        gabor_impl_filter(x, pixel.diagonal.x, blurred.x);
+        gabor_impl_filter(y, pixel.diagonal.y, blurred.y);
+        gabor_impl_filter(z, pixel.diagonal.z, blurred.z);
+        turn *= exp(-19.739209 * dot(wave, blurred));
+    }
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
     sum = float4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = float4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
+    return GaborField3d_of(sum.y, float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
+                        sum.x, float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
+}
+
+void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude) {
+    sum.noise += amplitude * field.noise;
+    sum.gradient += amplitude * field.gradient;
+    sum.quadrature += amplitude * field.quadrature;
+    sum.quadrature_gradient += amplitude * field.quadrature_gradient;
+}
+
+// The share of its variance that a lobe keeps, of a pixel whose axes are at right angles: see gabor_impl_transmitted.
+float gabor_impl_transmitted_3d(float3 wave, float3 major, float3 minor) {
+    float2 d = 1.0 + 1.6449341 * float2(dot(major, major), dot(minor, minor));
+    float2 k = float2(dot(wave, major), dot(wave, minor));
+    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
+}
+
+// The covariance of the place's pixel; beyond a deviation of 1/2 that at 1/2, at which noise has the amplitude that is
+// left. And the share of its variance that the noise keeps.
+GaborMatrix gabor_impl_pixel(GaborPlace3d place, float3 wave, float3 stretch, out float amplitude, out float transmitted) {
+    float3 dx = clamp(place.dx, -1.0e6, 1.0e6) * stretch;
+    float3 dy = clamp(place.dy, -1.0e6, 1.0e6) * stretch;
+    float2 twice = float2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // its axes are turned by half of that angle
+    float cosine = twice.x / max(length(twice), 1.0e-30);
+    float2 turn = sqrt(max(0.5 + float2(0.5, -0.5) * cosine, 0.0));
+    if (twice.y < 0.0) turn.y = -turn.y;
+    float3 major = turn.x * dx + turn.y * dy;
+    float3 minor = turn.x * dy - turn.y * dx;
+    transmitted = gabor_impl_transmitted_3d(wave, major, minor);
+    major *= rsqrt(max(dot(major, major), 1.0));
+    minor *= rsqrt(max(dot(minor, minor), 1.0));
+    amplitude = sqrt(transmitted / gabor_impl_transmitted_3d(wave, major, minor));
+    return GaborMatrix_of(0.25 * (major * major + minor * minor),
+                       0.25 * (major.yzx * major.zxy + minor.yzx * minor.zxy));
+}
+
+// With periods, whose nodes are not 1 / GABOR_RADIUS apart, everything counts in units of GABOR_RADIUS nodes.
+GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed) {
     float3 stretch = place.radius / GABOR_RADIUS;
-    return GaborField3d_of(sum.y, stretch * float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
-                        sum.x, stretch * float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
+    float3 wave = min(abs(frequency), 1.0e6) * gabor_impl_unit(direction) / stretch;
+    uint salt = gabor_impl_salt(seed);
+    float amplitude = 1.0, transmitted = 1.0, wide = 0.0;
+    GaborMatrix pixel = GaborMatrix_of((float3)(0.0), (float3)(0.0));
+    if (place.filtered) {
+        pixel = gabor_impl_pixel(place, wave, stretch, amplitude, transmitted);
+        float3 variance = pixel.diagonal;
+        wide = clamp(100.0 * sqrt(max(max(variance.x, variance.y), variance.z)) - 9.0, 0.0, 1.0);
+    }
+    GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
+    if (transmitted < 1.0e-10)
+        return sum;
+    if (wide < 1.0)
+        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude);
+    if (wide > 0.0) {
+        float4 noise, quadrature;
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+                                  wide > 0.0, salt, noise, quadrature);
+        gabor_impl_accumulate_3d(sum, GaborField3d_of(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
+                                 wide * amplitude);
+    }
+    sum.gradient *= stretch;
+    sum.quadrature_gradient *= stretch;
+    return sum;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
 void gabor_impl_add_term(inout GaborField3d sum, GaborPlace3d place, float frequency, float3 direction, uint seed,
                          int index, float power) {
     GaborField3d term = gabor_field_3d(place, frequency, direction, gabor_lobe_seed(seed, index));
-    sum.noise += sqrt(power) * term.noise;
-    sum.gradient += sqrt(power) * term.gradient;
-    sum.quadrature += sqrt(power) * term.quadrature;
-    sum.quadrature_gradient += sqrt(power) * term.quadrature_gradient;
+    gabor_impl_accumulate_3d(sum, term, sqrt(power));
     sum.removed += power * term.removed;
 }
 
@@ -292,8 +285,10 @@ float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 dire
 
 // The noise averaged over a pixel, and the variance that this removes.
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
-// is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
+// The filter is normal, with a standard deviation of half a pixel. Against the noise filtered exactly the root mean
+// square error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a
+// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.8 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 6 times, with 64, and up to 10 times with 125.
 float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = GaborPlace3d_of((int3)(0), p * GABOR_RADIUS, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0,
                                       true, dx, dy);

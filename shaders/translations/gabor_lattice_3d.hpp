@@ -1,15 +1,15 @@
 // clang-format off
 // gabor_lattice_3d.hpp: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
-// after gabor_lattice.hpp; every name that it adds begins with gabor_, Gabor or GABOR_: for C++ on the CPU.
+// after gabor_spectrum.hpp, which has the filter; every name that it adds begins with gabor_, Gabor or GABOR_: for C++ on the CPU.
 //
-// Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_LATTICE_3D_HPP
 #define GABOR_LATTICE_3D_HPP
-#ifndef GABOR_LATTICE_HPP
-#error Include gabor_lattice.hpp before gabor_lattice_3d.hpp
+#ifndef GABOR_SPECTRUM_HPP
+#error Include gabor_lattice.hpp and gabor_spectrum.hpp before gabor_lattice_3d.hpp
 #elif GABOR_TAPS != 3
 #error gabor_lattice_3d.hpp needs GABOR_TAPS 3
 #endif
@@ -41,81 +41,7 @@ struct GaborField3d {
     float removed; // variance that the average over the pixel takes away
 };
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
-GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
-    return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// ---- The filter ----------------------------------------------------------------------------------------------------
-
-// A complex number for each of 27 nodes or waves, in the order of three indices.
-struct GaborCube {
-    gabor_vec2 number[27];
-};
-
-// Takes the first index from the nodes along an axis to the three waves that they are together between nodes, and makes
-// it the last: for a = -1, 0, 1 a node adds e^(pi i a d) / 4 = (h - 1/2 - i a h' / pi) / 2, 1/2 and again the first of
-// its window h(d). Within half a deviation of the filter from the window's end it fades, so that nothing jumps.
-GABOR_INLINE GaborCube gabor_impl_to_waves(GaborCube nodes, GaborAxis axis, float deviation) {
-    gabor_vec4 value, slope;
-    gabor_impl_windows(axis.offset, value, slope);
-    gabor_vec2 phase[3];
-    for (int i = 0; i < 3; ++i) {
-        float inside = 1.0f - gabor_cpp_abs(axis.offset + 1.0f - float(i)) / GABOR_RADIUS;
-        float fade = gabor_cpp_smoothstep(0.0f, gabor_cpp_max(0.5f * deviation, 1.0e-6f), inside);
-        phase[i] = 0.5f * fade * gabor_impl_wave(float(1 - i) * axis.turns);
-    }
-    GaborCube waves;
-    for (int n = 0; n < 9; ++n) {
-        gabor_vec2 mean = gabor_vec2(0.0f), even = gabor_vec2(0.0f), odd = gabor_vec2(0.0f);
-        for (int i = 0; i < 3; ++i) {
-            gabor_vec2 node = gabor_impl_product(nodes.number[9 * i + n], phase[i]);
-            mean += node;
-            even += (value[i] - 0.5f) * node;
-            odd += 0.31830989f * slope[i] * gabor_vec2(node.y, -node.x);
-        }
-        waves.number[3 * n] = even - odd;
-        waves.number[3 * n + 1] = mean;
-        waves.number[3 * n + 2] = even + odd;
-    }
-    return waves;
-}
-
-// Between nodes the field is a sum of 27 waves, k = F + (a, b, c) / 2. Of each a normal filter of covariance S leaves
-// exp(-2 pi^2 k.S k), S = (dx dx^T + dy dy^T) / 4. The middle one has (2/3)^3 of the variance; on each axis its
-// neighbours have 1/4 of what it has. Last, over more than a kernel radius all averages out: |det(1 + i S)|^(-1/2).
-GABOR_INLINE GaborField3d gabor_impl_filtered(GaborPlace3d place, gabor_vec3 wave, GaborAxis x, GaborAxis y, GaborAxis z, gabor_vec2 turn) {
-    gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f);
-    gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f);
-    float trace = 0.25f * (gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy));
-    float determinant = 0.0625f * gabor_cpp_dot(gabor_cpp_cross(dx, dy), gabor_cpp_cross(dx, dy));
-    float fade = gabor_cpp_inversesqrt(gabor_cpp_length(gabor_vec2(trace, 1.0f - determinant)));
-    gabor_vec3 spacing = 0.5f * place.radius / GABOR_RADIUS; // of waves
-    GaborCube cube;
-    for (int n = 0; n < 27; ++n) {
-        std::uint32_t row = gabor_impl_slice_word(y.word[n / 3 % 3], z.word[n / 9]);
-        cube.number[n] = gabor_impl_amplitude_at(x.word[n % 3] * row, place.animated, place.time);
-    }
-    cube = gabor_impl_to_waves(cube, z, spacing.z * gabor_cpp_length(gabor_vec2(dx.z, dy.z)));
-    cube = gabor_impl_to_waves(cube, y, spacing.y * gabor_cpp_length(gabor_vec2(dx.y, dy.y)));
-    cube = gabor_impl_to_waves(cube, x, spacing.x * gabor_cpp_length(gabor_vec2(dx.x, dy.x)));
-    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f};
-    for (int n = 0; n < 27; ++n) {
-        gabor_vec3 aside = gabor_vec3(float(n % 3), float(n / 3 % 3), float(n / 9)) - 1.0f;
-        gabor_vec3 k = wave + spacing * aside;
-        float left = fade * gabor_cpp_exp(-4.934802f * (gabor_cpp_dot(k, dx) * gabor_cpp_dot(k, dx) + gabor_cpp_dot(k, dy) * gabor_cpp_dot(k, dy)));
-        gabor_vec2 value = left * gabor_impl_product(cube.number[n], turn);
-        sum.noise += value.y;
-        sum.gradient += 6.2831853f * value.x * k;
-        sum.quadrature += value.x;
-        sum.quadrature_gradient -= 6.2831853f * value.y * k;
-        sum.removed -= 8.0f / 27.0f * left * left * gabor_cpp_exp2(-2.0f * gabor_cpp_dot(aside, aside));
-    }
-    return sum;
-}
-
-// ---- The noise at a place ------------------------------------------------------------------------------------------
+// ---- The noise at a place --------------------------------------------------------------------------------------------
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
@@ -123,48 +49,115 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     return v * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(v, v), 1.0e-30f));
 }
 
-// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z.
+// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
+// filter adds mixed derivatives, with its covariances yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
-                          int k) {
+                          int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_vec4 slice, slope;
     gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
     gabor_impl_add(sum, slice, z.node[k].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
+    if (place.filtered)
+        sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[k].zw())
+                    + mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
 }
 
-// E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times it.
-GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    gabor_vec3 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_unit(direction);
-    std::uint32_t salt = gabor_impl_salt(seed);
-    std::uint32_t rows = salt ^ GABOR_IMPL_ROWS, slices = salt ^ GABOR_IMPL_SLICES;
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, rows, wave.y, place.radius.y);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, slices, wave.z, place.radius.z);
+// The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
+// derivative of a wave is 2 pi i F times it.
+GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, std::uint32_t salt) {
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                  GABOR_RADIUS);
+    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                  GABOR_RADIUS);
     gabor_vec2 turn = gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
               * gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
-    if (place.filtered)
-        return gabor_impl_filtered(place, wave, x, y, z, turn);
+    if (place.filtered) {
+        gabor_vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
+        gabor_impl_filter(x, pixel.diagonal.x, blurred.x);
+        gabor_impl_filter(y, pixel.diagonal.y, blurred.y);
+        gabor_impl_filter(z, pixel.diagonal.z, blurred.z);
+        turn *= gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred));
+    }
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
+    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
     sum = gabor_vec4(gabor_impl_product(sum.xy(), turn), gabor_impl_product(sum.zw(), turn));
     slopes = gabor_vec4(gabor_impl_product(slopes.xy(), turn), gabor_impl_product(slopes.zw(), turn));
+    return GaborField3d{sum.y, gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave,
+                        sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
+}
+
+GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field, float amplitude) {
+    sum.noise += amplitude * field.noise;
+    sum.gradient += amplitude * field.gradient;
+    sum.quadrature += amplitude * field.quadrature;
+    sum.quadrature_gradient += amplitude * field.quadrature_gradient;
+}
+
+// The share of its variance that a lobe keeps, of a pixel whose axes are at right angles: see gabor_impl_transmitted.
+GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, gabor_vec3 major, gabor_vec3 minor) {
+    gabor_vec2 d = 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(major, major), gabor_cpp_dot(minor, minor));
+    gabor_vec2 k = gabor_vec2(gabor_cpp_dot(wave, major), gabor_cpp_dot(wave, minor));
+    return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
+}
+
+// The covariance of the place's pixel; beyond a deviation of 1/2 that at 1/2, at which noise has the amplitude that is
+// left. And the share of its variance that the noise keeps.
+GABOR_INLINE GaborMatrix gabor_impl_pixel(GaborPlace3d place, gabor_vec3 wave, gabor_vec3 stretch, float& amplitude, float& transmitted) {
+    gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f) * stretch;
+    gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f) * stretch;
+    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // its axes are turned by half of that angle
+    float cosine = twice.x / gabor_cpp_max(gabor_cpp_length(twice), 1.0e-30f);
+    gabor_vec2 turn = gabor_cpp_sqrt(gabor_cpp_max(0.5f + gabor_vec2(0.5f, -0.5f) * cosine, 0.0f));
+    if (twice.y < 0.0f) turn.y = -turn.y;
+    gabor_vec3 major = turn.x * dx + turn.y * dy;
+    gabor_vec3 minor = turn.x * dy - turn.y * dx;
+    transmitted = gabor_impl_transmitted_3d(wave, major, minor);
+    major *= gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(major, major), 1.0f));
+    minor *= gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(minor, minor), 1.0f));
+    amplitude = gabor_cpp_sqrt(transmitted / gabor_impl_transmitted_3d(wave, major, minor));
+    return GaborMatrix{0.25f * (major * major + minor * minor),
+                       0.25f * (major.yzx() * major.zxy() + minor.yzx() * minor.zxy())};
+}
+
+// With periods, whose nodes are not 1 / GABOR_RADIUS apart, everything counts in units of GABOR_RADIUS nodes.
+GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
-    return GaborField3d{sum.y, stretch * gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave,
-                        sum.x, stretch * gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
+    gabor_vec3 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_unit(direction) / stretch;
+    std::uint32_t salt = gabor_impl_salt(seed);
+    float amplitude = 1.0f, transmitted = 1.0f, wide = 0.0f;
+    GaborMatrix pixel = GaborMatrix{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+    if (place.filtered) {
+        pixel = gabor_impl_pixel(place, wave, stretch, amplitude, transmitted);
+        gabor_vec3 variance = pixel.diagonal;
+        wide = gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(gabor_cpp_max(variance.x, variance.y), variance.z)) - 9.0f, 0.0f, 1.0f);
+    }
+    GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
+    if (transmitted < 1.0e-10f)
+        return sum;
+    if (wide < 1.0f)
+        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0f - wide) * amplitude);
+    if (wide > 0.0f) {
+        gabor_vec4 noise, quadrature;
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+                                  wide > 0.0f, salt, noise, quadrature);
+        gabor_impl_accumulate_3d(sum, GaborField3d{noise.x, noise.yzw(), quadrature.x, quadrature.yzw(), 0.0f},
+                                 wide * amplitude);
+    }
+    sum.gradient *= stretch;
+    sum.quadrature_gradient *= stretch;
+    return sum;
 }
 
 // Adds term `index` of a sum of independent noises, with its share of the variance.
 GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborPlace3d place, float frequency, gabor_vec3 direction, std::uint32_t seed,
                          int index, float power) {
     GaborField3d term = gabor_field_3d(place, frequency, direction, gabor_lobe_seed(seed, index));
-    sum.noise += gabor_cpp_sqrt(power) * term.noise;
-    sum.gradient += gabor_cpp_sqrt(power) * term.gradient;
-    sum.quadrature += gabor_cpp_sqrt(power) * term.quadrature;
-    sum.quadrature_gradient += gabor_cpp_sqrt(power) * term.quadrature_gradient;
+    gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power));
     sum.removed += power * term.removed;
 }
 
@@ -267,8 +260,10 @@ GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequ
 
 // The noise averaged over a pixel, and the variance that this removes.
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// The filter is normal, with a standard deviation of half a pixel. Off by 0.1 % of the noise's deviation where a pixel
-// is a tenth of a radius, by 2 % at a third; at a radius by 6 % from frequency 2 up, and by up to 17 % below.
+// The filter is normal, with a standard deviation of half a pixel. Against the noise filtered exactly the root mean
+// square error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a
+// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.8 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 6 times, with 64, and up to 10 times with 125.
 GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gabor_vec3 dy, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborPlace3d place = GaborPlace3d{gabor_ivec3(0), p * GABOR_RADIUS, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f,
                                       true, dx, dy};

@@ -49,7 +49,7 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     var kernel_8: GaborKernel;
     var removed_3: f32;
     var footprint_2: GaborFootprint;
-    var value_7: vec2<f32>;
+    var value_8: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
     place_13 = _e14;
@@ -67,8 +67,8 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     let _e36 = kernel_8;
     let _e37 = footprint_2;
     let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
-    value_7 = _e40.value;
-    let _e43 = value_7;
+    value_8 = _e40.value;
+    let _e43 = value_8;
     let _e44 = removed_3;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
@@ -82,7 +82,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // Their sum over sizes, each half as large and of `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_10: vec3<f32> = vec3(0f);
+    var sum_12: vec3<f32> = vec3(0f);
     var power_3: f32 = 0f;
     var amplitude_4: f32 = 1f;
     var i_6: i32 = 0i;
@@ -94,7 +94,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             break;
         }
         {
-            let _e21 = sum_10;
+            let _e21 = sum_12;
             let _e22 = amplitude_4;
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
@@ -103,7 +103,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e29 = i_6;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_10 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_12 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_3;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
@@ -118,7 +118,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             i_6 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_10;
+    let _e44 = sum_12;
     let _e45 = power_3;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_3;
@@ -168,12 +168,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_5: f32;
+    var x_6: f32;
 
-    x_5 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_5;
-    let _e20 = x_5;
-    let _e22 = x_5;
+    x_6 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_6;
+    let _e20 = x_6;
+    let _e22 = x_6;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -206,47 +206,47 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
 // The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
 // Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_11: f32 = 0.33333334f;
+    var sum_13: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
-    var wave_8: vec2<f32> = vec2<f32>(1f, 0f);
-    var m_2: i32 = 1i;
-    var x_6: f32;
+    var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
+    var m_5: i32 = 1i;
+    var x_7: f32;
     var r_2: f32;
 
     damping = dot(phase, phase);
     loop {
-        let _e13 = m_2;
+        let _e13 = m_5;
         if !((_e13 < 7i)) {
             break;
         }
         {
             let _e20 = power_4;
-            let _e21 = wave_8;
+            let _e21 = wave_9;
             let _e22 = gabor_impl_product(_e21, phase);
-            wave_8 = (_e20 * _e22);
+            wave_9 = (_e20 * _e22);
             let _e24 = power_4;
             let _e25 = damping;
             power_4 = (_e24 * _e25);
-            let _e28 = m_2;
-            x_6 = (0.44879895f * f32(_e28));
-            let _e33 = m_2;
+            let _e28 = m_5;
+            x_7 = (0.44879895f * f32(_e28));
+            let _e33 = m_5;
             r_2 = (0.3183099f / f32(_e33));
-            let _e37 = sum_11;
-            let _e38 = x_6;
-            let _e40 = x_6;
+            let _e37 = sum_13;
+            let _e38 = x_7;
+            let _e40 = x_7;
             let _e42 = r_2;
             let _e44 = r_2;
-            let _e45 = wave_8;
-            let _e48 = wave_8;
-            sum_11 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
+            let _e45 = wave_9;
+            let _e48 = wave_9;
+            sum_13 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
-            let _e17 = m_2;
-            m_2 = (_e17 + 1i);
+            let _e17 = m_5;
+            m_5 = (_e17 + 1i);
         }
     }
-    let _e53 = sum_11;
+    let _e53 = sum_13;
     return _e53;
 }
 
@@ -333,21 +333,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_22: f32;
+    var local_27: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_1: bool;
+    var first_2: bool;
     var top: f32;
-    var local_23: vec3<f32>;
+    var local_28: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_24: vec3<f32>;
+    var local_29: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_25: f32;
+    var local_30: f32;
     var share_3: f32;
     var colour_2: vec3<f32>;
 
@@ -387,11 +387,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_22 = -1f;
+        local_27 = -1f;
     } else {
-        local_22 = 1f;
+        local_27 = 1f;
     }
-    let _e89 = local_22;
+    let _e89 = local_27;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -409,29 +409,29 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_1 = (_e151.x > _e153.y);
+    first_2 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_1;
+    let _e166 = first_2;
     if _e166 {
         let _e167 = upright;
-        local_23 = _e167;
+        local_28 = _e167;
     } else {
         let _e168 = level;
-        local_23 = _e168;
+        local_28 = _e168;
     }
-    let _e170 = local_23;
+    let _e170 = local_28;
     tone_1 = _e170;
-    let _e172 = first_1;
+    let _e172 = first_2;
     if _e172 {
         let _e173 = upright_fibre;
-        local_24 = _e173;
+        local_29 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_24 = _e174;
+        local_29 = _e174;
     }
-    let _e176 = local_24;
+    let _e176 = local_29;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -446,13 +446,13 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e210 = top;
     let _e212 = kept;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_1;
+    let _e216 = first_2;
     if _e216 {
-        local_25 = 1f;
+        local_30 = 1f;
     } else {
-        local_25 = 0f;
+        local_30 = 0f;
     }
-    let _e220 = local_25;
+    let _e220 = local_30;
     let _e221 = kept;
     share_3 = mix(0.5f, _e220, _e221);
     let _e232 = share_3;
@@ -483,8 +483,8 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var fine: vec3<f32>;
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
-    var a_4: vec2<f32>;
-    var b_7: vec2<f32>;
+    var a_5: vec2<f32>;
+    var b_9: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
     var kept_1: f32;
@@ -521,14 +521,14 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
     let _e62 = one;
     let _e64 = powers;
-    a_4 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
+    a_5 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
     let _e71 = other;
     let _e73 = powers;
-    b_7 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
-    let _e80 = a_4;
-    let _e82 = b_7;
-    let _e85 = a_4;
-    let _e86 = b_7;
+    b_9 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
+    let _e80 = a_5;
+    let _e82 = b_9;
+    let _e85 = a_5;
+    let _e86 = b_9;
     let _e87 = gabor_impl_product(_e85, _e86);
     cells = ((_e80.x + _e82.x) + _e87.x);
     let _e91 = powers;
@@ -734,7 +734,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var i_7: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_9: vec3<f32>;
+    var wave_10: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
 
@@ -753,25 +753,25 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e43 = i_7;
             let _e44 = gabor_lobe_seed(seed, _e43);
             let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
-            wave_9 = _e45;
+            wave_10 = _e45;
             let _e48 = waves;
             amplitude_6 = (0.018f / pow(_e48, 1.35f));
             let _e53 = height_3;
             let _e54 = amplitude_6;
-            let _e55 = wave_9;
-            let _e58 = wave_9;
-            let _e60 = wave_9;
-            let _e63 = wave_9;
-            let _e65 = wave_9;
+            let _e55 = wave_10;
+            let _e58 = wave_10;
+            let _e60 = wave_10;
+            let _e63 = wave_10;
+            let _e65 = wave_10;
             height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
             let _e73 = crest_1;
             let _e74 = amplitude_6;
-            let _e75 = wave_9;
+            let _e75 = wave_10;
             crest_1 = (_e73 + (_e74 * _e75.x));
             let _e79 = removed_7;
             let _e80 = amplitude_6;
             let _e81 = amplitude_6;
-            let _e83 = wave_9;
+            let _e83 = wave_10;
             removed_7 = (_e79 + ((_e80 * _e81) * _e83.z));
             let _e87 = power_5;
             let _e88 = amplitude_6;
@@ -844,7 +844,7 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var i_9: i32 = 0i;
     var size: f32;
     var turned_1: GaborPixel;
-    var noise_6: vec3<f32>;
+    var noise_7: vec3<f32>;
     var scratch: f32;
     var colour_6: vec3<f32>;
 
@@ -869,12 +869,12 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e50 = i_9;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
-            noise_6 = _e55;
-            let _e57 = noise_6;
-            let _e59 = noise_6;
+            noise_7 = _e55;
+            let _e57 = noise_7;
+            let _e59 = noise_7;
             let _e63 = gabor_impl_above(_e57.x, _e59.z, 2.4f, 0.2f);
-            let _e64 = noise_6;
-            let _e66 = noise_6;
+            let _e64 = noise_7;
+            let _e66 = noise_7;
             let _e70 = gabor_impl_above(_e64.y, _e66.z, 0.3f, 0.7f);
             scratch = (_e63 * _e70);
             let _e73 = whole;
@@ -1039,12 +1039,12 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
     var turn_10: f32;
-    var first_2: bool;
-    var local_26: vec3<f32>;
+    var first_3: bool;
+    var local_31: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_27: vec2<f32>;
+    var local_32: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_28: f32;
+    var local_33: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1076,35 +1076,35 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e49 = tow;
     turn_10 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
     let _e60 = turn_10;
-    first_2 = (_e60 < 1.5f);
-    let _e64 = first_2;
+    first_3 = (_e60 < 1.5f);
+    let _e64 = first_3;
     if _e64 {
         let _e65 = upright_1;
-        local_26 = _e65;
+        local_31 = _e65;
     } else {
         let _e66 = level_1;
-        local_26 = _e66;
+        local_31 = _e66;
     }
-    let _e68 = local_26;
+    let _e68 = local_31;
     fibre_2 = _e68;
-    let _e70 = first_2;
+    let _e70 = first_3;
     if _e70 {
         let _e71 = within_2;
-        local_27 = _e71.yx;
+        local_32 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_27 = _e73;
+        local_32 = _e73;
     }
-    let _e75 = local_27;
+    let _e75 = local_32;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_10;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_28 = 0f;
+        local_33 = 0f;
     } else {
-        local_28 = 1f;
+        local_33 = 1f;
     }
-    let _e91 = local_28;
+    let _e91 = local_33;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -329,11 +329,53 @@ GaborLine gabor_impl_next_line(GaborLine line_, GaborBand b, int index, float fa
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
+// The columns of nodes that reach a point: the last counts where there are five.
+struct GaborColumns {
+    GaborLine column_0;
+    GaborLine column_1;
+    GaborLine column_2;
+    GaborLine column_3;
+    GaborLine column_4;
+    bool five;
+};
+
+GaborColumns gabor_impl_columns(GaborBand b) {
+    GaborColumns columns;
+    float2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
+    columns.five = b.count == 5;
+    columns.column_0 = gabor_impl_filtered_line(b, 0, turn, float2(1.0, 0.0), gabor_impl_fade(b, 0));
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, 1.0);
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, 1.0);
+    columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
+    columns.column_4 = columns.column_3;
+    if (columns.five) columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4));
+    return columns;
+}
+
+// The line before the first, from the phase of the noise's wave there.
+GaborLine gabor_impl_line_before(GaborBand b, float2 phase) {
+    GaborLine line_;
+    line_.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));
+    line_.phase = phase;
+    return line_;
+}
+
 // Adds a node to the sums of a row.
 void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_word, bool animated, float time) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row.real += a.x * column.window.real - a.y * column.window.imaginary;
     row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+}
+
+// The sums of a row over its columns.
+GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, bool animated, float time) {
+    GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0));
+    gabor_impl_add_filtered(row, columns.column_0, row_word, animated, time);
+    gabor_impl_add_filtered(row, columns.column_1, row_word, animated, time);
+    gabor_impl_add_filtered(row, columns.column_2, row_word, animated, time);
+    gabor_impl_add_filtered(row, columns.column_3, row_word, animated, time);
+    if (columns.five) gabor_impl_add_filtered(row, columns.column_4, row_word, animated, time);
+    return row;
 }
 
 // The factors from the second on.
@@ -364,28 +406,15 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
                                        step_x);
     GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
-    bool five = across.count == 5;
-    float2 turn = gabor_impl_wave(0.5 / across.reach * across.offset);
-    GaborLine c0 = gabor_impl_filtered_line(across, 0, turn, float2(1.0, 0.0), gabor_impl_fade(across, 0));
-    GaborLine c1 = gabor_impl_next_line(c0, across, 1, 1.0);
-    GaborLine c2 = gabor_impl_next_line(c1, across, 2, 1.0);
-    GaborLine c3 = gabor_impl_next_line(c2, across, 3, gabor_impl_fade(across, 3));
-    GaborLine c4 = c3;
-    if (five) c4 = gabor_impl_next_line(c3, across, 4, gabor_impl_fade(across, 4));
-    GaborLine line_; // the one before the first row
-    line_.turn = gabor_impl_wave(0.5 / along.reach * (along.offset + 1.0));
-    line_.phase = gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS);
+    GaborColumns columns = gabor_impl_columns(across);
+    GaborLine line_ = gabor_impl_line_before(
+        along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0);
     int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0));
-        gabor_impl_add_filtered(row, c0, line_.word, place.animated, place.time);
-        gabor_impl_add_filtered(row, c1, line_.word, place.animated, place.time);
-        gabor_impl_add_filtered(row, c2, line_.word, place.animated, place.time);
-        gabor_impl_add_filtered(row, c3, line_.word, place.animated, place.time);
-        if (five) gabor_impl_add_filtered(row, c4, line_.word, place.animated, place.time);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
         value += gabor_impl_contracted(row, line_.window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
@@ -430,6 +459,124 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
+}
+
+// ---- The filter in space -------------------------------------------------------------------------------------------
+//
+// For gabor_lattice_3d.hlsl. With M = S + v, a diagonal matrix D of D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M D^(-1/2),
+// B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), what keeps three axes together is again a sum of products:
+//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...),
+// the exponential series of the last sum with Hermite polynomials for powers of z; B's diagonal, at most 0.01, is left
+// out. The terms up to the square of each factor are used.
+
+// A symmetric matrix.
+struct GaborMatrix {
+    float3 diagonal;
+    float3 mixed; // yz, zx, xy
+};
+
+GaborMatrix GaborMatrix_of(float3 diagonal, float3 mixed)
+{
+    GaborMatrix made;
+    made.diagonal = diagonal;
+    made.mixed = mixed;
+    return made;
+}
+
+float3 gabor_impl_symmetric_3d(GaborMatrix m, float3 v) {
+    return m.diagonal * v + m.mixed.zxy * v.yzx + m.mixed.yzx * v.zxy;
+}
+
+// Its inverse times its determinant.
+GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
+    GaborMatrix a = GaborMatrix_of(m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
+                                m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
+    determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
+    return a;
+}
+
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+uint gabor_impl_slice_word(uint row, uint slice) {
+    return ((row * slice) >> 8u) | 0x800001u;
+}
+
+// A sum to which a complex number times a row was added.
+GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors row, float real, float imaginary) {
+    return GaborFactors_of(sum.real + real * row.real - imaginary * row.imaginary,
+                        sum.imaginary + real * row.imaginary + imaginary * row.real);
+}
+
+// What each factor along z is multiplied with, from the sums for each factor along x, of each along y.
+float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
+    return float3(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
+                w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
+                0.5 * (w.y * w.y * y_0.z + w.x * w.x * y_2.x) + w.x * w.y * (y_1.y + w.z * y_2.z));
+}
+
+// The sum over the factors of three axes.
+float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors y_2, GaborFactors z, float3 w) {
+    GaborFactors slice = GaborFactors_of(gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
+                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
+    return gabor_impl_contracted(slice, z, (float3)(1.0));
+}
+
+// The noise in space, in node spacings `local` from a cell's corner, and its derivatives, filtered by seven waves along
+// each axis; not at all if it is not `wanted`.
+void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
+                               GaborMatrix s, bool wanted, uint salt, out float4 noise, out float4 quadrature) {
+    float determinant;
+    GaborMatrix m = GaborMatrix_of(s.diagonal + 0.13069097, s.mixed); // S + v
+    GaborMatrix adjugate = gabor_impl_adjugate(m, determinant);
+    float3 blurred = gabor_impl_symmetric_3d(s, wave);
+    float3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
+    float3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
+    float3 pairs = sqrt(d.yzx * d.zxy);
+    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
+    float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
+    GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
+                                  gabor_impl_wave(wave.x / GABOR_RADIUS));
+    GaborBand y = gabor_impl_band(sqrt(s.diagonal.y), d.y, c.y, cell.y, local.y, period.y,
+                                  salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(wave.y / GABOR_RADIUS));
+    GaborBand z = gabor_impl_band(sqrt(s.diagonal.z), d.z, c.z, cell.z, local.z, period.z,
+                                  salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(wave.z / GABOR_RADIUS));
+    GaborColumns columns = gabor_impl_columns(x);
+    GaborLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
+    GaborLine slice = gabor_impl_line_before(
+        z, gabor_impl_wave(dot(wave, float3(x.offset, y.offset, z.offset + 1.0)) / GABOR_RADIUS));
+    GaborFactors none = GaborFactors_of((float3)(0.0), (float3)(0.0));
+    int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
+    float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0), next_z = (float2)(0.0);
+    int k = 0;
+    do {
+        slice = gabor_impl_next_line(slice, z, k, gabor_impl_fade(z, k));
+        GaborFactors y_0 = none, y_1 = none, y_2 = none;
+        GaborLine row = first;
+        int j = 0;
+        do {
+            row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
+            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), animated,
+                                                       time);
+            y_0 = gabor_impl_added(y_0, sum, row.window.real.x, row.window.imaginary.x);
+            y_1 = gabor_impl_added(y_1, sum, row.window.real.y, row.window.imaginary.y);
+            y_2 = gabor_impl_added(y_2, sum, row.window.real.z, row.window.imaginary.z);
+        } while (++j < rows);
+        value += gabor_impl_contracted_3d(y_0, y_1, y_2, slice.window, w);
+        next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
+                                           slice.window, w);
+        next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
+        next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
+    } while (++k < slices);
+    // As in the plane; n / 4g times the factor before is, over the series, w / 4g times the next of the other axes.
+    float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
+    float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
+    real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), real);
+    imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), imaginary);
+    float exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
+    float scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
+    scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
+    noise = scale * float4(value.y, 6.2831853 * real);
+    quadrature = scale * float4(value.x, -6.2831853 * imaginary);
 }
 #endif
 

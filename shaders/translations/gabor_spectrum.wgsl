@@ -792,6 +792,61 @@ fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) ->
     return _e10;
 }
 
+// The columns of nodes that reach a point: the last counts where there are five.
+struct GaborColumns {
+    column_0_: GaborLine,
+    column_1_: GaborLine,
+    column_2_: GaborLine,
+    column_3_: GaborLine,
+    column_4_: GaborLine,
+    five: bool,
+}
+
+fn gabor_impl_columns(b: GaborBand) -> GaborColumns {
+    var columns_1: GaborColumns;
+    var turn_8: vec2<f32>;
+
+    let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
+    turn_8 = _e7;
+    columns_1.five = (b.count == 5i);
+    let _e15 = turn_8;
+    let _e20 = gabor_impl_fade(b, 0i);
+    let _e21 = gabor_impl_filtered_line(b, 0i, _e15, vec2<f32>(1f, 0f), _e20);
+    columns_1.column_0_ = _e21;
+    let _e23 = columns_1;
+    let _e27 = gabor_impl_next_line(_e23.column_0_, b, 1i, 1f);
+    columns_1.column_1_ = _e27;
+    let _e29 = columns_1;
+    let _e33 = gabor_impl_next_line(_e29.column_1_, b, 2i, 1f);
+    columns_1.column_2_ = _e33;
+    let _e35 = columns_1;
+    let _e39 = gabor_impl_fade(b, 3i);
+    let _e40 = gabor_impl_next_line(_e35.column_2_, b, 3i, _e39);
+    columns_1.column_3_ = _e40;
+    let _e42 = columns_1;
+    columns_1.column_4_ = _e42.column_3_;
+    let _e44 = columns_1;
+    if _e44.five {
+        let _e47 = columns_1;
+        let _e51 = gabor_impl_fade(b, 4i);
+        let _e52 = gabor_impl_next_line(_e47.column_3_, b, 4i, _e51);
+        columns_1.column_4_ = _e52;
+    }
+    let _e53 = columns_1;
+    return _e53;
+}
+
+// The line before the first, from the phase of the noise's wave there.
+fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
+    var line_2: GaborLine;
+
+    let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
+    line_2.turn = _e11;
+    line_2.phase = phase;
+    let _e13 = line_2;
+    return _e13;
+}
+
 // Adds a node to the sums of a row.
 fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, row_word: u32, animated: bool, time: f32) {
     var a_2: vec2<f32>;
@@ -807,6 +862,21 @@ fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, 
     let _e32 = a_2;
     (*row).imaginary = (_e25.imaginary + ((_e27.x * column.window.imaginary) + (_e32.y * column.window.real)));
     return;
+}
+
+// The sums of a row over its columns.
+fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool, time: f32) -> GaborFactors {
+    var row_2: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
+
+    gabor_impl_add_filtered((&row_2), columns.column_0_, row_word, animated, time);
+    gabor_impl_add_filtered((&row_2), columns.column_1_, row_word, animated, time);
+    gabor_impl_add_filtered((&row_2), columns.column_2_, row_word, animated, time);
+    gabor_impl_add_filtered((&row_2), columns.column_3_, row_word, animated, time);
+    if columns.five {
+        gabor_impl_add_filtered((&row_2), columns.column_4_, row_word, animated, time);
+    }
+    let _e26 = row_2;
+    return _e26;
 }
 
 // The factors from the second on.
@@ -836,21 +906,15 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var step_y: vec2<f32>;
     var across: GaborBand;
     var along: GaborBand;
-    var five: bool;
-    var turn_8: vec2<f32>;
-    var c0_: GaborLine;
-    var c1_: GaborLine;
-    var c2_: GaborLine;
-    var c3_: GaborLine;
-    var c4_: GaborLine;
-    var line_2: GaborLine;
+    var columns_3: GaborColumns;
+    var line_3: GaborLine;
     var local_17: i32;
     var rows_1: i32;
     var value_6: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
     var next_y: vec2<f32> = vec2(0f);
     var j_2: i32 = 0i;
-    var row_2: GaborFactors;
+    var row_3: GaborFactors;
     var exponent_1: f32;
     var mean: vec2<f32>;
     var before: vec2<f32>;
@@ -905,160 +969,109 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e130 = gabor_impl_band(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
     along = _e130;
     let _e132 = across;
-    five = (_e132.count == 5i);
-    let _e138 = across;
-    let _e141 = across;
-    let _e144 = gabor_impl_wave(((0.5f / _e138.reach) * _e141.offset));
-    turn_8 = _e144;
-    let _e146 = across;
-    let _e148 = turn_8;
-    let _e152 = across;
-    let _e154 = gabor_impl_fade(_e152, 0i);
-    let _e155 = gabor_impl_filtered_line(_e146, 0i, _e148, vec2<f32>(1f, 0f), _e154);
-    c0_ = _e155;
-    let _e157 = c0_;
-    let _e158 = across;
-    let _e161 = gabor_impl_next_line(_e157, _e158, 1i, 1f);
-    c1_ = _e161;
-    let _e163 = c1_;
-    let _e164 = across;
-    let _e167 = gabor_impl_next_line(_e163, _e164, 2i, 1f);
-    c2_ = _e167;
-    let _e169 = c2_;
-    let _e170 = across;
-    let _e172 = across;
-    let _e174 = gabor_impl_fade(_e172, 3i);
-    let _e175 = gabor_impl_next_line(_e169, _e170, 3i, _e174);
-    c3_ = _e175;
-    let _e177 = c3_;
-    c4_ = _e177;
-    let _e179 = five;
-    if _e179 {
-        let _e180 = c3_;
-        let _e181 = across;
-        let _e183 = across;
-        let _e185 = gabor_impl_fade(_e183, 4i);
-        let _e186 = gabor_impl_next_line(_e180, _e181, 4i, _e185);
-        c4_ = _e186;
-    }
-    let _e190 = along;
-    let _e193 = along;
-    let _e198 = gabor_impl_wave(((0.5f / _e190.reach) * (_e193.offset + 1f)));
-    line_2.turn = _e198;
-    let _e200 = across;
-    let _e202 = along;
-    let _e213 = gabor_impl_wave((dot(wave, vec2<f32>(_e200.offset, (_e202.offset + 1f))) / 1.5f));
-    line_2.phase = _e213;
+    let _e133 = gabor_impl_columns(_e132);
+    columns_3 = _e133;
+    let _e135 = along;
+    let _e136 = across;
+    let _e138 = along;
+    let _e149 = gabor_impl_wave((dot(wave, vec2<f32>(_e136.offset, (_e138.offset + 1f))) / 1.5f));
+    let _e150 = gabor_impl_line_before(_e135, _e149);
+    line_3 = _e150;
     if wanted {
-        let _e214 = along;
-        local_17 = _e214.count;
+        let _e152 = along;
+        local_17 = _e152.count;
     } else {
         local_17 = 0i;
     }
-    let _e218 = local_17;
-    rows_1 = _e218;
+    let _e156 = local_17;
+    rows_1 = _e156;
     loop {
         {
-            let _e231 = line_2;
-            let _e232 = along;
-            let _e233 = j_2;
-            let _e234 = along;
-            let _e235 = j_2;
-            let _e236 = gabor_impl_fade(_e234, _e235);
-            let _e237 = gabor_impl_next_line(_e231, _e232, _e233, _e236);
-            line_2 = _e237;
-            row_2 = GaborFactors(vec3(0f), vec3(0f));
-            let _e245 = c0_;
-            let _e246 = line_2;
-            gabor_impl_add_filtered((&row_2), _e245, _e246.word, place.animated, place.time);
-            let _e252 = c1_;
-            let _e253 = line_2;
-            gabor_impl_add_filtered((&row_2), _e252, _e253.word, place.animated, place.time);
-            let _e259 = c2_;
-            let _e260 = line_2;
-            gabor_impl_add_filtered((&row_2), _e259, _e260.word, place.animated, place.time);
-            let _e266 = c3_;
-            let _e267 = line_2;
-            gabor_impl_add_filtered((&row_2), _e266, _e267.word, place.animated, place.time);
-            let _e272 = five;
-            if _e272 {
-                let _e274 = c4_;
-                let _e275 = line_2;
-                gabor_impl_add_filtered((&row_2), _e274, _e275.word, place.animated, place.time);
-            }
-            let _e280 = value_6;
-            let _e281 = row_2;
-            let _e282 = line_2;
-            let _e284 = weights_1;
-            let _e285 = gabor_impl_contracted(_e281, _e282.window, _e284);
-            value_6 = (_e280 + _e285);
-            let _e287 = next_x;
-            let _e288 = row_2;
-            let _e289 = gabor_impl_next(_e288);
-            let _e290 = line_2;
-            let _e292 = weights_1;
-            let _e293 = gabor_impl_contracted(_e289, _e290.window, _e292);
-            next_x = (_e287 + _e293);
-            let _e295 = next_y;
-            let _e296 = row_2;
-            let _e297 = line_2;
-            let _e299 = gabor_impl_next(_e297.window);
-            let _e300 = weights_1;
-            let _e301 = gabor_impl_contracted(_e296, _e299, _e300);
-            next_y = (_e295 + _e301);
+            let _e169 = line_3;
+            let _e170 = along;
+            let _e171 = j_2;
+            let _e172 = along;
+            let _e173 = j_2;
+            let _e174 = gabor_impl_fade(_e172, _e173);
+            let _e175 = gabor_impl_next_line(_e169, _e170, _e171, _e174);
+            line_3 = _e175;
+            let _e176 = columns_3;
+            let _e177 = line_3;
+            let _e181 = gabor_impl_filtered_row(_e176, _e177.word, place.animated, place.time);
+            row_3 = _e181;
+            let _e183 = value_6;
+            let _e184 = row_3;
+            let _e185 = line_3;
+            let _e187 = weights_1;
+            let _e188 = gabor_impl_contracted(_e184, _e185.window, _e187);
+            value_6 = (_e183 + _e188);
+            let _e190 = next_x;
+            let _e191 = row_3;
+            let _e192 = gabor_impl_next(_e191);
+            let _e193 = line_3;
+            let _e195 = weights_1;
+            let _e196 = gabor_impl_contracted(_e192, _e193.window, _e195);
+            next_x = (_e190 + _e196);
+            let _e198 = next_y;
+            let _e199 = row_3;
+            let _e200 = line_3;
+            let _e202 = gabor_impl_next(_e200.window);
+            let _e203 = weights_1;
+            let _e204 = gabor_impl_contracted(_e199, _e202, _e203);
+            next_y = (_e198 + _e204);
         }
-        let _e303 = j_2;
-        let _e305 = (_e303 + 1i);
-        j_2 = _e305;
-        let _e306 = rows_1;
-        if !((_e305 < _e306)) {
+        let _e206 = j_2;
+        let _e208 = (_e206 + 1i);
+        j_2 = _e208;
+        let _e209 = rows_1;
+        if !((_e208 < _e209)) {
             break;
         }
     }
-    let _e310 = c_4;
-    let _e312 = blurred_2;
-    let _e314 = r_1;
-    let _e315 = m_1;
-    let _e316 = c_4;
-    let _e317 = c_4;
-    exponent_1 = (19.739208f * (dot((wave + _e310), _e312) + (_e314 * dot(_e315, (_e316 * _e317)))));
-    let _e324 = c_4;
-    mean = (wave + _e324);
-    let _e327 = lambda;
-    let _e328 = m_1;
-    let _e330 = m_1;
-    before = (_e327 * sqrt((_e328.yx / _e330)));
-    let _e336 = mean;
-    let _e338 = value_6;
-    let _e340 = next_x;
-    let _e342 = before;
-    let _e344 = next_y;
-    x_4 = (6.2831855f * (((_e336.x * _e338) + _e340) - (_e342.x * _e344)));
-    let _e350 = mean;
-    let _e352 = value_6;
-    let _e354 = next_y;
-    let _e356 = before;
-    let _e358 = next_x;
-    y_5 = (6.2831855f * (((_e350.y * _e352) + _e354) - (_e356.y * _e358)));
-    let _e364 = lambda;
-    let _e365 = lambda;
-    let _e369 = exponent_1;
+    let _e213 = c_4;
+    let _e215 = blurred_2;
+    let _e217 = r_1;
+    let _e218 = m_1;
+    let _e219 = c_4;
+    let _e220 = c_4;
+    exponent_1 = (19.739208f * (dot((wave + _e213), _e215) + (_e217 * dot(_e218, (_e219 * _e220)))));
+    let _e227 = c_4;
+    mean = (wave + _e227);
+    let _e230 = lambda;
+    let _e231 = m_1;
+    let _e233 = m_1;
+    before = (_e230 * sqrt((_e231.yx / _e233)));
+    let _e239 = mean;
+    let _e241 = value_6;
+    let _e243 = next_x;
+    let _e245 = before;
+    let _e247 = next_y;
+    x_4 = (6.2831855f * (((_e239.x * _e241) + _e243) - (_e245.x * _e247)));
+    let _e253 = mean;
+    let _e255 = value_6;
+    let _e257 = next_y;
+    let _e259 = before;
+    let _e261 = next_x;
+    y_5 = (6.2831855f * (((_e253.y * _e255) + _e257) - (_e259.y * _e261)));
+    let _e267 = lambda;
+    let _e268 = lambda;
+    let _e272 = exponent_1;
     if false {
         local_18 = 1f;
     } else {
         local_18 = 1.125f;
     }
-    let _e383 = local_18;
-    scale_1 = ((sqrt((1f - (_e364 * _e365))) * exp(-(_e369))) / (1459955300000000000000000000f * _e383));
-    let _e387 = scale_1;
-    let _e388 = value_6;
-    let _e390 = scale_1;
-    let _e391 = x_4;
-    let _e394 = x_4;
-    let _e398 = scale_1;
-    let _e399 = y_5;
-    let _e402 = y_5;
-    return GaborField((_e387 * _e388), (_e390 * vec2<f32>(-(_e391.y), _e394.x)), (_e398 * vec2<f32>(-(_e399.y), _e402.x)));
+    let _e286 = local_18;
+    scale_1 = ((sqrt((1f - (_e267 * _e268))) * exp(-(_e272))) / (1459955300000000000000000000f * _e286));
+    let _e290 = scale_1;
+    let _e291 = value_6;
+    let _e293 = scale_1;
+    let _e294 = x_4;
+    let _e297 = x_4;
+    let _e301 = scale_1;
+    let _e302 = y_5;
+    let _e305 = y_5;
+    return GaborField((_e290 * _e291), (_e293 * vec2<f32>(-(_e294.y), _e297.x)), (_e301 * vec2<f32>(-(_e302.y), _e305.x)));
 }
 
 // The noise at a place as a pixel sees it, as gabor_field, and the share of its variance that is removed: what the
@@ -1148,6 +1161,339 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     sum_8.slope_y = (_e114.slope_y * _e116.y);
     let _e119 = sum_8;
     return _e119;
+}
+
+// A symmetric matrix.
+struct GaborMatrix {
+    diagonal: vec3<f32>,
+    mixed: vec3<f32>,
+}
+
+fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
+    return (((m.diagonal * v) + (m.mixed.zxy * v.yzx)) + (m.mixed.yzx * v.zxy));
+}
+
+// Its inverse times its determinant.
+fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> GaborMatrix {
+    var a_4: GaborMatrix;
+
+    a_4 = GaborMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
+    let _e24 = a_4;
+    let _e30 = a_4;
+    let _e37 = a_4;
+    (*determinant) = (((m.diagonal.x * _e24.diagonal.x) + (m.mixed.y * _e30.mixed.y)) + (m.mixed.z * _e37.mixed.z));
+    let _e42 = a_4;
+    return _e42;
+}
+
+// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
+    return (((row * slice) >> 8u) | 8388609u);
+}
+
+// A sum to which a complex number times a row was added.
+fn gabor_impl_added(sum: GaborFactors, row: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
+    return GaborFactors(((sum.real + (real * row.real)) - (imaginary * row.imaginary)), ((sum.imaginary + (real * row.imaginary)) + (imaginary * row.real)));
+}
+
+// What each factor along z is multiplied with, from the sums for each factor along x, of each along y.
+fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>((y_0.x + (w.z * (y_1.y + ((0.5f * w.z) * y_2.z)))), ((w.y * (y_0.y + (w.z * y_1.z))) + (w.x * (y_1.x + (w.z * y_2.y)))), ((0.5f * (((w.y * w.y) * y_0.z) + ((w.x * w.x) * y_2.x))) + ((w.x * w.y) * (y_1.y + (w.z * y_2.z)))));
+}
+
+// The sum over the factors of three axes.
+fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFactors, z: GaborFactors, w: vec3<f32>) -> vec2<f32> {
+    var slice_1: GaborFactors;
+
+    let _e8 = gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w);
+    let _e12 = gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w);
+    slice_1 = GaborFactors(_e8, _e12);
+    let _e15 = slice_1;
+    let _e18 = gabor_impl_contracted(_e15, z, vec3(1f));
+    return _e18;
+}
+
+// The noise in space, in node spacings `local` from a cell's corner, and its derivatives, filtered by seven waves along
+// each axis; not at all if it is not `wanted`.
+fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
+    var determinant_1: f32;
+    var m_4: GaborMatrix;
+    var adjugate: GaborMatrix;
+    var blurred_3: vec3<f32>;
+    var c_5: vec3<f32>;
+    var d_1: vec3<f32>;
+    var pairs: vec3<f32>;
+    var w_2: vec3<f32>;
+    var x_5: GaborBand;
+    var y_6: GaborBand;
+    var z_2: GaborBand;
+    var columns_4: GaborColumns;
+    var first_1: GaborLine;
+    var slice_2: GaborLine;
+    var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
+    var local_20: i32;
+    var rows_2: i32;
+    var local_21: i32;
+    var slices: i32;
+    var value_7: vec2<f32> = vec2(0f);
+    var next_x_1: vec2<f32> = vec2(0f);
+    var next_y_1: vec2<f32> = vec2(0f);
+    var next_z: vec2<f32> = vec2(0f);
+    var k: i32 = 0i;
+    var y_0_2: GaborFactors;
+    var y_1_2: GaborFactors;
+    var y_2_2: GaborFactors;
+    var row_6: GaborLine;
+    var j_3: i32;
+    var sum_10: GaborFactors;
+    var real_2: vec3<f32>;
+    var imaginary_2: vec3<f32>;
+    var quarter: vec3<f32>;
+    var exponent_2: f32;
+    var local_22: f32;
+    var scale_2: f32;
+    var local_23: f32;
+
+    m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
+    let _e19 = m_4;
+    let _e22 = gabor_impl_adjugate(_e19, (&determinant_1));
+    adjugate = _e22;
+    let _e24 = gabor_impl_symmetric_3d(s, wave);
+    blurred_3 = _e24;
+    let _e26 = adjugate;
+    let _e27 = blurred_3;
+    let _e28 = gabor_impl_symmetric_3d(_e26, _e27);
+    let _e29 = determinant_1;
+    c_5 = (_e28 / vec3(-(_e29)));
+    let _e34 = m_4;
+    let _e36 = determinant_1;
+    let _e38 = adjugate;
+    d_1 = sqrt(((_e34.diagonal * _e36) / _e38.diagonal));
+    let _e43 = d_1;
+    let _e45 = d_1;
+    pairs = sqrt((_e43.yzx * _e45.zxy));
+    let _e51 = m_4;
+    let _e53 = d_1;
+    let _e58 = pairs;
+    let _e63 = gabor_impl_adjugate(GaborMatrix((vec3(1f) + (_e51.diagonal / _e53)), (s.mixed / _e58)), (&determinant_1));
+    adjugate = _e63;
+    let _e65 = determinant_1;
+    let _e67 = pairs;
+    let _e69 = adjugate;
+    w_2 = (((157.91367f / _e65) * _e67) * _e69.mixed);
+    let _e76 = d_1;
+    let _e78 = c_5;
+    let _e89 = gabor_impl_wave((wave.x / 1.5f));
+    let _e90 = gabor_impl_band(sqrt(s.diagonal.x), _e76.x, _e78.x, cell.x, local.x, period.x, salt, _e89);
+    x_5 = _e90;
+    let _e95 = d_1;
+    let _e97 = c_5;
+    let _e110 = gabor_impl_wave((wave.y / 1.5f));
+    let _e111 = gabor_impl_band(sqrt(s.diagonal.y), _e95.y, _e97.y, cell.y, local.y, period.y, (salt ^ 1540483477u), _e110);
+    y_6 = _e111;
+    let _e116 = d_1;
+    let _e118 = c_5;
+    let _e131 = gabor_impl_wave((wave.z / 1.5f));
+    let _e132 = gabor_impl_band(sqrt(s.diagonal.z), _e116.z, _e118.z, cell.z, local.z, period.z, (salt ^ 668265263u), _e131);
+    z_2 = _e132;
+    let _e134 = x_5;
+    let _e135 = gabor_impl_columns(_e134);
+    columns_4 = _e135;
+    let _e137 = y_6;
+    let _e138 = y_6;
+    let _e141 = y_6;
+    let _e146 = gabor_impl_line_before(_e137, vec2<f32>(_e138.back.x, -(_e141.back.y)));
+    first_1 = _e146;
+    let _e148 = z_2;
+    let _e149 = x_5;
+    let _e151 = y_6;
+    let _e153 = z_2;
+    let _e164 = gabor_impl_wave((dot(wave, vec3<f32>(_e149.offset, _e151.offset, (_e153.offset + 1f))) / 1.5f));
+    let _e165 = gabor_impl_line_before(_e148, _e164);
+    slice_2 = _e165;
+    if wanted {
+        let _e173 = y_6;
+        local_20 = _e173.count;
+    } else {
+        local_20 = 0i;
+    }
+    let _e177 = local_20;
+    rows_2 = _e177;
+    if wanted {
+        let _e179 = z_2;
+        local_21 = _e179.count;
+    } else {
+        local_21 = 0i;
+    }
+    let _e183 = local_21;
+    slices = _e183;
+    loop {
+        {
+            let _e199 = slice_2;
+            let _e200 = z_2;
+            let _e201 = k;
+            let _e202 = z_2;
+            let _e203 = k;
+            let _e204 = gabor_impl_fade(_e202, _e203);
+            let _e205 = gabor_impl_next_line(_e199, _e200, _e201, _e204);
+            slice_2 = _e205;
+            let _e206 = none;
+            y_0_2 = _e206;
+            let _e208 = none;
+            y_1_2 = _e208;
+            let _e210 = none;
+            y_2_2 = _e210;
+            let _e212 = first_1;
+            row_6 = _e212;
+            j_3 = 0i;
+            loop {
+                {
+                    let _e216 = row_6;
+                    let _e217 = y_6;
+                    let _e218 = j_3;
+                    let _e219 = y_6;
+                    let _e220 = j_3;
+                    let _e221 = gabor_impl_fade(_e219, _e220);
+                    let _e222 = gabor_impl_next_line(_e216, _e217, _e218, _e221);
+                    row_6 = _e222;
+                    let _e223 = columns_4;
+                    let _e224 = row_6;
+                    let _e226 = slice_2;
+                    let _e228 = gabor_impl_slice_word(_e224.word, _e226.word);
+                    let _e229 = gabor_impl_filtered_row(_e223, _e228, animated, time);
+                    sum_10 = _e229;
+                    let _e231 = y_0_2;
+                    let _e232 = sum_10;
+                    let _e233 = row_6;
+                    let _e237 = row_6;
+                    let _e241 = gabor_impl_added(_e231, _e232, _e233.window.real.x, _e237.window.imaginary.x);
+                    y_0_2 = _e241;
+                    let _e242 = y_1_2;
+                    let _e243 = sum_10;
+                    let _e244 = row_6;
+                    let _e248 = row_6;
+                    let _e252 = gabor_impl_added(_e242, _e243, _e244.window.real.y, _e248.window.imaginary.y);
+                    y_1_2 = _e252;
+                    let _e253 = y_2_2;
+                    let _e254 = sum_10;
+                    let _e255 = row_6;
+                    let _e259 = row_6;
+                    let _e263 = gabor_impl_added(_e253, _e254, _e255.window.real.z, _e259.window.imaginary.z);
+                    y_2_2 = _e263;
+                }
+                let _e264 = j_3;
+                let _e266 = (_e264 + 1i);
+                j_3 = _e266;
+                let _e267 = rows_2;
+                if !((_e266 < _e267)) {
+                    break;
+                }
+            }
+            let _e270 = value_7;
+            let _e271 = y_0_2;
+            let _e272 = y_1_2;
+            let _e273 = y_2_2;
+            let _e274 = slice_2;
+            let _e276 = w_2;
+            let _e277 = gabor_impl_contracted_3d(_e271, _e272, _e273, _e274.window, _e276);
+            value_7 = (_e270 + _e277);
+            let _e279 = next_x_1;
+            let _e280 = y_0_2;
+            let _e281 = gabor_impl_next(_e280);
+            let _e282 = y_1_2;
+            let _e283 = gabor_impl_next(_e282);
+            let _e284 = y_2_2;
+            let _e285 = gabor_impl_next(_e284);
+            let _e286 = slice_2;
+            let _e288 = w_2;
+            let _e289 = gabor_impl_contracted_3d(_e281, _e283, _e285, _e286.window, _e288);
+            next_x_1 = (_e279 + _e289);
+            let _e291 = next_y_1;
+            let _e292 = y_1_2;
+            let _e293 = y_2_2;
+            let _e294 = none;
+            let _e295 = slice_2;
+            let _e297 = w_2;
+            let _e298 = gabor_impl_contracted_3d(_e292, _e293, _e294, _e295.window, _e297);
+            next_y_1 = (_e291 + _e298);
+            let _e300 = next_z;
+            let _e301 = y_0_2;
+            let _e302 = y_1_2;
+            let _e303 = y_2_2;
+            let _e304 = slice_2;
+            let _e306 = gabor_impl_next(_e304.window);
+            let _e307 = w_2;
+            let _e308 = gabor_impl_contracted_3d(_e301, _e302, _e303, _e306, _e307);
+            next_z = (_e300 + _e308);
+        }
+        let _e310 = k;
+        let _e312 = (_e310 + 1i);
+        k = _e312;
+        let _e313 = slices;
+        if !((_e312 < _e313)) {
+            break;
+        }
+    }
+    let _e316 = next_x_1;
+    let _e318 = next_y_1;
+    let _e320 = next_z;
+    real_2 = vec3<f32>(_e316.x, _e318.x, _e320.x);
+    let _e324 = next_x_1;
+    let _e326 = next_y_1;
+    let _e328 = next_z;
+    imaginary_2 = vec3<f32>(_e324.y, _e326.y, _e328.y);
+    let _e333 = d_1;
+    quarter = (vec3(0.012665148f) / _e333);
+    let _e337 = real_2;
+    let _e338 = c_5;
+    let _e340 = value_7;
+    let _e343 = quarter;
+    let _e346 = w_2;
+    let _e348 = real_2;
+    let _e349 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e346), _e348);
+    real_2 = (_e337 + (((wave + _e338) * _e340.x) + (_e343 * _e349)));
+    let _e353 = imaginary_2;
+    let _e354 = c_5;
+    let _e356 = value_7;
+    let _e359 = quarter;
+    let _e362 = w_2;
+    let _e364 = imaginary_2;
+    let _e365 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e362), _e364);
+    imaginary_2 = (_e353 + (((wave + _e354) * _e356.y) + (_e359 * _e365)));
+    let _e370 = c_5;
+    let _e372 = blurred_3;
+    let _e374 = d_1;
+    let _e375 = c_5;
+    let _e376 = c_5;
+    exponent_2 = (19.739208f * (dot((wave + _e370), _e372) + dot(_e374, (_e375 * _e376))));
+    let _e383 = determinant_1;
+    if false {
+        local_22 = 1f;
+    } else {
+        local_22 = 1.125f;
+    }
+    let _e394 = local_22;
+    let _e397 = exponent_2;
+    scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
+    let _e402 = scale_2;
+    if false {
+        local_23 = 1f;
+    } else {
+        local_23 = 1.125f;
+    }
+    let _e413 = local_23;
+    scale_2 = (_e402 / (1459955300000000000000000000f * _e413));
+    let _e416 = scale_2;
+    let _e417 = value_7;
+    let _e420 = real_2;
+    let _e421 = (6.2831855f * _e420);
+    (*noise) = (_e416 * vec4<f32>(_e417.y, _e421.x, _e421.y, _e421.z));
+    let _e427 = scale_2;
+    let _e428 = value_7;
+    let _e432 = imaginary_2;
+    let _e433 = (-6.2831855f * _e432);
+    (*quadrature) = (_e427 * vec4<f32>(_e428.x, _e433.x, _e433.y, _e433.z));
+    return;
 }
 
 // A lobe of waves around one wave vector.
@@ -1389,7 +1735,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side: f32;
     var smaller: f32;
-    var local_19: f32;
+    var local_24: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1444,11 +1790,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller;
                 let _e113 = apart;
-                local_19 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_24 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_19 = 0f;
+                local_24 = 0f;
             }
-            let _e117 = local_19;
+            let _e117 = local_24;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller;
             let _e125 = axis_2;
@@ -1503,8 +1849,8 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four: vec4<f32>;
     var i_4: i32 = 0i;
-    var local_20: u32;
-    var noise_1: vec4<f32>;
+    var local_25: u32;
+    var noise_2: vec4<f32>;
 
     loop {
         let _e10 = i_4;
@@ -1514,19 +1860,19 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_4;
             if (_e17 == 0i) {
-                local_20 = seed;
+                local_25 = seed;
             } else {
                 let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_20 = _e22;
+                local_25 = _e22;
             }
-            let _e24 = local_20;
+            let _e24 = local_25;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
-            noise_1 = _e25;
+            noise_2 = _e25;
             let _e27 = i_4;
-            let _e29 = noise_1;
+            let _e29 = noise_2;
             four[_e27] = _e29.x;
-            let _e31 = noise_1;
+            let _e31 = noise_2;
             (*removed) = _e31.w;
         }
         continuing {
@@ -1541,13 +1887,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
 // The noise of several lobes at p, as gabor_noise_lobes, filtered and with its gradient: (noise, d/dx, d/dy, removed).
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
-    var sum_9: vec4<f32> = vec4(0f);
+    var sum_11: vec4<f32> = vec4(0f);
     var power_2: f32 = 0f;
     var i_5: i32 = 0i;
     var lobe_1: GaborLobe;
     var unit_2: f32;
-    var noise_2: vec4<f32>;
-    var local_21: vec4<f32>;
+    var noise_3: vec4<f32>;
+    var local_26: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -1571,15 +1917,15 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e46 = i_5;
             let _e47 = gabor_lobe_seed(seed, _e46);
             let _e48 = gabor_noise_filtered_gradient((p * _e33), (dx * _e35), (dy * _e37), (_e39.frequency * _e41.radius), _e44.orientation, _e47);
-            noise_2 = _e48;
-            let _e50 = sum_9;
+            noise_3 = _e48;
+            let _e50 = sum_11;
             let _e51 = lobe_1;
             let _e55 = unit_2;
             let _e56 = unit_2;
             let _e58 = (sqrt(_e51.power) * vec3<f32>(1f, _e55, _e56));
             let _e59 = lobe_1;
-            let _e65 = noise_2;
-            sum_9 = (_e50 + (vec4<f32>(_e58.x, _e58.y, _e58.z, _e59.power) * _e65));
+            let _e65 = noise_3;
+            sum_11 = (_e50 + (vec4<f32>(_e58.x, _e58.y, _e58.z, _e59.power) * _e65));
             let _e68 = power_2;
             let _e69 = lobe_1;
             power_2 = (_e68 + _e69.power);
@@ -1591,15 +1937,15 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     }
     let _e72 = power_2;
     if (_e72 > 0f) {
-        let _e75 = sum_9;
+        let _e75 = sum_11;
         let _e76 = power_2;
         let _e78 = vec3(inverseSqrt(_e76));
         let _e80 = power_2;
-        local_21 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
+        local_26 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
     } else {
-        local_21 = vec4(0f);
+        local_26 = vec4(0f);
     }
-    let _e90 = local_21;
+    let _e90 = local_26;
     return _e90;
 }
 

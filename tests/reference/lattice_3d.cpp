@@ -1,6 +1,7 @@
 #include "reference/lattice_3d.hpp"
 
 #include "reference/lattice.hpp"
+#include "reference/normal_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,68 +52,82 @@ std::array<double, 2> share(int index, double count) {
     return {(index + power / 2) / count, power / count};
 }
 
+// Of a normal filter: its two principal axes, as long as its standard deviations.
+std::array<Vector, 2> principal_axes(const Vector& dx, const Vector& dy) {
+    const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));
+    return {sum(std::cos(angle) / 2, dx, std::sin(angle) / 2, dy),
+            sum(-std::sin(angle) / 2, dx, std::cos(angle) / 2, dy)};
+}
+
+double length(const Vector& a) {
+    return std::sqrt(dot(a, a));
+}
+
 } // namespace
 
 Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, bool animated)
     : wave_(wave), seed_(seed), animated_(animated) {}
 
-Lattice3d::Nodes Lattice3d::nodes(const Place& place) const {
-    Nodes nodes{};
-    std::array<std::array<std::uint32_t, 3>, 3> words{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        // The windows of all but three end before.
-        const auto first = static_cast<std::int64_t>(std::ceil(place.local[axis] - nodes_per_radius));
-        for (std::size_t line = 0; line < 3; ++line) {
-            const std::int64_t i = first + static_cast<std::int64_t>(line);
-            auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
-            if (const std::int32_t period = place.period[axis])
-                index = (index % period + period) % period;
-            words[axis][line] = lattice_line_word(index, static_cast<int>(axis), seed_);
-            nodes.offset[axis][line] = place.local[axis] - static_cast<double>(i);
-        }
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t word = node_word(words[0][i], words[1][j], words[2][k]);
-                const Complex amplitude =
-                    animated_ ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-                nodes.amplitude[i][j][k] = amplitude / lattice_amplitude_deviation();
+// The amplitudes of the nodes that reach a box around a place.
+class Lattice3d::Nodes {
+  public:
+    Nodes(const Lattice3d& noise, const Place& place, const Vector& reach) {
+        std::array<std::vector<std::uint32_t>, 3> words;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double around = reach[axis] + nodes_per_radius;
+            first_[axis] = static_cast<std::int64_t>(std::ceil(place.local[axis] - around));
+            const auto last = static_cast<std::int64_t>(std::floor(place.local[axis] + around));
+            for (std::int64_t i = first_[axis]; i <= last; ++i) {
+                auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
+                if (const std::int32_t period = place.period[axis])
+                    index = (index % period + period) % period;
+                words[axis].push_back(lattice_line_word(index, static_cast<int>(axis), noise.seed_));
             }
+            count_[axis] = words[axis].size();
         }
+        for (const std::uint32_t x : words[0])
+            for (const std::uint32_t y : words[1])
+                for (const std::uint32_t z : words[2])
+                    amplitudes_.push_back((noise.animated_ ? lattice_amplitude(node_word(x, y, z), place.time)
+                                                           : lattice_amplitude(node_word(x, y, z))) /
+                                          lattice_amplitude_deviation());
     }
-    return nodes;
-}
 
-// Sums over the last index with factors for three new values of it, which come first: out of x, y, z become
-// z', x, y.
-Lattice3d::Cube Lattice3d::transformed(const Cube& cube,
-                                       const std::array<std::array<Complex, 3>, 3>& factors) {
-    Cube result{};
-    for (std::size_t to = 0; to < 3; ++to)
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                for (std::size_t from = 0; from < 3; ++from)
-                    result[to][i][j] += factors[from][to] * cube[i][j][from];
-    return result;
-}
+    const Complex& at(std::int64_t i, std::int64_t j, std::int64_t k) const {
+        const auto index = [&](std::size_t axis, std::int64_t line) {
+            return static_cast<std::size_t>(line - first_[axis]);
+        };
+        return amplitudes_[(index(0, i) * count_[1] + index(1, j)) * count_[2] + index(2, k)];
+    }
+
+  private:
+    std::array<std::int64_t, 3> first_{};
+    std::array<std::size_t, 3> count_{};
+    std::vector<Complex> amplitudes_;
+};
 
 Lattice3d::Field Lattice3d::field(const Place& place) const {
+    return field(place, {}, Nodes(*this, place, {}));
+}
+
+Lattice3d::Field Lattice3d::field(const Place& place, const Vector& offset, const Nodes& nodes) const {
     using namespace std::complex_literals;
-    const Nodes near = nodes(place);
     struct Line {
         double window;
         double slope; // of the window, per kernel radius
         Complex wave;
     };
     std::array<std::array<Line, 3>, 3> lines{};
+    std::array<std::int64_t, 3> first{}; // the windows of all but three lines end before
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double local = place.local[axis] + offset[axis];
+        first[axis] = static_cast<std::int64_t>(std::ceil(local - nodes_per_radius));
         for (std::size_t i = 0; i < 3; ++i) {
-            const double x = near.offset[axis][i] / nodes_per_radius;
-            lines[axis][i] = {
-                (1 + std::cos(pi * x)) / 2,
-                -pi / 2 * std::sin(pi * x) * place.radius[axis] / nodes_per_radius,
-                std::exp(2i * pi * wave_[axis] * near.offset[axis][i] / double{place.radius[axis]})};
+            const double distance = local - static_cast<double>(first[axis] + static_cast<std::int64_t>(i));
+            const double x = std::min(distance / nodes_per_radius, 1.0);
+            lines[axis][i] = {(1 + std::cos(pi * x)) / 2,
+                              -pi / 2 * std::sin(pi * x) * place.radius[axis] / nodes_per_radius,
+                              std::exp(2i * pi * wave_[axis] * distance / double{place.radius[axis]})};
         }
     }
     // E[n^2] = E[|A|^2] / 2 (sum h^2)^3, sum h^2 = 9/8.
@@ -124,7 +139,10 @@ Lattice3d::Field Lattice3d::field(const Place& place) const {
                 const Line& x = lines[0][i];
                 const Line& y = lines[1][j];
                 const Line& z = lines[2][k];
-                const Complex wave = scale * near.amplitude[i][j][k] * x.wave * y.wave * z.wave;
+                const Complex amplitude =
+                    nodes.at(first[0] + static_cast<std::int64_t>(i), first[1] + static_cast<std::int64_t>(j),
+                             first[2] + static_cast<std::int64_t>(k));
+                const Complex wave = scale * amplitude * x.wave * y.wave * z.wave;
                 const double all = x.window * y.window * z.window;
                 field.value += all * wave;
                 field.slope[0] += (x.slope * y.window * z.window + 2i * pi * wave_[0] * all) * wave;
@@ -137,53 +155,39 @@ Lattice3d::Field Lattice3d::field(const Place& place) const {
 }
 
 Lattice3d::Field Lattice3d::filtered(const Place& place, const Vector& dx, const Vector& dy) const {
-    using namespace std::complex_literals;
-    // Far footprints average all out: (det(1 + S^2))^(-1/4), by the traces of S and S^2.
-    const double trace = (dot(dx, dx) + dot(dy, dy)) / 4;
-    const double square =
-        (std::pow(dot(dx, dx), 2) + std::pow(dot(dy, dy), 2) + 2 * std::pow(dot(dx, dy), 2)) / 16;
-    const double determinant = (trace * trace - square) / 2;
-    const double fade = std::pow(1 + square + determinant * determinant, -0.25);
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    Vector reach{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        reach[axis] = 6.001 * std::hypot(longer[axis], shorter[axis]) * place.radius[axis];
+    const Nodes nodes(*this, place, reach);
+    const double step = std::min(0.06, 0.15 / (length(wave_) + 1e-9));
+    Field mean{};
+    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step)) {
+        Vector offset = sum(u, longer, v, shorter);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            offset[axis] *= place.radius[axis];
+        const Field one = field(place, offset, nodes);
+        mean.value += weight * one.value;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mean.slope[axis] += weight * one.slope[axis];
+    }
+    return mean;
+}
 
-    constexpr std::array share{0.25, 0.5, 0.25};           // of the window
-    constexpr std::array power{1.0 / 6, 2.0 / 3, 1.0 / 6}; // of the variance
-    const auto turns_of = [&](std::size_t axis, std::size_t wave) {
-        return wave_[axis] + (static_cast<double>(wave) - 1) / 2 * place.radius[axis] / nodes_per_radius;
-    };
-    const Nodes near = nodes(place);
-    Cube waves = near.amplitude;
-    for (const std::size_t axis : {2u, 1u, 0u}) {
-        std::array<std::array<Complex, 3>, 3> factors; // what each node has of each wave
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double offset = near.offset[axis][i];
-            const double width = std::hypot(dx[axis], dy[axis]) / 4 * place.radius[axis];
-            const double to_end = nodes_per_radius - std::abs(offset);
-            const double reach = width > 0 ? smoothstep(0, width, to_end) : 1;
-            for (std::size_t wave = 0; wave < 3; ++wave)
-                factors[i][wave] =
-                    share[wave] * reach *
-                    std::exp(2i * pi * turns_of(axis, wave) * offset / double{place.radius[axis]});
-        }
-        waves = transformed(waves, factors);
-    }
-    Field field{};
+// As of Spectrum::removed.
+double Lattice3d::removed(const Place& place, const Vector& dx, const Vector& dy) const {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    const double apart = std::numbers::sqrt2;
     double kept = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-        for (std::size_t b = 0; b < 3; ++b) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const Vector k{turns_of(0, a), turns_of(1, b), turns_of(2, c)};
-                const double blurred = (std::pow(dot(k, dx), 2) + std::pow(dot(k, dy), 2)) / 4;
-                const double damped = fade * std::exp(-2 * pi * pi * blurred);
-                kept += power[a] * power[b] * power[c] * damped * damped;
-                const Complex one = std::pow(8.0 / 9, 1.5) * damped * waves[a][b][c];
-                field.value += one;
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    field.slope[axis] += 2i * pi * k[axis] * one;
-            }
-        }
+    for (const auto& [u, v, weight] :
+         normal_points({apart * length(longer), apart * length(shorter)}, 0.06)) {
+        const Vector offset = sum(apart * u, longer, apart * v, shorter);
+        double correlation = std::cos(2 * pi * dot(wave_, offset));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
+        kept += weight * correlation;
     }
-    field.removed = 1 - kept;
-    return field;
+    return 1 - kept;
 }
 
 std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed) {

@@ -22,12 +22,11 @@ class Lattice3d {
         float time = 0;                                ///< in periods of time, for animated noise
     };
 
-    /// The noise as a complex number, whose imaginary part is the noise itself, its gradient per kernel
-    /// radius, and the variance that a footprint takes away.
+    /// The noise as a complex number, whose imaginary part is the noise itself, and its gradient per kernel
+    /// radius.
     struct Field {
         std::complex<double> value;
         std::array<std::complex<double>, 3> slope;
-        double removed = 0;
     };
 
     /// `wave` in cycles per kernel radius.
@@ -35,23 +34,18 @@ class Lattice3d {
 
     Field field(const Place& place) const;
 
-    /// The sum of the 27 waves that the field is between nodes, each damped by a normal footprint with the
-    /// covariance (dx dx^T + dy dy^T) / 4, nodes fading within a quarter of the footprint from their windows'
-    /// ends.
+    /// The noise through a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise.
     Field filtered(const Place& place, const Vector& dx, const Vector& dy) const;
+
+    /// The share of its variance that the same filter removes, by quadrature of the noise's covariance.
+    double removed(const Place& place, const Vector& dx, const Vector& dy) const;
 
   private:
     using Complex = std::complex<double>;
-    using Cube = std::array<std::array<std::array<Complex, 3>, 3>, 3>;
+    class Nodes;
 
-    /// The nodes that reach a place: what their planes across each axis are away, in node spacings, and their
-    /// amplitudes by x, y and z, of variance 1 in each part.
-    struct Nodes {
-        std::array<Vector, 3> offset;
-        Cube amplitude;
-    };
-    Nodes nodes(const Place& place) const;
-    static Cube transformed(const Cube& cube, const std::array<std::array<Complex, 3>, 3>& factors);
+    /// At an offset from the place, in node spacings.
+    Field field(const Place& place, const Vector& offset, const Nodes& nodes) const;
 
     Vector wave_;
     std::uint32_t seed_;

@@ -1,6 +1,7 @@
 #include "reference/spectrum.hpp"
 
 #include "reference/lattice.hpp"
+#include "reference/normal_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,6 @@ std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Ve
     return {{{c * longer, s * longer}, {-s * shorter, c * shorter}}};
 }
 
-void add(double& sum, double weight, double value) {
-    sum += weight * value;
-}
-
 void add(Spectrum::Field& sum, double weight, const Spectrum::Field& field) {
     sum.value += weight * field.value;
     sum.slope_x += weight * field.slope_x;
@@ -38,47 +35,8 @@ void add(Spectrum::Field& sum, double weight, const Spectrum::Field& field) {
         sum.four[i] += weight * field.four[i];
 }
 
-template <typename T>
-T scaled(const T& value, double factor) {
-    T result{};
-    add(result, factor, value);
-    return result;
-}
-
-// The mean of a function under a normal density with these axes times `widening`, by the trapezoidal rule
-// as far as six deviations: `step` is the longest allowed along an axis.
-template <typename Function>
-auto normal_mean(const std::array<Spectrum::Vector, 2>& axes, double widening, double step,
-                 const Function& function) {
-    std::array<int, 2> half{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double deviation = widening * std::hypot(axes[i][0], axes[i][1]);
-        half[i] = deviation < 1e-7 ? 0 : std::max(18, static_cast<int>(std::ceil(6 * deviation / step)));
-    }
-    decltype(function(0.0, 0.0)) sum{};
-    double weights = 0;
-    for (int j = -half[1]; j <= half[1]; ++j) {
-        for (int i = -half[0]; i <= half[0]; ++i) {
-            const double u = half[0] ? 6.0 * i / half[0] : 0;
-            const double v = half[1] ? 6.0 * j / half[1] : 0;
-            if (u * u + v * v > 36)
-                continue;
-            const double weight = std::exp(-(u * u + v * v) / 2);
-            add(sum, weight,
-                function(widening * (u * axes[0][0] + v * axes[1][0]),
-                         widening * (u * axes[0][1] + v * axes[1][1])));
-            weights += weight;
-        }
-    }
-    return scaled(sum, 1 / weights);
-}
-
-// integral of h(t) h(t + x) over that of h^2: with c = cos(pi x), the overlap of two Hann windows x apart.
-double hann_correlation(double x) {
-    x = std::abs(x);
-    if (x >= 2)
-        return 0;
-    return ((2 - x) * (1 + 0.5 * std::cos(pi * x)) + 1.5 / pi * std::sin(pi * x)) / 3;
+double length(const Spectrum::Vector& v) {
+    return std::hypot(v[0], v[1]);
 }
 
 } // namespace
@@ -165,24 +123,30 @@ Spectrum::Field Spectrum::filtered(double x, double y, Vector dx, Vector dy) con
     double step = 1;
     for (const SpectrumLobe& lobe : lobes_)
         step = std::min({step, 0.06 * lobe.radius, 0.15 / (lobe.frequency + 1e-9)});
-    return normal_mean(principal_axes(dx, dy), 1, step,
-                       [&](double u, double v) { return field(x - u, y - v); });
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    Field mean{};
+    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step))
+        add(mean, weight, field(x - u * longer[0] - v * shorter[0], y - u * longer[1] - v * shorter[1]));
+    return mean;
 }
 
 // The filtered noise's variance is the mean of its covariance between two points that the filter draws
 // independently, whose difference is normal with twice the covariance.
 double Spectrum::removed(Vector dx, Vector dy) const {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    const double apart = std::numbers::sqrt2;
     double kept = 0;
     double power = 0;
     for (const SpectrumLobe& lobe : lobes_) {
         const double fx = lobe.frequency * std::cos(lobe.orientation);
         const double fy = lobe.frequency * std::sin(lobe.orientation);
-        kept += lobe.power * normal_mean(principal_axes(dx, dy), std::numbers::sqrt2, 0.03 * lobe.radius,
-                                         [&](double u, double v) {
-                                             return hann_correlation(u / lobe.radius) *
-                                                    hann_correlation(v / lobe.radius) *
-                                                    std::cos(2 * pi * (fx * u + fy * v));
-                                         });
+        for (const auto& [u, v, weight] :
+             normal_points({apart * length(longer), apart * length(shorter)}, 0.03 * lobe.radius)) {
+            const double x = apart * (u * longer[0] + v * shorter[0]);
+            const double y = apart * (u * longer[1] + v * shorter[1]);
+            kept += weight * lobe.power * hann_correlation(x / lobe.radius) *
+                    hann_correlation(y / lobe.radius) * std::cos(2 * pi * (fx * x + fy * y));
+        }
         power += lobe.power;
     }
     return 1 - kept / power;

@@ -159,6 +159,9 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     return {value, std::sqrt(dot(slope, slope))};
 }
 
+// By which a filtered pixel may differ from quadrature: see test_filter_3d.cpp.
+constexpr double filter_error = 0.08;
+
 } // namespace
 
 TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
@@ -175,8 +178,8 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
                                   .filter = filtered};
             const auto pixels = rendered(device, request, {0, 0, 150, 70}, 70);
             double largest = 0;
-            for (int y = 0; y < request.height; ++y) {
-                for (int x = 0; x < request.width; ++x) {
+            for (int y = 0; y < request.height; y += filtered ? 9 : 1) { // for quadrature takes its time
+                for (int x = 0; x < request.width; x += filtered ? 7 : 1) {
                     const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
                     const Vector3 p{(x + 0.5) / request.scale, (y + 0.5) / request.scale, 7.3};
                     const Expected here =
@@ -186,7 +189,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
                 }
             }
             fmt::print("slice, spread {}: largest difference {:.2g}\n", spread, largest);
-            CHECK(largest < 1.5e-5);
+            CHECK(largest < (filtered ? filter_error : 1.5e-5));
         }
     }
 }
@@ -215,8 +218,9 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                 const double unit = render::sphere_radius(request);
                 double largest = 0;
                 int compared = 0;
-                for (int y = 0; y < request.height; ++y) {
-                    for (int x = 0; x < request.width; ++x) {
+                const int stride = request.filter ? 11 : 1; // for quadrature takes its time
+                for (int y = 0; y < request.height; y += stride) {
+                    for (int x = 0; x < request.width; x += stride) {
                         const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
                         REQUIRE(std::isfinite(pixels[at]));
                         const Vector3 ray = camera.ray(x + 0.5, y + 0.5);
@@ -242,7 +246,8 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                         // Places are off by 10^-6 of the unit, more where rays graze; and along the surface
                         // waves turn with the normal by four times as much, at most.
                         const double turning = solid || spread > 0 ? 1 : 4;
-                        const double tolerance = 1e-5 + 5e-7 * turning * unit * (here.slope + 20) / facing;
+                        const double tolerance = (request.filter ? filter_error : 1e-5) +
+                                                 5e-7 * turning * unit * (here.slope + 20) / facing;
                         largest = std::max(largest, std::abs(pixels[at] - here.value) / tolerance);
                         ++compared;
                     }
@@ -251,7 +256,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                     "shape {}, solid {}, spread {}: {} pixels, largest difference {:.2f} of the tolerance\n",
                     static_cast<int>(shape), solid, spread, compared, largest);
                 CHECK(largest < 1);
-                CHECK(compared > 4000);
+                CHECK(compared > 4000 / (stride * stride));
             }
         }
 }

@@ -4,6 +4,7 @@
 // The drop-in in space, as one would call it.
 
 #include "gabor_lattice.glsl"
+#include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 #include "bench.glsl"
 

@@ -5,6 +5,7 @@
 // sampler_lattice_3d.hpp: a pipeline that chooses among all of them takes drivers seconds to compile.
 
 #include "gabor_lattice.glsl"
+#include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 
 layout(local_size_x = 64) in;

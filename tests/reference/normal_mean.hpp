@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace gabor::noise {
+
+/// Where to ask a function for its mean under a normal density in the plane, and how much it counts there.
+struct NormalPoint {
+    double u; ///< in deviations along the first axis
+    double v; ///< along the second
+    double weight;
+};
+
+/// By the trapezoidal rule, as far as six deviations: no two points are further apart than `step`, in the
+/// unit of the deviations, or a third of a deviation.
+inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& deviations, double step) {
+    std::array<int, 2> half{};
+    for (std::size_t i = 0; i < 2; ++i)
+        if (deviations[i] >= 1e-7)
+            half[i] = std::max(18, static_cast<int>(std::ceil(6 * deviations[i] / step)));
+    std::vector<NormalPoint> points;
+    double weights = 0;
+    for (int j = -half[1]; j <= half[1]; ++j) {
+        for (int i = -half[0]; i <= half[0]; ++i) {
+            const double u = half[0] ? 6.0 * i / half[0] : 0;
+            const double v = half[1] ? 6.0 * j / half[1] : 0;
+            if (u * u + v * v > 36)
+                continue;
+            points.push_back({u, v, std::exp(-(u * u + v * v) / 2)});
+            weights += points.back().weight;
+        }
+    }
+    for (NormalPoint& point : points)
+        point.weight /= weights;
+    return points;
+}
+
+/// The integral of h(t) h(t + x) over that of h^2: the correlation of noise under Hann's window between two
+/// places x apart along an axis.
+inline double hann_correlation(double x) {
+    x = std::abs(x);
+    if (x >= 2)
+        return 0;
+    const double turn = std::numbers::pi * x;
+    return ((2 - x) * (1 + 0.5 * std::cos(turn)) + 1.5 / std::numbers::pi * std::sin(turn)) / 3;
+}
+
+} // namespace gabor::noise

@@ -1,0 +1,319 @@
+// The filter in space, on the device, against quadrature of the double-precision reference.
+
+#include "reference/lattice.hpp"
+#include "sampler_lattice_3d.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace gabor;
+using noise::Lattice3d;
+using std::numbers::pi;
+using test::Entry3d;
+using test::Largest;
+using test::LatticeAnswer3d;
+using test::LatticeSample3d;
+using test::LatticeSampler3d;
+using Vector = Lattice3d::Vector;
+
+namespace {
+
+Vector scaled(double s, const Vector& v) {
+    return {s * v[0], s * v[1], s * v[2]};
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+std::array<float, 3> narrow(const Vector& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+Vector random_unit(test::Draw& draw) {
+    return test::unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
+}
+
+// A pixel that faces `normal`, turned by an angle around it, of this deviation along one side and of `ratio`
+// times that along the other.
+void set_footprint(LatticeSample3d& sample, const Vector& normal, double angle, double deviation,
+                   double ratio) {
+    const Vector aside = cross(normal, std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+    const Vector u =
+        scaled(1 / std::sqrt(aside[0] * aside[0] + aside[1] * aside[1] + aside[2] * aside[2]), aside);
+    const Vector v = cross(normal, u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        sample.dx[i] = static_cast<float>(2 * deviation * (std::cos(angle) * u[i] + std::sin(angle) * v[i]));
+        sample.dy[i] =
+            static_cast<float>(2 * deviation * ratio * (std::cos(angle) * v[i] - std::sin(angle) * u[i]));
+    }
+}
+
+// Around an axis of length 1, by Rodrigues' formula.
+std::array<float, 3> rotated(const std::array<float, 3>& v, const Vector& axis, double angle) {
+    const Vector aside = cross(axis, test::wide(v));
+    const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    Vector result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result[i] =
+            std::cos(angle) * v[i] + std::sin(angle) * aside[i] + (1 - std::cos(angle)) * along * axis[i];
+    return narrow(result);
+}
+
+LatticeSample3d somewhere(test::Draw& draw, double frequency, const Vector& direction) {
+    LatticeSample3d sample;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        sample.place.cell[axis] = draw.cell();
+        sample.place.local[axis] = draw.uniform(0, 1);
+    }
+    sample.frequency = static_cast<float>(frequency);
+    sample.direction = narrow(direction);
+    sample.seed = draw.word();
+    return sample;
+}
+
+Lattice3d reference_of(const LatticeSample3d& sample) {
+    return Lattice3d(scaled(sample.frequency, test::unit(sample.direction)), sample.seed);
+}
+
+// Errors in units of the unfiltered noise's deviation, and of its gradient's.
+class Error {
+  public:
+    void see(const LatticeAnswer3d& answer, const LatticeSample3d& sample) {
+        const Lattice3d::Field exact =
+            reference_of(sample).filtered(sample.place, test::wide(sample.dx), test::wide(sample.dy));
+        const auto square = [&](int component, std::complex<double> value) {
+            return (std::pow(answer.value[component] - value.real(), 2) +
+                    std::pow(answer.value[component + 1] - value.imag(), 2)) /
+                   2;
+        };
+        const double value = square(0, exact.value);
+        squares_ += value;
+        largest_ = std::max(largest_, std::sqrt(value));
+        double slopes = 0; // of each wave 4 pi^2 F^2, and pi^2 / 3 of the window along each axis
+        double variance = std::pow(2 * pi * sample.frequency, 2);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            slopes += square(2 + 2 * static_cast<int>(axis), exact.slope[axis]);
+            variance += std::pow(pi * sample.place.radius[axis] / 1.5, 2) / 3;
+        }
+        slope_squares_ += slopes / variance;
+        if (count_++ % 8 == 0)
+            removed_ = std::max(removed_, std::abs(answer.value[8] - reference_of(sample).removed(
+                                                                         sample.place, test::wide(sample.dx),
+                                                                         test::wide(sample.dy))));
+    }
+
+    void check(const std::string& name, double bound, double slope_bound) const {
+        const double rmse = std::sqrt(squares_ / count_);
+        const double slope_rmse = std::sqrt(slope_squares_ / count_);
+        fmt::print("  {}: {:.2f} {:.2f}, gradient {:.2f}, {:.2f}\n", name, 100 * rmse, 100 * largest_,
+                   100 * slope_rmse, 100 * removed_);
+        INFO(name);
+        CHECK(count_ > 10);
+        CHECK(rmse <= bound);
+        CHECK(slope_rmse <= slope_bound);
+        CHECK(removed_ <= 0.013);
+    }
+
+  private:
+    int count_ = 0;
+    double squares_ = 0;
+    double largest_ = 0;
+    double slope_squares_ = 0;
+    double removed_ = 0;
+};
+
+const std::vector<Vector>& normals() {
+    static const std::vector<Vector> list{
+        {0, 0, 1}, test::unit({1, 1, 0}), test::unit({1, 1, 1}), test::unit({1, 2, 3})};
+    return list;
+}
+
+} // namespace
+
+TEST_CASE("the filter in space errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
+          "[filter][law]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 24;
+    LatticeSampler3d sampler(device, count, Entry3d::field, true);
+    test::Draw draw(41);
+    fmt::print("  RMSE and largest error in 1 % of the deviation, RMSE of the gradient, error of the removed "
+               "variance in 1 %\n");
+    for (const double deviation : {0.02, 0.08, 0.1, 1.0 / 6, 0.25, 0.354, 0.5}) {
+        for (const double ratio : {0.0, 0.4, 1.0}) {
+            for (const Vector& normal : normals()) {
+                for (const double frequency : {0.0, 0.5, 1.0, 2.0}) {
+                    for (LatticeSample3d& sample : sampler.samples()) {
+                        sample = somewhere(draw, frequency, random_unit(draw));
+                        set_footprint(sample, normal, ratio < 0.3 ? 0.8 : 0.3, deviation, ratio);
+                    }
+                    const auto answers = sampler.answers(count);
+                    Error error;
+                    for (std::size_t i = 0; i < count; ++i)
+                        error.see(answers[i], sampler.samples()[i]);
+                    error.check(fmt::format("deviation {:.3f} x {:.1f} across {:.2f}, frequency {}",
+                                            deviation, ratio, fmt::join(normal, " "), frequency),
+                                deviation < 0.17 ? 0.01 : 0.02, 0.1);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the filter in space agrees with quadrature of the noise, with periods and without",
+          "[oracle][filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 400;
+    LatticeSampler3d field(device, count, Entry3d::field, true);
+    test::Draw draw(42);
+    for (const bool periodic : {false, true}) {
+        for (LatticeSample3d& sample : field.samples()) {
+            sample = somewhere(draw, draw.word() % 4 ? draw.uniform(0, 2) : 0, random_unit(draw));
+            set_footprint(sample, random_unit(draw), draw.uniform(-3, 3), std::exp2(draw.uniform(-6, -1)),
+                          draw.word() % 3 ? draw.uniform(0, 1) : 0);
+            for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
+                sample.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
+                sample.place.radius[axis] = 1.5f * draw.uniform(0.8f, 1.0f);
+            }
+        }
+        const auto answers = field.answers(count);
+        Error small, large;
+        for (std::size_t i = 0; i < count; ++i) {
+            const LatticeSample3d& sample = field.samples()[i];
+            double square = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                square += std::pow(sample.dx[axis], 2);
+            (square < 1.0 / 9 ? small : large).see(answers[i], sample);
+        }
+        small.check(periodic ? "periods, deviations up to 1/6" : "deviations up to 1/6", 0.005, 0.02);
+        large.check(periodic ? "periods, deviations up to 1/2" : "deviations up to 1/2", 0.01, 0.03);
+    }
+}
+
+TEST_CASE("functions of a position, sums and animations in space are filtered as their terms are",
+          "[oracle][filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 48;
+    test::Draw draw(43);
+    std::vector<LatticeSample3d> samples(count);
+    for (LatticeSample3d& sample : samples) {
+        sample.p = {draw.uniform(-9, 9), draw.uniform(-9, 9), draw.uniform(-9, 9)};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            sample.place.local[axis] = sample.p[axis] * 1.5f;
+        sample.frequency = draw.uniform(0, 2);
+        sample.direction = narrow(random_unit(draw));
+        sample.normal = narrow(random_unit(draw));
+        sample.seed = draw.word();
+        set_footprint(sample, random_unit(draw), draw.uniform(-3, 3), std::exp2(draw.uniform(-5, 0)),
+                      draw.uniform(0, 1));
+    }
+    constexpr std::size_t most = 64; // terms of a sum
+    LatticeSampler3d field(device, count * most, Entry3d::field, true);
+    using Waves = std::vector<noise::WeightedWave>;
+    const auto check = [&](const char* name, Entry3d entry, int components, const auto& waves_of) {
+        LatticeSampler3d sums(device, count, entry, true);
+        std::ranges::copy(samples, sums.samples().begin());
+        const auto answers = sums.answers(count);
+        std::size_t used = 0;
+        std::vector<Waves> waves;
+        for (const LatticeSample3d& sample : samples) {
+            waves.push_back(waves_of(sample));
+            REQUIRE(waves.back().size() <= most);
+            for (const noise::WeightedWave& wave : waves.back()) {
+                LatticeSample3d& term = field.samples()[used++] = sample;
+                term.direction = narrow(wave.wave);
+                term.seed = wave.seed;
+                term.frequency = static_cast<float>(std::hypot(wave.wave[0], wave.wave[1], wave.wave[2]));
+            }
+        }
+        const auto terms = field.answers(used);
+        Largest largest;
+        std::size_t term = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<double, 9> sum{};
+            for (const noise::WeightedWave& wave : waves[i]) {
+                for (std::size_t c = 0; c < 8; ++c)
+                    sum[c] += wave.weight * terms[term].value[c];
+                sum[8] += wave.weight * wave.weight * terms[term].value[8];
+                ++term;
+            }
+            if (components == 2) { // a noise and the variance removed
+                largest.see(answers[i].value[0], sum[1], 1e-4, samples[i]);
+                largest.see(answers[i].value[1], sum[8], 1e-5, samples[i]);
+                continue;
+            }
+            for (std::size_t c = 0; c < 9; ++c)
+                largest.see(answers[i].value[c], sum[c], c < 2 ? 1e-4 : c < 8 ? 1e-3 : 1e-5, samples[i]);
+        }
+        largest.check(name);
+    };
+    check("gabor_noise_3d_filtered", Entry3d::filtered, 2, [](const LatticeSample3d& sample) {
+        return Waves{{1, scaled(sample.frequency, test::unit(sample.direction)), sample.seed}};
+    });
+    check("isotropic", Entry3d::isotropic, 9, [](const LatticeSample3d& sample) {
+        return noise::isotropic_waves(sample.frequency, sample.seed);
+    });
+    check("surface", Entry3d::surface, 9, [](const LatticeSample3d& sample) {
+        return noise::surface_waves(test::unit(sample.normal), sample.frequency, test::unit(sample.direction),
+                                    sample.seed);
+    });
+    check("surface, isotropic", Entry3d::surface_isotropic, 9, [](const LatticeSample3d& sample) {
+        return noise::surface_isotropic_waves(test::unit(sample.normal), sample.frequency, sample.seed);
+    });
+}
+
+// As of the filter in the plane, see test_spectrum.cpp.
+TEST_CASE("the noise filtered in space has no jumps in place, in size or in rotation of the footprint",
+          "[filter]") {
+    const vulkan::Device device;
+    constexpr std::size_t steps = 1 << 13;
+    LatticeSampler3d sampler(device, steps, Entry3d::filtered);
+    test::Draw draw(44);
+    Largest place, size, rotation;
+    std::size_t seen = 0;
+    for (int path = 0; path < 60; ++path) {
+        LatticeSample3d sample;
+        sample.p = {draw.uniform(-8, 8), draw.uniform(-8, 8), draw.uniform(-8, 8)};
+        sample.frequency = path % 2 ? draw.uniform(0, 1) : draw.uniform(0, 4);
+        sample.direction = narrow(random_unit(draw));
+        sample.seed = draw.word();
+        const Vector normal = random_unit(draw);
+        const Vector direction = random_unit(draw);
+        const double angle = draw.uniform(-4, 4);
+        const double deviation = std::exp2(draw.uniform(-6, 0));
+        const double ratio = path % 4 < 2 ? draw.uniform(0, 1) : 0;
+        for (std::size_t i = 0; i < steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            LatticeSample3d& here = sampler.samples()[i] = sample;
+            set_footprint(here, normal, angle, deviation, ratio);
+            if (path % 3 == 0) { // 1.5 kernel radii
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    here.p[axis] += static_cast<float>(1.5 * t * direction[axis]);
+            } else if (path % 3 == 1) { // all paths together, all sizes from 1/256 to 2
+                set_footprint(here, normal, angle, std::exp2(-8 + 9 * (path / 3 + t) / 20), ratio);
+            } else {
+                here.dx = rotated(here.dx, direction, pi * t);
+                here.dy = rotated(here.dy, direction, pi * t);
+            }
+        }
+        const auto answers = sampler.answers(steps);
+        Largest& largest = path % 3 == 0 ? place : path % 3 == 1 ? size : rotation;
+        for (std::size_t i = 2; i + 1 < steps; ++i) {
+            const auto value = [&](std::size_t k) { return double{answers[k].value[0]}; };
+            const double expected =
+                value(i - 1) + 0.5 * ((value(i - 1) - value(i - 2)) + (value(i + 1) - value(i)));
+            largest.see(value(i), expected, 1e-4, sampler.samples()[i]);
+            ++seen;
+        }
+    }
+    place.check("in place");
+    size.check("in size");
+    rotation.check("in rotation");
+    CHECK(seen > 400000);
+}
