@@ -140,7 +140,7 @@ const std::vector<Vector>& normals() {
 TEST_CASE("the filter in space errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
           "[filter][law]") {
     const vulkan::Device device;
-    constexpr std::size_t count = 24;
+    constexpr std::size_t count = 16;
     LatticeSampler3d sampler(device, count, Entry3d::field, true);
     test::Draw draw(41);
     fmt::print("  RMSE and largest error in 1 % of the deviation, RMSE of the gradient, error of the removed "
