@@ -343,11 +343,16 @@ GaborLine gabor_impl_line_before(GaborBand b, vec2 phase) {
     return line;
 }
 
+// A sum to which a complex number times the factors was added.
+GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
+    return GaborFactors(sum.real + (real * factors.real - imaginary * factors.imaginary),
+                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
+}
+
 // Adds a node to the sums of a row.
 void gabor_impl_add_filtered(inout GaborFactors row, GaborLine column, uint row_word, bool animated, float time) {
     vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
-    row.real += a.x * column.window.real - a.y * column.window.imaginary;
-    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+    row = gabor_impl_added(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
@@ -474,12 +479,6 @@ GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// A sum to which a complex number times a row was added.
-GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors row, float real, float imaginary) {
-    return GaborFactors(sum.real + real * row.real - imaginary * row.imaginary,
-                        sum.imaginary + real * row.imaginary + imaginary * row.real);
 }
 
 // What each factor along z is multiplied with, from the sums for each factor along x, of each along y.

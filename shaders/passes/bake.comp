@@ -25,7 +25,6 @@
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
-#include "gabor_lattice_3d.glsl"
 #endif
 
 layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1

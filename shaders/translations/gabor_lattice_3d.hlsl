@@ -66,7 +66,7 @@ GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, flo
     return made;
 }
 
-// ---- The noise at a place --------------------------------------------------------------------------------------------
+// ---- The noise at a place ------------------------------------------------------------------------------------------
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 float3 gabor_impl_unit(float3 v) {

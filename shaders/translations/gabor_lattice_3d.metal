@@ -44,7 +44,7 @@ struct GaborField3d {
     float removed; // variance that the average over the pixel takes away
 };
 
-// ---- The noise at a place --------------------------------------------------------------------------------------------
+// ---- The noise at a place ------------------------------------------------------------------------------------------
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 inline float3 gabor_impl_unit(float3 v) {

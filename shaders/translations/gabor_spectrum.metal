@@ -346,11 +346,16 @@ inline GaborLine gabor_impl_line_before(GaborBand b, float2 phase) {
     return line_;
 }
 
+// A sum to which a complex number times the factors was added.
+inline GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
+    return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
+                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
+}
+
 // Adds a node to the sums of a row.
 inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float time) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
-    row.real += a.x * column.window.real - a.y * column.window.imaginary;
-    row.imaginary += a.x * column.window.imaginary + a.y * column.window.real;
+    row = gabor_impl_added(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
@@ -477,12 +482,6 @@ inline GaborMatrix gabor_impl_adjugate(GaborMatrix m, thread float& determinant)
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
 inline uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
-}
-
-// A sum to which a complex number times a row was added.
-inline GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors row, float real, float imaginary) {
-    return GaborFactors{sum.real + real * row.real - imaginary * row.imaginary,
-                        sum.imaginary + real * row.imaginary + imaginary * row.real};
 }
 
 // What each factor along z is multiplied with, from the sums for each factor along x, of each along y.

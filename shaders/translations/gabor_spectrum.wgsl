@@ -847,20 +847,22 @@ fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
     return _e13;
 }
 
+// A sum to which a complex number times the factors was added.
+fn gabor_impl_added(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
+    return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
+}
+
 // Adds a node to the sums of a row.
 fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, row_word: u32, animated: bool, time: f32) {
     var a_2: vec2<f32>;
 
     let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, time);
     a_2 = _e7;
-    let _e10 = (*row);
-    let _e12 = a_2;
-    let _e17 = a_2;
-    (*row).real = (_e10.real + ((_e12.x * column.window.real) - (_e17.y * column.window.imaginary)));
-    let _e25 = (*row);
-    let _e27 = a_2;
-    let _e32 = a_2;
-    (*row).imaginary = (_e25.imaginary + ((_e27.x * column.window.imaginary) + (_e32.y * column.window.real)));
+    let _e9 = (*row);
+    let _e11 = a_2;
+    let _e13 = a_2;
+    let _e15 = gabor_impl_added(_e9, column.window, _e11.x, _e13.y);
+    (*row) = _e15;
     return;
 }
 
@@ -1082,7 +1084,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var stretch_1: vec2<f32>;
     var wave_7: vec2<f32>;
     var transmitted: f32;
-    var sum_8: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var s_4: vec3<f32>;
     var salt_7: u32;
     var amplitude_3: f32 = 1f;
@@ -1103,7 +1105,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     (*removed) = (1f - _e24);
     let _e34 = transmitted;
     if (_e34 < 0.0000000001f) {
-        let _e37 = sum_8;
+        let _e37 = sum_9;
         return _e37;
     }
     s_4 = footprint.resolved;
@@ -1134,7 +1136,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e85 = gabor_impl_filtered_narrow(place, _e82, _e83, _e84);
             let _e86 = share_1;
             let _e87 = share_1;
-            gabor_impl_accumulate((&sum_8), _e85, _e86, _e87);
+            gabor_impl_accumulate((&sum_9), _e85, _e86, _e87);
         }
     }
     let _e89 = wide;
@@ -1150,16 +1152,16 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e103 = gabor_impl_filtered_wide(place, _e97, _e98, (_e99 > 0f), _e102);
             let _e104 = share_2;
             let _e105 = share_2;
-            gabor_impl_accumulate((&sum_8), _e103, _e104, _e105);
+            gabor_impl_accumulate((&sum_9), _e103, _e104, _e105);
         }
     }
-    let _e108 = sum_8;
+    let _e108 = sum_9;
     let _e110 = stretch_1;
-    sum_8.slope_x = (_e108.slope_x * _e110.x);
-    let _e114 = sum_8;
+    sum_9.slope_x = (_e108.slope_x * _e110.x);
+    let _e114 = sum_9;
     let _e116 = stretch_1;
-    sum_8.slope_y = (_e114.slope_y * _e116.y);
-    let _e119 = sum_8;
+    sum_9.slope_y = (_e114.slope_y * _e116.y);
+    let _e119 = sum_9;
     return _e119;
 }
 
@@ -1189,11 +1191,6 @@ fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> Gabor
 // The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
 fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
-}
-
-// A sum to which a complex number times a row was added.
-fn gabor_impl_added(sum: GaborFactors, row: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
-    return GaborFactors(((sum.real + (real * row.real)) - (imaginary * row.imaginary)), ((sum.imaginary + (real * row.imaginary)) + (imaginary * row.real)));
 }
 
 // What each factor along z is multiplied with, from the sums for each factor along x, of each along y.
@@ -1243,7 +1240,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var y_0_2: GaborFactors;
     var y_1_2: GaborFactors;
     var y_2_2: GaborFactors;
-    var row_6: GaborLine;
+    var row_5: GaborLine;
     var j_3: i32;
     var sum_10: GaborFactors;
     var real_2: vec3<f32>;
@@ -1344,40 +1341,40 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
             let _e210 = none;
             y_2_2 = _e210;
             let _e212 = first_1;
-            row_6 = _e212;
+            row_5 = _e212;
             j_3 = 0i;
             loop {
                 {
-                    let _e216 = row_6;
+                    let _e216 = row_5;
                     let _e217 = y_6;
                     let _e218 = j_3;
                     let _e219 = y_6;
                     let _e220 = j_3;
                     let _e221 = gabor_impl_fade(_e219, _e220);
                     let _e222 = gabor_impl_next_line(_e216, _e217, _e218, _e221);
-                    row_6 = _e222;
+                    row_5 = _e222;
                     let _e223 = columns_4;
-                    let _e224 = row_6;
+                    let _e224 = row_5;
                     let _e226 = slice_2;
                     let _e228 = gabor_impl_slice_word(_e224.word, _e226.word);
                     let _e229 = gabor_impl_filtered_row(_e223, _e228, animated, time);
                     sum_10 = _e229;
                     let _e231 = y_0_2;
                     let _e232 = sum_10;
-                    let _e233 = row_6;
-                    let _e237 = row_6;
+                    let _e233 = row_5;
+                    let _e237 = row_5;
                     let _e241 = gabor_impl_added(_e231, _e232, _e233.window.real.x, _e237.window.imaginary.x);
                     y_0_2 = _e241;
                     let _e242 = y_1_2;
                     let _e243 = sum_10;
-                    let _e244 = row_6;
-                    let _e248 = row_6;
+                    let _e244 = row_5;
+                    let _e248 = row_5;
                     let _e252 = gabor_impl_added(_e242, _e243, _e244.window.real.y, _e248.window.imaginary.y);
                     y_1_2 = _e252;
                     let _e253 = y_2_2;
                     let _e254 = sum_10;
-                    let _e255 = row_6;
-                    let _e259 = row_6;
+                    let _e255 = row_5;
+                    let _e259 = row_5;
                     let _e263 = gabor_impl_added(_e253, _e254, _e255.window.real.z, _e259.window.imaginary.z);
                     y_2_2 = _e263;
                 }

@@ -70,4 +70,12 @@ inline noise::Lattice3d::Vector unit(const std::array<float, 3>& v) {
     return {v[0] / length, v[1] / length, v[2] / length};
 }
 
+inline std::array<float, 3> narrow(const noise::Lattice3d::Vector& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+inline noise::Lattice3d::Vector random_unit(Draw& draw) {
+    return unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
+}
+
 } // namespace gabor::test

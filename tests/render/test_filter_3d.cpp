@@ -20,6 +20,8 @@ using test::Largest;
 using test::LatticeAnswer3d;
 using test::LatticeSample3d;
 using test::LatticeSampler3d;
+using test::narrow;
+using test::random_unit;
 using Vector = Lattice3d::Vector;
 
 namespace {
@@ -30,14 +32,6 @@ Vector scaled(double s, const Vector& v) {
 
 Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-std::array<float, 3> narrow(const Vector& v) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
-Vector random_unit(test::Draw& draw) {
-    return test::unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
 }
 
 // A pixel that faces `normal`, turned by an angle around it, of this deviation along one side and of `ratio`

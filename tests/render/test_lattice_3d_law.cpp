@@ -19,6 +19,8 @@ using test::Entry3d;
 using test::Figure;
 using test::LatticeSample3d;
 using test::LatticeSampler3d;
+using test::narrow;
+using test::random_unit;
 using Vector = Lattice3d::Vector;
 
 namespace {
@@ -28,14 +30,6 @@ constexpr std::size_t per_batch = 1 << 17;
 // Batches for a share of a figure's samples.
 int batches(double share) {
     return static_cast<int>(std::ceil(share * test::law_samples() / per_batch));
-}
-
-Vector random_unit(test::Draw& draw) {
-    return test::unit({draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
-}
-
-std::array<float, 3> narrow(const Vector& v) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 double dot(const Vector& a, const Vector& b) {
