@@ -267,8 +267,8 @@ float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 directio
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // The filter is normal, with a standard deviation of half a pixel. Against the noise filtered exactly the root mean
 // square error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a
-// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.8 times
-// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 6 times, with 64, and up to 10 times with 125.
+// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.4 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed) {
     GaborPlace3d place = GaborPlace3d(ivec3(0), p * GABOR_RADIUS, vec3(GABOR_RADIUS), ivec3(0), false, 0.0,
                                       true, dx, dy);

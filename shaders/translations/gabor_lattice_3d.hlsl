@@ -287,8 +287,8 @@ float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 dire
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // The filter is normal, with a standard deviation of half a pixel. Against the noise filtered exactly the root mean
 // square error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a
-// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.8 times
-// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 6 times, with 64, and up to 10 times with 125.
+// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.4 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = GaborPlace3d_of((int3)(0), p * GABOR_RADIUS, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0,
                                       true, dx, dy);

@@ -220,7 +220,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, wave: vec3<f32>, stretch: vec3<f32>, am
     var dx_7: vec3<f32>;
     var dy_7: vec3<f32>;
     var twice_1: vec2<f32>;
-    var cosine_2: f32;
+    var cosine_1: f32;
     var turn_10: vec2<f32>;
     var major_1: vec3<f32>;
     var minor_1: vec3<f32>;
@@ -236,8 +236,8 @@ fn gabor_impl_pixel(place: GaborPlace3d, wave: vec3<f32>, stretch: vec3<f32>, am
     twice_1 = vec2<f32>((dot(_e23, _e24) - dot(_e26, _e27)), (2f * dot(_e31, _e32)));
     let _e37 = twice_1;
     let _e39 = twice_1;
-    cosine_2 = (_e37.x / max(length(_e39), 0.000000000000000000000000000001f));
-    let _e50 = cosine_2;
+    cosine_1 = (_e37.x / max(length(_e39), 0.000000000000000000000000000001f));
+    let _e50 = cosine_1;
     turn_10 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e50)), vec2(0f)));
     let _e59 = twice_1;
     if (_e59.y < 0f) {
@@ -702,8 +702,8 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 //   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // The filter is normal, with a standard deviation of half a pixel. Against the noise filtered exactly the root mean
 // square error is at most 1 % of the noise's deviation for steps of up to a third of a kernel radius and 2 % up to a
-// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.8 times
-// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 6 times, with 64, and up to 10 times with 125.
+// whole one; what covers more fades as it should. Continuous in the place and in both steps. On GPUs 1.4 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var place_23: GaborPlace3d;
     var field_12: GaborField3d;

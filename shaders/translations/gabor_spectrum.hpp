@@ -220,16 +220,16 @@ struct GaborFactors {
     gabor_vec3 imaginary;
 };
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor,
-// mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with q = 1 / 2w, 2 / 2w and 3 / 2w.
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and sine of
+// 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
-    gabor_vec3 mean;
     gabor_vec3 even_0;
     gabor_vec3 even_1;
     gabor_vec3 even_2;
-    gabor_vec3 odd_0;
+    gabor_vec3 even_3;
     gabor_vec3 odd_1;
     gabor_vec3 odd_2;
+    gabor_vec3 odd_3;
     float reach;  // w, in node spacings
     float offset; // from the first of its nodes, in node spacings
     int count;    // of nodes, 4 or 5
@@ -256,22 +256,27 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     float g = 19.739209f * m, unit = 0.75f / b.reach;
     float fall = gabor_cpp_exp((2.5797363f - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = gabor_cpp_exp(2.0f * g * c * unit), sink = 1.0f / rise;
-    float t = b.reach - 2.0f; // H(q) / 2w, within 0.00024
-    gabor_vec3 wave = gabor_vec3(0.25723323f, 0.06366198f, -0.00923401f)
-              + t * (gabor_vec3(-0.03099653f, 0.11426109f, 0.02659126f) - t * gabor_vec3(0.0214304f, 0.05809383f, -0.0403848f));
+    // Of the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the factors of their cosines
+    // C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    float t = b.reach - 2.0f;
+    gabor_vec3 wave = gabor_vec3(0.25723323f, 0.12732396f, -0.03693604f)
+              + t * (gabor_vec3(-0.03099653f, 0.22852218f, 0.10636504f) - t * gabor_vec3(0.0214304f, 0.11618766f, -0.1615392f));
     float fall_4 = fall * fall * (fall * fall);
     wave *= gabor_vec3(fall, fall_4, fall_4 * fall_4 * fall);
     gabor_vec3 above = wave * gabor_vec3(rise, rise * rise, rise * rise * rise);
     gabor_vec3 below = wave * gabor_vec3(sink, sink * sink, sink * sink * sink);
+    gabor_vec3 even = above + below, odd = above - below;
     gabor_vec3 q = unit * gabor_vec3(1.0f, 2.0f, 3.0f);
-    float half_variance = 0.25f / g;
-    b.mean = unit * gabor_vec3(1.0f, -c, c * c - half_variance);
-    b.even_0 = above + below;
-    b.odd_0 = above - below;
-    b.even_1 = q * b.odd_0 - c * b.even_0;
-    b.odd_1 = q * b.even_0 - c * b.odd_0;
-    b.even_2 = q * b.odd_1 - c * b.even_1 - half_variance * b.even_0;
-    b.odd_2 = q * b.even_1 - c * b.odd_1 - half_variance * b.odd_0;
+    float quarter = 0.25f / g;
+    gabor_vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // of the second factor
+    gabor_vec3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
+    b.even_2 = gabor_vec3(even.y, even_1.y, even_2.y);
+    b.even_3 = gabor_vec3(even.z, even_1.z, even_2.z);
+    b.odd_2 = gabor_vec3(odd.y, odd_1.y, odd_2.y);
+    b.odd_3 = gabor_vec3(odd.z, odd_1.z, odd_2.z);
+    b.even_0 = unit * gabor_vec3(1.0f, -c, c * c - quarter) - 0.5f * b.even_2;
+    b.even_1 = gabor_vec3(even.x, even_1.x, even_2.x) - 0.75f * b.even_3;
+    b.odd_1 = gabor_vec3(odd.x, odd_1.x, odd_2.x) - 0.25f * b.odd_3;
     return b;
 }
 
@@ -295,12 +300,8 @@ GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborBand b, int index, gabor_ve
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
-    gabor_vec2 two = 2.0f * turn.x * turn - gabor_vec2(1.0f, 0.0f);
-    gabor_vec2 three = 2.0f * turn.x * two - turn;
-    gabor_vec3 cosine = gabor_vec3(turn.x, two.x, three.x);
-    gabor_vec3 sine = gabor_vec3(turn.y, two.y, three.y);
-    gabor_vec3 real = b.mean + gabor_vec3(gabor_cpp_dot(b.even_0, cosine), gabor_cpp_dot(b.even_1, cosine), gabor_cpp_dot(b.even_2, cosine));
-    gabor_vec3 imaginary = gabor_vec3(gabor_cpp_dot(b.odd_0, sine), gabor_cpp_dot(b.odd_1, sine), gabor_cpp_dot(b.odd_2, sine));
+    gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     phase *= fade;
     line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
     return line;
@@ -649,8 +650,8 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.7 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.9 times, with
-// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 4.4 times, along both 25 and 4.9 times. Where
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.1 times, with
+// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 3.4 times, along both 25 and 3.8 times. Where
 // compilers run both sides of a branch, as for CPUs, 3 and 5 times.
 GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     float removed;

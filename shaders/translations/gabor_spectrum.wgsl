@@ -567,16 +567,16 @@ struct GaborFactors {
     imaginary: vec3<f32>,
 }
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor,
-// mean + even . cos(2 pi q d) + i odd . sin(2 pi q d) with q = 1 / 2w, 2 / 2w and 3 / 2w.
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and sine of
+// 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
-    mean: vec3<f32>,
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,
     even_2_: vec3<f32>,
-    odd_0_: vec3<f32>,
+    even_3_: vec3<f32>,
     odd_1_: vec3<f32>,
     odd_2_: vec3<f32>,
+    odd_3_: vec3<f32>,
     reach: f32,
     offset: f32,
     count: i32,
@@ -603,8 +603,14 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     var fall_4_: f32;
     var above: vec3<f32>;
     var below: vec3<f32>;
+    var even_1: vec3<f32>;
+    var odd_1: vec3<f32>;
     var q: vec3<f32>;
-    var half_variance: f32;
+    var quarter: f32;
+    var even_1_: vec3<f32>;
+    var odd_1_: vec3<f32>;
+    var even_2_: vec3<f32>;
+    var odd_2_: vec3<f32>;
 
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
@@ -649,7 +655,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     t_2 = (_e89.reach - 2f);
     let _e99 = t_2;
     let _e105 = t_2;
-    wave_5 = (vec3<f32>(0.25723323f, 0.06366198f, -0.00923401f) + (_e99 * (vec3<f32>(-0.03099653f, 0.11426109f, 0.02659126f) - (_e105 * vec3<f32>(0.0214304f, 0.05809383f, -0.0403848f)))));
+    wave_5 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e99 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e105 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e116 = fall;
     let _e117 = fall;
     let _e119 = fall;
@@ -678,41 +684,68 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     let _e153 = sink;
     let _e155 = sink;
     below = (_e147 * vec3<f32>(_e148, (_e149 * _e150), ((_e152 * _e153) * _e155)));
-    let _e160 = unit_1;
-    q = (_e160 * vec3<f32>(1f, 2f, 3f));
-    let _e168 = g;
-    half_variance = (0.25f / _e168);
-    let _e172 = unit_1;
-    let _e176 = half_variance;
-    b_2.mean = (_e172 * vec3<f32>(1f, -(c), ((c * c) - _e176)));
-    let _e181 = above;
-    let _e182 = below;
-    b_2.even_0_ = (_e181 + _e182);
-    let _e185 = above;
-    let _e186 = below;
-    b_2.odd_0_ = (_e185 - _e186);
-    let _e189 = q;
-    let _e190 = b_2;
-    let _e193 = b_2;
-    b_2.even_1_ = ((_e189 * _e190.odd_0_) - (c * _e193.even_0_));
-    let _e198 = q;
-    let _e199 = b_2;
-    let _e202 = b_2;
-    b_2.odd_1_ = ((_e198 * _e199.even_0_) - (c * _e202.odd_0_));
-    let _e207 = q;
-    let _e208 = b_2;
-    let _e211 = b_2;
-    let _e215 = half_variance;
-    let _e216 = b_2;
-    b_2.even_2_ = (((_e207 * _e208.odd_1_) - (c * _e211.even_1_)) - (_e215 * _e216.even_0_));
-    let _e221 = q;
-    let _e222 = b_2;
-    let _e225 = b_2;
-    let _e229 = half_variance;
-    let _e230 = b_2;
-    b_2.odd_2_ = (((_e221 * _e222.even_1_) - (c * _e225.odd_1_)) - (_e229 * _e230.odd_0_));
-    let _e234 = b_2;
-    return _e234;
+    let _e160 = above;
+    let _e161 = below;
+    even_1 = (_e160 + _e161);
+    let _e164 = above;
+    let _e165 = below;
+    odd_1 = (_e164 - _e165);
+    let _e168 = unit_1;
+    q = (_e168 * vec3<f32>(1f, 2f, 3f));
+    let _e176 = g;
+    quarter = (0.25f / _e176);
+    let _e179 = q;
+    let _e180 = odd_1;
+    let _e182 = even_1;
+    even_1_ = ((_e179 * _e180) - (c * _e182));
+    let _e186 = q;
+    let _e187 = even_1;
+    let _e189 = odd_1;
+    odd_1_ = ((_e186 * _e187) - (c * _e189));
+    let _e193 = q;
+    let _e194 = odd_1_;
+    let _e196 = even_1_;
+    let _e199 = quarter;
+    let _e200 = even_1;
+    even_2_ = (((_e193 * _e194) - (c * _e196)) - (_e199 * _e200));
+    let _e204 = q;
+    let _e205 = even_1_;
+    let _e207 = odd_1_;
+    let _e210 = quarter;
+    let _e211 = odd_1;
+    odd_2_ = (((_e204 * _e205) - (c * _e207)) - (_e210 * _e211));
+    let _e216 = even_1;
+    let _e218 = even_1_;
+    let _e220 = even_2_;
+    b_2.even_2_ = vec3<f32>(_e216.y, _e218.y, _e220.y);
+    let _e224 = even_1;
+    let _e226 = even_1_;
+    let _e228 = even_2_;
+    b_2.even_3_ = vec3<f32>(_e224.z, _e226.z, _e228.z);
+    let _e232 = odd_1;
+    let _e234 = odd_1_;
+    let _e236 = odd_2_;
+    b_2.odd_2_ = vec3<f32>(_e232.y, _e234.y, _e236.y);
+    let _e240 = odd_1;
+    let _e242 = odd_1_;
+    let _e244 = odd_2_;
+    b_2.odd_3_ = vec3<f32>(_e240.z, _e242.z, _e244.z);
+    let _e248 = unit_1;
+    let _e252 = quarter;
+    let _e257 = b_2;
+    b_2.even_0_ = ((_e248 * vec3<f32>(1f, -(c), ((c * c) - _e252))) - (0.5f * _e257.even_2_));
+    let _e262 = even_1;
+    let _e264 = even_1_;
+    let _e266 = even_2_;
+    let _e270 = b_2;
+    b_2.even_1_ = (vec3<f32>(_e262.x, _e264.x, _e266.x) - (0.75f * _e270.even_3_));
+    let _e275 = odd_1;
+    let _e277 = odd_1_;
+    let _e279 = odd_2_;
+    let _e283 = b_2;
+    b_2.odd_1_ = (vec3<f32>(_e275.x, _e277.x, _e279.x) - (0.25f * _e283.odd_3_));
+    let _e287 = b_2;
+    return _e287;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -738,10 +771,6 @@ fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
 fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborLine {
     var phase_3: vec2<f32>;
     var line: GaborLine;
-    var two: vec2<f32>;
-    var three: vec2<f32>;
-    var cosine_1: vec3<f32>;
-    var sine_1: vec3<f32>;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
 
@@ -752,36 +781,21 @@ fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: ve
     line.turn = turn;
     let _e16 = phase_3;
     line.phase = _e16;
-    two = (((2f * turn.x) * turn) - vec2<f32>(1f, 0f));
-    let _e29 = two;
-    three = (((2f * turn.x) * _e29) - turn);
-    let _e34 = two;
-    let _e36 = three;
-    cosine_1 = vec3<f32>(turn.x, _e34.x, _e36.x);
-    let _e41 = two;
-    let _e43 = three;
-    sine_1 = vec3<f32>(turn.y, _e41.y, _e43.y);
-    let _e49 = cosine_1;
-    let _e52 = cosine_1;
-    let _e55 = cosine_1;
-    real = (b.mean + vec3<f32>(dot(b.even_0_, _e49), dot(b.even_1_, _e52), dot(b.even_2_, _e55)));
-    let _e61 = sine_1;
-    let _e64 = sine_1;
-    let _e67 = sine_1;
-    imaginary = vec3<f32>(dot(b.odd_0_, _e61), dot(b.odd_1_, _e64), dot(b.odd_2_, _e67));
-    let _e71 = phase_3;
-    phase_3 = (_e71 * fade);
-    let _e74 = phase_3;
-    let _e76 = real;
-    let _e78 = phase_3;
-    let _e80 = imaginary;
-    let _e83 = phase_3;
-    let _e85 = imaginary;
-    let _e87 = phase_3;
-    let _e89 = real;
-    line.window = GaborFactors(((_e74.x * _e76) - (_e78.y * _e80)), ((_e83.x * _e85) + (_e87.y * _e89)));
-    let _e93 = line;
-    return _e93;
+    real = (b.even_0_ + (turn.x * (b.even_1_ + (turn.x * (b.even_2_ + (turn.x * b.even_3_))))));
+    imaginary = (turn.y * (b.odd_1_ + (turn.x * (b.odd_2_ + (turn.x * b.odd_3_)))));
+    let _e43 = phase_3;
+    phase_3 = (_e43 * fade);
+    let _e46 = phase_3;
+    let _e48 = real;
+    let _e50 = phase_3;
+    let _e52 = imaginary;
+    let _e55 = phase_3;
+    let _e57 = imaginary;
+    let _e59 = phase_3;
+    let _e61 = real;
+    line.window = GaborFactors(((_e46.x * _e48) - (_e50.y * _e52)), ((_e55.x * _e57) + (_e59.y * _e61)));
+    let _e65 = line;
+    return _e65;
 }
 
 // Line `index` from the one before.
@@ -1245,7 +1259,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var sum_10: GaborFactors;
     var real_2: vec3<f32>;
     var imaginary_2: vec3<f32>;
-    var quarter: vec3<f32>;
+    var quarter_1: vec3<f32>;
     var exponent_2: f32;
     var local_22: f32;
     var scale_2: f32;
@@ -1440,11 +1454,11 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e328 = next_z;
     imaginary_2 = vec3<f32>(_e324.y, _e326.y, _e328.y);
     let _e333 = d_1;
-    quarter = (vec3(0.012665148f) / _e333);
+    quarter_1 = (vec3(0.012665148f) / _e333);
     let _e337 = real_2;
     let _e338 = c_5;
     let _e340 = value_7;
-    let _e343 = quarter;
+    let _e343 = quarter_1;
     let _e346 = w_2;
     let _e348 = real_2;
     let _e349 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e346), _e348);
@@ -1452,7 +1466,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e353 = imaginary_2;
     let _e354 = c_5;
     let _e356 = value_7;
-    let _e359 = quarter;
+    let _e359 = quarter_1;
     let _e362 = w_2;
     let _e364 = imaginary_2;
     let _e365 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e362), _e364);
@@ -1811,8 +1825,8 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // Against the noise filtered exactly the root mean square error is at most 1 % of the noise's deviation for steps of up
 // to a third of a kernel radius and 2 % up to a whole one; what covers more fades as it should. Continuous in the place
 // and in both steps.
-// Cost: on GPUs 1.7 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.9 times, with
-// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 4.4 times, along both 25 and 4.9 times. Where
+// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.1 times, with
+// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 3.4 times, along both 25 and 3.8 times. Where
 // compilers run both sides of a branch, as for CPUs, 3 and 5 times.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
