@@ -284,9 +284,9 @@ GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed) {
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
         float waves = 0.6 * exp2(0.27 * float(i)); // to the unit
-        float angle = 2.3 * fract(0.618034 * float(i) + 0.1);
-        vec3 wave = gabor_impl_layer(pixel, vec2(waves / 1.3), 1.3, angle, gabor_lobe_seed(seed, i));
-        float amplitude = 0.018 / pow(waves, 1.35);
+        float angle = 0.3 + 1.1 * fract(0.618034 * float(i) + 0.1);
+        vec3 wave = gabor_impl_layer(pixel, vec2(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
+        float amplitude = 0.018 / pow(waves, 1.3);
         height += amplitude * (wave.x + 0.2 * (wave.x * wave.x - wave.y * wave.y));
         crest += amplitude * wave.x;
         removed += amplitude * amplitude * wave.z;

@@ -284,9 +284,9 @@ GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t se
     float power = 0.0f;
     for (int i = 0; i < 14; ++i) {
         float waves = 0.6f * gabor_cpp_exp2(0.27f * float(i)); // to the unit
-        float angle = 2.3f * gabor_cpp_fract(0.618034f * float(i) + 0.1f);
-        gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 1.3f), 1.3f, angle, gabor_lobe_seed(seed, i));
-        float amplitude = 0.018f / gabor_cpp_pow(waves, 1.35f);
+        float angle = 0.3f + 1.1f * gabor_cpp_fract(0.618034f * float(i) + 0.1f);
+        gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
+        float amplitude = 0.018f / gabor_cpp_pow(waves, 1.3f);
         height += amplitude * (wave.x + 0.2f * (wave.x * wave.x - wave.y * wave.y));
         crest += amplitude * wave.x;
         removed += amplitude * amplitude * wave.z;

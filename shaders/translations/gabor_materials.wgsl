@@ -746,53 +746,53 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
         {
             let _e21 = i_7;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e29 = i_7;
-            angle_1 = (2.3f * fract(((0.618034f * f32(_e29)) + 0.1f)));
-            let _e37 = waves;
-            let _e42 = angle_1;
-            let _e43 = i_7;
-            let _e44 = gabor_lobe_seed(seed, _e43);
-            let _e45 = gabor_impl_layer(pixel, vec2((_e37 / 1.3f)), 1.3f, _e42, _e44);
-            wave_10 = _e45;
-            let _e48 = waves;
-            amplitude_6 = (0.018f / pow(_e48, 1.35f));
-            let _e53 = height_3;
-            let _e54 = amplitude_6;
-            let _e55 = wave_10;
-            let _e58 = wave_10;
+            let _e30 = i_7;
+            angle_1 = (0.3f + (1.1f * fract(((0.618034f * f32(_e30)) + 0.1f))));
+            let _e39 = waves;
+            let _e44 = angle_1;
+            let _e45 = i_7;
+            let _e46 = gabor_lobe_seed(seed, _e45);
+            let _e47 = gabor_impl_layer(pixel, vec2((_e39 / 2.2f)), 2.2f, _e44, _e46);
+            wave_10 = _e47;
+            let _e50 = waves;
+            amplitude_6 = (0.018f / pow(_e50, 1.3f));
+            let _e55 = height_3;
+            let _e56 = amplitude_6;
+            let _e57 = wave_10;
             let _e60 = wave_10;
-            let _e63 = wave_10;
+            let _e62 = wave_10;
             let _e65 = wave_10;
-            height_3 = (_e53 + (_e54 * (_e55.x + (0.2f * ((_e58.x * _e60.x) - (_e63.y * _e65.y))))));
-            let _e73 = crest_1;
-            let _e74 = amplitude_6;
-            let _e75 = wave_10;
-            crest_1 = (_e73 + (_e74 * _e75.x));
-            let _e79 = removed_7;
-            let _e80 = amplitude_6;
-            let _e81 = amplitude_6;
-            let _e83 = wave_10;
-            removed_7 = (_e79 + ((_e80 * _e81) * _e83.z));
-            let _e87 = power_5;
-            let _e88 = amplitude_6;
-            let _e89 = amplitude_6;
-            power_5 = (_e87 + (_e88 * _e89));
+            let _e67 = wave_10;
+            height_3 = (_e55 + (_e56 * (_e57.x + (0.2f * ((_e60.x * _e62.x) - (_e65.y * _e67.y))))));
+            let _e75 = crest_1;
+            let _e76 = amplitude_6;
+            let _e77 = wave_10;
+            crest_1 = (_e75 + (_e76 * _e77.x));
+            let _e81 = removed_7;
+            let _e82 = amplitude_6;
+            let _e83 = amplitude_6;
+            let _e85 = wave_10;
+            removed_7 = (_e81 + ((_e82 * _e83) * _e85.z));
+            let _e89 = power_5;
+            let _e90 = amplitude_6;
+            let _e91 = amplitude_6;
+            power_5 = (_e89 + (_e90 * _e91));
         }
         continuing {
             let _e16 = i_7;
             i_7 = (_e16 + 1i);
         }
     }
-    let _e92 = crest_1;
-    let _e93 = power_5;
-    let _e96 = removed_7;
-    let _e97 = power_5;
-    let _e101 = gabor_impl_above((_e92 * inverseSqrt(_e93)), (_e96 / _e97), 0.5f, 1f);
-    light_1 = _e101;
-    let _e111 = light_1;
-    let _e114 = height_3;
-    let _e117 = gabor_impl_material(mix(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), vec3(_e111)), _e114, 0.1f, 0f);
-    return _e117;
+    let _e94 = crest_1;
+    let _e95 = power_5;
+    let _e98 = removed_7;
+    let _e99 = power_5;
+    let _e103 = gabor_impl_above((_e94 * inverseSqrt(_e95)), (_e98 / _e99), 0.5f, 1f);
+    light_1 = _e103;
+    let _e113 = light_1;
+    let _e116 = height_3;
+    let _e119 = gabor_impl_material(mix(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), vec3(_e113)), _e116, 0.1f, 0f);
+    return _e119;
 }
 
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
