@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,17 +49,38 @@ struct Measured {
     json parameters;             // null without a `gabor` attribute
     std::optional<double> scale; // pixels per kernel radius
     statistics::NormalDistribution expected;
+    std::uint64_t outside = 0; // pixels that are, in part at least, beside the body, and left out
     PictureReport report;
 };
 
+// Reads a picture's channel. Values of pixels that the channel A, where there is one, says to be outside are
+// NaN. Returns how many there are.
 template <typename Use>
-void read_bands(image::ExrReader& reader, Progress& progress, Use use) {
+std::uint64_t read_bands(const StatsOptions& options, const std::string& channel, Progress& progress,
+                         Use use) {
+    image::ExrReader reader(options.files, channel);
+    std::optional<image::ExrReader> coverage;
+    if (channel != "A" && reader.has_channel("A"))
+        coverage.emplace(options.files, "A");
     const int rows = std::max(1, (1 << 20) / reader.window().width);
+    std::vector<float> inside;
+    std::uint64_t outside = 0;
     for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows)) {
         check_interrupt();
+        if (coverage) {
+            const auto covered = coverage->read_rows(rows);
+            inside.assign(band.begin(), band.end());
+            for (std::size_t i = 0; i < inside.size(); ++i)
+                if (covered[i] < 1) {
+                    inside[i] = std::numeric_limits<float>::quiet_NaN();
+                    ++outside;
+                }
+            band = inside;
+        }
         use(band);
         progress.advance(band.size());
     }
+    return outside;
 }
 
 // What theory says of the variance of a channel around 0, from the parameters in the file's header.
@@ -72,7 +94,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
 
 // A channel of which nothing is known is first read for its own mean and variance.
 Measured measure(const StatsOptions& options) {
-    image::ExrReader reader(options.files, options.channel);
+    const image::ExrReader reader(options.files, options.channel);
     Measured measured;
     measured.width = reader.window().width;
     measured.height = reader.window().height;
@@ -96,13 +118,15 @@ Measured measure(const StatsOptions& options) {
         measured.expected = {0, std::sqrt(*variance), false};
     } else {
         statistics::Moments moments;
-        image::ExrReader first_pass(options.files, options.channel);
-        read_bands(first_pass, progress, [&](auto band) { statistics::add_finite(moments, band); });
+        read_bands(options, measured.channel, progress,
+                   [&](auto band) { statistics::add_finite(moments, band); });
         measured.expected = statistics::fitted_normal(moments);
     }
     statistics::PictureStatistics statistics(measured.width, measured.height, measured.expected);
-    read_bands(reader, progress, [&](auto band) { statistics.add_rows(band); });
+    measured.outside =
+        read_bands(options, measured.channel, progress, [&](auto band) { statistics.add_rows(band); });
     measured.report = statistics.report();
+    measured.report.not_finite -= measured.outside;
     return measured;
 }
 
@@ -112,6 +136,11 @@ const char* reference_name(const Measured& measured) {
 
 double reference_variance(const Measured& measured) {
     return measured.expected.deviation * measured.expected.deviation;
+}
+
+// On a body waves turn away from the eye: a picture of it has no one spectrum.
+bool has_spectrum(const Measured& measured) {
+    return measured.report.spectrum && measured.outside == 0;
 }
 
 json interval(const Estimate& estimate) {
@@ -146,6 +175,7 @@ std::string to_json(const Measured& measured) {
         {"parameters", measured.parameters},
         {"pixels", moments.count()},
         {"not_finite", report.not_finite},
+        {"outside", measured.outside},
         {"mean", moments.count() > 0 ? json(moments.mean()) : json()},
         {"mean_interval", blocks ? interval(blocks->mean) : json()},
         {"variance", moments.variance()},
@@ -162,7 +192,7 @@ std::string to_json(const Measured& measured) {
         {"reference_variance", reference_variance(measured)},
         {"smallest_cvm", blocks ? json(blocks->smallest_cvm) : json()},
         {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
-        {"spectrum", report.spectrum ? to_json(*report.spectrum, measured.scale) : json()},
+        {"spectrum", has_spectrum(measured) ? to_json(*report.spectrum, measured.scale) : json()},
     };
     return result.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -223,8 +253,10 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     };
     const std::string from = options.files.size() == 1 ? options.files.front().string()
                                                        : fmt::format("{} regions", options.files.size());
-    fmt::print("{}: channel {}, {} x {} pixels, {} not finite\n", from, measured.channel, measured.width,
-               measured.height, report.not_finite);
+    fmt::print("{}: channel {}, {} x {} pixels, {} not finite{}\n", from, measured.channel, measured.width,
+               measured.height, report.not_finite,
+               measured.outside == 0 ? ""
+                                     : fmt::format(", {} left out as outside (A below 1)", measured.outside));
     if (moments.count() == 0)
         return;
     print_line("mean", moments.mean(), between(&BlockEstimates::mean));
@@ -238,8 +270,10 @@ void print_report(const StatsOptions& options, const Measured& measured) {
                    fmt::format("{}, against a normal law of {} mean {:.6g} and variance {:.6g}",
                                between(&BlockEstimates::cvm), reference_name(measured),
                                measured.expected.mean, reference_variance(measured)));
-    if (report.spectrum && report.spectrum->power > 0)
+    if (has_spectrum(measured) && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
+    if (measured.outside > 0)
+        fmt::print("  No spectrum: a body turns waves away from the eye.\n");
     print_limits(measured);
 }
 

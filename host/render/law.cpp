@@ -55,8 +55,8 @@ std::optional<Variances> variances(const Request& request) {
 
 std::optional<double> known_variance(const Request& request, std::string_view channel) {
     const bool flat = std::holds_alternative<Plane>(request.view);
-    if (!flat && !std::holds_alternative<Slice>(request.view))
-        return {}; // sky and background belong to the picture too
+    if (!flat && !in_space(request))
+        return {}; // the sky belongs to the picture too
     constexpr std::array noises{"Y", "second", "third", "fourth"};
     // Two phases make sines, whose cosines have another variance.
     const bool noise = std::ranges::find(noises, channel) != noises.end() ||

@@ -55,6 +55,19 @@ class Rendered(StatsTest):
         self.assertLess(stats["cvm"]["low"], stats["cvm"]["value"])
         self.assertLess(stats["cvm"]["value"], stats["cvm"]["high"])
 
+    def test_a_body_is_measured_without_what_is_around_it(self):
+        for options in (("--view=sphere",), ("--view=torus", "--solid", "--quadrature", "--region=20,40,300,310")):
+            self.render("--size=384x384", "--scale=24", "--seed=5", *options)
+            channels = Exr(self.folder / "in.exr").channels
+            inside = channels["A"] == 1
+            for channel in set(channels) - {"A"}:
+                stats = self.stats("in.exr", f"--channel={channel}")
+                self.assertEqual(stats["outside"], np.count_nonzero(~inside), options)
+                self.assertEqual((stats["cvm_reference"], stats["reference_variance"]), ("analytic", 1))
+                self.assert_moments(stats, channels[channel][inside])
+                interval = stats["variance_interval"]
+                self.assertTrue(interval["low"] < 1 < interval["high"], (options, channel, interval))
+
     def test_a_region_is_measured_by_itself(self):
         self.render("--size=300x200", "--region=31,17,200,101")
         stats = self.stats()
@@ -198,7 +211,7 @@ class Laws(StatsTest):
 
     def test_what_is_not_known_is_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
-                                 ("Y", ["--filter", "--view=horizon"]), ("Y", ["--view=sphere"]),
+                                 ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
                                  ("quadrature", ["--quadrature", "--recipe=paper"]),
                                  ("gradient.x", ["--gradient", "--recipe=paper"])):
             self.render(*options)
@@ -294,6 +307,20 @@ class Foreign(StatsTest):
         stats = self.stats()
         self.assertEqual(stats["not_finite"], 5)
         self.assert_moments(stats, pixels[np.isfinite(pixels)])
+
+    def test_pixels_outside_are_counted_and_left_out(self):
+        pixels = self.normal()
+        alpha = np.ones(pixels.shape, "f4")
+        alpha[20:60, 30:90] = 0
+        alpha[60, 30:90] = 0.75
+        pixels[20:30, 30:90] = np.nan
+        pixels[0, 0] = np.inf
+        self.write(Y=pixels, A=alpha)
+        stats = self.stats()
+        self.assertEqual((stats["outside"], stats["not_finite"], stats["spectrum"]), (41 * 60, 1, None))
+        self.assert_moments(stats, pixels[(alpha == 1) & np.isfinite(pixels)])
+        self.assertIn("1 not finite, 2460 left out as outside (A below 1)", self.succeed("stats", "in.exr"))
+        self.assertEqual(self.stats("in.exr", "--channel=A")["outside"], 0)
 
     def test_nothing_is_finite(self):
         self.write(Y=np.full((32, 32), np.nan, "f4"))
