@@ -50,41 +50,6 @@ std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
             120 * c[5] * c[5]};
 }
 
-std::string histogram_function(const std::string& name, const Colour& colour) {
-    const auto coefficient = [&](std::size_t n) {
-        return vector([&](std::size_t c) { return colour.histogram[c][n]; });
-    };
-    const auto row = [&](std::size_t i) {
-        return vector([&](std::size_t c) { return colour.mixing[i][c]; });
-    };
-    return fmt::format(R"(
-// The colour of three independent normal components, each taken to its own law by a polynomial. Where a filter has
-// removed a share of their variance, that of the polynomial of what it left and of any normal rest.
-vec3 {name}_colour(vec3 z, vec3 removed)
-{{
-    z = clamp(z, -4.0, 4.0);
-    vec3 s = z * z;
-    vec3 v = removed;
-    vec3 even = {c0}
-              + {c2} * (s + v)
-              + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v);
-    vec3 odd = {c1}
-             + {c3} * (s + 3.0 * v)
-             + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v);
-    vec3 component = even + z * odd;
-    return {mean}
-         + vec3(dot({r}, component),
-                dot({g}, component),
-                dot({b}, component));
-}}
-)",
-                       fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
-                       fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)),
-                       fmt::arg("c4", coefficient(4)), fmt::arg("c5", coefficient(5)),
-                       fmt::arg("mean", vector(colour.mean[0], colour.mean[1], colour.mean[2])),
-                       fmt::arg("r", row(0)), fmt::arg("g", row(1)), fmt::arg("b", row(2)));
-}
-
 // A lobe's wave, its radius and its weights, as its line needs them.
 struct Line {
     std::string radius;
@@ -127,6 +92,41 @@ std::string function_name(const std::filesystem::path& file) {
     return name;
 }
 
+std::string colour_function(const std::string& name, const Colour& colour) {
+    const auto coefficient = [&](std::size_t n) {
+        return vector([&](std::size_t c) { return colour.histogram[c][n]; });
+    };
+    const auto row = [&](std::size_t i) {
+        return vector([&](std::size_t c) { return colour.mixing[i][c]; });
+    };
+    return fmt::format(R"(
+// The colour of three independent normal components, each taken to its own law by a polynomial. Where a filter has
+// removed a share of their variance, that of the polynomial of what it left and of any normal rest.
+vec3 {name}_colour(vec3 z, vec3 removed)
+{{
+    z = clamp(z, -4.0, 4.0);
+    vec3 s = z * z;
+    vec3 v = removed;
+    vec3 even = {c0}
+              + {c2} * (s + v)
+              + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v);
+    vec3 odd = {c1}
+             + {c3} * (s + 3.0 * v)
+             + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v);
+    vec3 component = even + z * odd;
+    return {mean}
+         + vec3(dot({r}, component),
+                dot({g}, component),
+                dot({b}, component));
+}}
+)",
+                       fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
+                       fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)),
+                       fmt::arg("c4", coefficient(4)), fmt::arg("c5", coefficient(5)),
+                       fmt::arg("mean", vector(colour.mean[0], colour.mean[1], colour.mean[2])),
+                       fmt::arg("r", row(0)), fmt::arg("g", row(1)), fmt::arg("b", row(2)));
+}
+
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
                     const Texture& texture) {
     const Colour& colour = texture.colour;
@@ -155,7 +155,7 @@ const uint {name}_seed = 0u; // which instance of the noise
 )",
                     fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
                     fmt::arg("height", exemplar.height), fmt::arg("count", texture.waves.size()));
-    text += histogram_function(name, colour);
+    text += colour_function(name, colour);
 
     std::string plain;
     std::string filtered;

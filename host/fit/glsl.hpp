@@ -10,6 +10,10 @@ namespace gabor::fit {
 /// The name of the function for a file NAME.glsl. Throws RequestError where it cannot be one in GLSL.
 std::string function_name(const std::filesystem::path& file);
 
+/// A function of GLSL, vec3 NAME_colour(vec3 z, vec3 removed): the colour of components, of whose variance a
+/// filter has removed so much.
+std::string colour_function(const std::string& name, const noise::Colour& colour);
+
 /// GLSL to put after gabor_lattice.glsl and gabor_spectrum.glsl:
 ///     vec3 NAME(vec2 p)                             the colour, p in the exemplar's pixels
 ///     vec4 NAME_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it, and the share of the variance

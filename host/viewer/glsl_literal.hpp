@@ -19,4 +19,9 @@ inline std::string vec2(double x, double y) {
     return fmt::format("vec2({}, {})", literal(x), literal(y));
 }
 
+/// A vector of three.
+inline std::string vec3(double x, double y, double z) {
+    return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
+}
+
 } // namespace gabor::viewer

@@ -1,5 +1,6 @@
 #include "viewer/snippet.hpp"
 
+#include "fit/glsl.hpp"
 #include "viewer/glsl_literal.hpp"
 #include "viewer/noise_pass.hpp"
 #include "viewer/shader_compiler.hpp"
@@ -14,11 +15,11 @@ namespace gabor::viewer {
 
 namespace {
 
-// What an output is made of, summed over the waves, and how colours come of it.
+// What an output is made of, summed over the waves.
 struct Quantity {
     std::string_view is;
     std::string_view type;
-    std::string_view name;  // of the function that has it, before _of_view or _of_body
+    std::string_view name;  // of the function that has it, before _of_wave, _of_view or _of_body
     std::string_view plane; // of a GaborField `field`, and `removed` where it is filtered
     std::string_view space; // of a GaborField3d `field`
     std::string_view sky;   // above a horizon
@@ -37,8 +38,16 @@ constexpr Quantity complex_value{"The noise as a complex number: its quadrature,
 constexpr Quantity removed{
     "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};
 
-const Quantity& quantity(Output output) {
-    switch (output) {
+// Of each wave; what they are is made of three sums.
+constexpr Quantity colour{"The colour.",
+                          "vec3",
+                          "colour",
+                          "vec3(field.value, removed)",
+                          "vec3(field.quadrature, field.noise, field.removed)",
+                          "noise_colour(vec3(0.0), vec3(1.0))"};
+
+const Quantity& quantity(const Document& document) {
+    switch (document.output) {
     case Output::gradient:
     case Output::lit:
         return gradient;
@@ -49,16 +58,39 @@ const Quantity& quantity(Output output) {
     case Output::variance:
         return removed;
     default:
-        return value;
+        return document.request.colour ? colour : value;
     }
 }
 
-// What a wave of so much amplitude adds.
-std::string weighted(const Quantity& of, double amplitude, double radius) {
-    const double weight = &of == &gradient  ? amplitude / radius
+// The sums over the waves; `type`: of the quantity, which a gradient has another one of in space.
+std::string sums(const Quantity& of, std::string_view type) {
+    if (&of == &colour)
+        return "    vec3 wave, z = vec3(0.0), removed = vec3(0.0);\n";
+    return fmt::format("    {0} sum = {0}(0.0);\n", type);
+}
+
+// What a passes::PixelsWave or SolidWave adds, of which `call` has the quantity.
+template <typename Wave>
+std::string added(const Quantity& of, const Wave& wave, const std::string& call) {
+    if (&of == &colour) {
+        const auto weights = [&](auto of_weight) {
+            return vec3(of_weight(wave.weights[0]), of_weight(wave.weights[1]), of_weight(wave.weights[2]));
+        };
+        return fmt::format(
+            "    wave = {};\n    z += wave.x * {} + wave.y * {};\n    removed += wave.z * {};\n", call,
+            weights([](const passes::vec2& w) { return w.x; }),
+            weights([](const passes::vec2& w) { return w.y; }),
+            weights([](const passes::vec2& w) { return w.x * w.x + w.y * w.y; }));
+    }
+    const double amplitude = wave.amplitude;
+    const double weight = &of == &gradient  ? amplitude / wave.radius
                           : &of == &removed ? amplitude * amplitude
                                             : amplitude;
-    return weight == 1 ? "" : literal(weight) + " * ";
+    return fmt::format("    sum += {}{};\n", weight == 1 ? "" : literal(weight) + " * ", call);
+}
+
+std::string_view summed(const Quantity& of) {
+    return &of == &colour ? "    return noise_colour(z, removed);\n}\n" : "    return sum;\n}\n";
 }
 
 // A function for one wave of the sum, in kernel radii of its own.
@@ -67,6 +99,9 @@ std::string of_wave(const render::Request& request, const Quantity& of) {
     const std::string_view filtered =
         "    float removed; // share of the variance\n"
         "    GaborField field = gabor_field_filtered(place, kernel, footprint, seed, removed);\n";
+    std::string made(of.plane);
+    if (const std::size_t at = made.find("removed"); at != std::string::npos && !request.filter)
+        made.replace(at, std::string_view("removed").size(), "0.0");
     return fmt::format(
         R"(
 {} {}_of_wave(GaborPlace place,{} float frequency, float orientation, uint seed)
@@ -76,13 +111,14 @@ std::string of_wave(const render::Request& request, const Quantity& of) {
 }}
 )",
         of.type, of.name, request.filter ? " GaborFootprint footprint," : "",
-        request.filter ? filtered : sharp, &of == &removed && !request.filter ? "0.0" : of.plane);
+        request.filter ? filtered : sharp, made);
 }
 
 std::string of_plane(const Document& document, const Quantity& of, Extent extent) {
     render::Request request = document.request;
     request.paint.clear();
-    request.colour.reset();
+    if (&of != &colour)
+        request.colour.reset();
     const double scale = request.scale * document.camera.zoom;
     const bool horizon = std::holds_alternative<render::Horizon>(request.view);
     std::string text = of_wave(request, of);
@@ -124,7 +160,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                                 : time != 0                  ? "true, "
                                                              : "false, ") +
                                literal(time);
-    text += fmt::format("    {0} sum = {0}(0.0);\n    GaborPlace place;\n", of.type);
+    text += sums(of, of.type) + "    GaborPlace place;\n";
     if (request.filter)
         text += "    GaborFootprint footprint;\n";
     int table = -1;
@@ -145,12 +181,12 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                 text += fmt::format("    footprint = gabor_footprint(dx * {0}, dy * {0});\n", unit);
             }
         }
-        text += fmt::format("    sum += {}{}_of_wave(place,{} {}, {}, {}u);\n",
-                            weighted(of, wave.amplitude, wave.radius), of.name,
-                            request.filter ? " footprint," : "", literal(wave.frequency),
-                            literal(wave.orientation), wave.seed);
+        text += added(of, wave,
+                      fmt::format("{}_of_wave(place,{} {}, {}, {}u)", of.name,
+                                  request.filter ? " footprint," : "", literal(wave.frequency),
+                                  literal(wave.orientation), wave.seed));
     }
-    return text + "    return sum;\n}\n";
+    return text.append(summed(of));
 }
 
 // In space there are several kinds of noise.
@@ -178,11 +214,10 @@ std::string of_space(const render::Request& request, const Quantity& of) {
 // p: a point on or in the body, in kernel radii. normal: of the surface there, of length 1.
 {} {}_of_body(vec3 p, vec3 normal)
 {{
-    {} sum = {}(0.0);
-    GaborPlace3d place;
+{}    GaborPlace3d place;
     GaborField3d field;
 )",
-                                   of.is, type, of.name, type, type);
+                                   of.is, type, of.name, sums(of, type));
     float radius = 0;
     for (const passes::SolidWave& wave : render::solid_waves(request)) {
         if (wave.radius != radius) {
@@ -196,17 +231,14 @@ std::string of_space(const render::Request& request, const Quantity& of) {
                                     "    place.dy = dFdy(p){0};\n",
                                     unit);
         }
-        text += fmt::format("    field = {}, {}u);\n    sum += {}{};\n", field_in_space(request, wave),
-                            wave.seed, weighted(of, wave.amplitude, wave.radius), of.space);
+        text += fmt::format("    field = {}, {}u);\n{}", field_in_space(request, wave), wave.seed,
+                            added(of, wave, std::string(of.space)));
     }
-    return text + "    return sum;\n}\n";
+    return text.append(summed(of));
 }
 
 // The gradient along the picture's right and down.
 std::string gradient_in_picture(const render::Request& request) {
-    const auto vec3 = [](float x, float y, float z) {
-        return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
-    };
     std::string right = vec3(1, 0, 0);
     std::string down = vec3(0, 1, 0);
     if (std::holds_alternative<render::Body>(request.view)) { // the camera's axes of passes/solid.comp
@@ -264,7 +296,7 @@ std::string snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
     const bool space = render::in_space(request);
     const noise::Recipe recipe = render::drawing_recipe(request);
-    const Quantity& of = quantity(document.output);
+    const Quantity& of = quantity(document);
     std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
     for (const noise::Macro& macro : noise::macros(recipe))
         text += fmt::format("#define {} {}\n", macro.name, macro.value);
@@ -275,7 +307,10 @@ std::string snippet(const Document& document, Extent extent) {
         text += "#include \"gabor_spectrum.glsl\" // and this one\n";
     if (space)
         text += "#include \"gabor_lattice_3d.glsl\" // and this one\n";
-    return text + (space ? of_space(request, of) : of_plane(document, of, extent)) + of_colours(document, of);
+    if (&of == &colour)
+        text += fit::colour_function("noise", *request.colour);
+    text += space ? of_space(request, of) : of_plane(document, of, extent);
+    return &of == &colour ? text : text + of_colours(document, of);
 }
 
 } // namespace gabor::viewer

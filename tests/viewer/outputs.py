@@ -14,6 +14,12 @@ VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE = range(5)
 NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed"}
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea")
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
+# Two lobes become colours by two components.
+COLOURED = {
+    "lobes": [{"frequency": 2, "orientation": 20, "radius": 1.5}, {"frequency": 3, "orientation": 100}],
+    "colour": {"weights": [[[0.6, 0.6], [0, 0.5], [0, 0]], [[0, 0.52915], [0.5, -0.7], [0, 0]]],
+               "histogram": [[-0.2, 0.9, 0.2, 0.03, 0, 0], [0, 1, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0]],
+               "mean": [0.5, 0.45, 0.4], "mixing": [[0.15, 0.05, 0], [0.1, -0.05, 0], [0.02, 0.12, 0]]}}
 
 
 class OutputsTest(ViewerTest):
@@ -48,6 +54,7 @@ class OutputsTest(ViewerTest):
                 self.assertGreater(seen[covered].std(), 0.05)
                 snippet = (self.folder / f"{number}.glsl").read_text()
                 found, colours = self.draw(parameters, snippet, output)
+                colours = np.clip(colours, 0, 1)
                 off = np.abs(found - expected)[covered]
                 print(f"{name}: off by {off.max():.2g}, colours by {np.abs(colours - seen)[covered].max():.2g}")
                 quantile, largest = tolerances.get(name, (2e-3, 1e-2))
@@ -65,6 +72,11 @@ class OutputsTest(ViewerTest):
     def draw(self, parameters, snippet, output):
         """The output's quantity and its colours, as the code that was copied has them."""
         raise NotImplementedError
+
+    def draw_colours(self, snippet, call, **textures):
+        """Of a noise in colours, which are its quantity too."""
+        colours = self.run_code(snippet, f"colour = {call}; pixels = vec4(colour, 0.0);", **textures)[1]
+        return colours, colours
 
     def run_code(self, snippet, main, **textures):
         """What `main` puts into `pixels` and `colour` for each pixel `at`, beside the code that was copied."""
@@ -95,6 +107,8 @@ def padded(call, components):
 
 
 def quantity(channels, output):
+    if "R" in channels:
+        return np.stack([channels[name] for name in "RGB"], axis=-1)
     if output == GRADIENT:
         return np.stack([channels["gradient.x"], channels["gradient.y"]], axis=-1)
     if output in (PHASE, INTENSITY):

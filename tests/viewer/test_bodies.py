@@ -5,11 +5,12 @@ import unittest
 
 import numpy as np
 
-from outputs import GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, WIDTH, OutputsTest, padded
+from outputs import COLOURED, GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, VALUE, WIDTH, OutputsTest, padded
 
 BODIES = {
     "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
     "torus": ({"view": "torus", "filter": False, "solid": True, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
+    "colours": ({**COLOURED, "view": "sphere", "filter": False}, VALUE, 0, 2),
     "slice": ({"view": "slice", "depth": 0.3, "orientation": 50, "lobes": LOBES}, INTENSITY, 0, 2),
 }
 
@@ -21,6 +22,9 @@ class Bodies(OutputsTest):
 
     def draw(self, parameters, snippet, output):
         points, normals = places(parameters)
+        if "colour" in parameters:
+            body = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
+            return self.draw_colours(snippet, body, places=points, normals=normals)
         value = padded(f"{NAMES[output]}_of_body(p, n)", 3 if output == GRADIENT else 2)
         main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
                 f"pixels = {value}; colour = colour_of_body(p, n);")
