@@ -24,13 +24,14 @@ struct Piece {
 };
 
 // As many as the whole part of `count` says; as its rest goes from 0.8 to 1 they give way to one more, so
-// that the noise is continuous in `count`.
+// that the noise is continuous in `count`: amplitudes are in proportion to `left` and to 1 - left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
-    const double share = std::min(5 - 5 * (count - fewer), 1.0);
+    const double left = std::min(5 - 5 * (count - fewer), 1.0);
     std::vector<Piece> all;
     for (const int n : {fewer, fewer + 1}) {
-        const double part = n == fewer ? share : 1 - share;
+        const double amplitude = n == fewer ? left : 1 - left;
+        const double part = amplitude * amplitude / (left * left + (1 - left) * (1 - left));
         for (int i = 0; i < n && part > 0; ++i)
             all.push_back({(2.0 * i + 1) / n - 1, part / n, i + n % 2 * 64});
     }
@@ -97,16 +98,18 @@ std::vector<Wave> directed_waves_in_space(std::span<const Lobe> lobes, std::uint
             all.push_back(wave);
             continue;
         }
-        // Along a spiral over half the sphere; the last one has what is left of the power.
+        // Along a spiral over half the sphere: gabor_impl_direction of shaders/gabor_lattice_3d.glsl.
         const double frequency = wave.frequency * wave.radius;
         const double count = 8 + 8 * std::min(frequency * frequency, 64.0);
+        const auto power = [](double size) { return size * size * 1.05 / (size + 0.05); };
+        const double whole = std::floor(count);
         for (int i = 0; i < count; ++i) {
-            const double share = std::min(count - i, 1.0) / count;
+            const double size = std::min(count - i, 1.0);
             Wave directed = wave;
             directed.isotropic = false;
-            directed.rise = i / count + share / 2;
+            directed.rise = (i + size / 2) / count;
             directed.angle = 2 * std::numbers::pi * (0.61803399 * i - std::floor(0.61803399 * i));
-            directed.share *= share;
+            directed.share *= power(size) / (whole + power(count - whole));
             directed.seed = lobe_seed(wave.seed, i);
             all.push_back(directed);
         }

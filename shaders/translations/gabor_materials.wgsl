@@ -168,12 +168,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_6: f32;
+    var x_7: f32;
 
-    x_6 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_6;
-    let _e20 = x_6;
-    let _e22 = x_6;
+    x_7 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_7;
+    let _e20 = x_7;
+    let _e22 = x_7;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -211,7 +211,7 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var power_4: f32 = 1f;
     var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
     var m_5: i32 = 1i;
-    var x_7: f32;
+    var x_8: f32;
     var r_2: f32;
 
     damping = dot(phase, phase);
@@ -229,12 +229,12 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             let _e25 = damping;
             power_4 = (_e24 * _e25);
             let _e28 = m_5;
-            x_7 = (0.44879895f * f32(_e28));
+            x_8 = (0.44879895f * f32(_e28));
             let _e33 = m_5;
             r_2 = (0.3183099f / f32(_e33));
             let _e37 = sum_13;
-            let _e38 = x_7;
-            let _e40 = x_7;
+            let _e38 = x_8;
+            let _e40 = x_8;
             let _e42 = r_2;
             let _e44 = r_2;
             let _e45 = wave_9;
@@ -348,7 +348,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var kept: f32;
     var light: f32;
     var local_30: f32;
-    var share_3: f32;
+    var share_2: f32;
     var colour_2: vec3<f32>;
 
     let _e9 = gabor_lobe_seed(seed, 0i);
@@ -454,8 +454,8 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     }
     let _e220 = local_30;
     let _e221 = kept;
-    share_3 = mix(0.5f, _e220, _e221);
-    let _e232 = share_3;
+    share_2 = mix(0.5f, _e220, _e221);
+    let _e232 = share_2;
     let _e237 = light;
     colour_2 = (mix(vec3<f32>(0.6f, 0.53f, 0.42f), vec3<f32>(0.5f, 0.43f, 0.33f), vec3(_e232)) * mix(0.18f, 1f, _e237));
     let _e241 = colour_2;

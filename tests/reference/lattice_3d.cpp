@@ -46,10 +46,17 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// Lobe `index` of a range of `count`, a real number: the middle of its share, from 0 to 1, and its power.
+// Lobe `index` of a range of `count`, a real number: the middle of its share, from 0 to 1, and its power, in
+// proportion to s^2 / (s + 1/20) for a share of size s.
 std::array<double, 2> share(int index, double count) {
-    const double power = std::min(count - index, 1.0);
-    return {(index + power / 2) / count, power / count};
+    const auto power = [&](int i) {
+        const double size = std::min(count - i, 1.0);
+        return size * size / (size + 0.05);
+    };
+    double all = 0;
+    for (int i = 0; i < count; ++i)
+        all += power(i);
+    return {(index + std::min(count - index, 1.0) / 2) / count, power(index) / all};
 }
 
 // Of a normal filter: its two principal axes, as long as its standard deviations.

@@ -42,7 +42,8 @@ double length(const Spectrum::Vector& v) {
 } // namespace
 
 // A range is cut into n pieces with a lobe in the middle of each, n the whole part of c. While the rest of c
-// goes from 0.8 to 1 these fade out and n + 1 others fade in.
+// goes from 0.8 to 1 the amplitudes of these fall in proportion to how far it has to go, and those of n + 1
+// others rise.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed) {
     struct Piece {
@@ -55,7 +56,8 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
         const int whole = static_cast<int>(c);
         const double fade = std::max(0.0, (c - whole - 0.8) / 0.2);
         for (const int n : {whole, whole + 1}) {
-            const double share = n == whole ? 1 - fade : fade;
+            const double amplitude = n == whole ? 1 - fade : fade;
+            const double share = std::pow(amplitude / std::hypot(fade, 1 - fade), 2);
             for (int i = 0; i < n && share > 0; ++i)
                 result.push_back({(2 * i + 1.0) / n - 1, share / n, i + n % 2 * 64});
         }

@@ -260,6 +260,36 @@ TEST_CASE("sums of directions and surface noise on the lattice agree with the re
           });
 }
 
+TEST_CASE("isotropic noise in space changes by little with its frequency, where a direction comes too",
+          "[oracle]") {
+    const vulkan::Device device;
+    constexpr std::size_t pairs = 512;
+    constexpr float step = 1e-5f;
+    test::Draw draw(45);
+    for (const Entry3d entry : {Entry3d::isotropic, Entry3d::surface_isotropic}) {
+        LatticeSampler3d sampler(device, 2 * pairs, entry);
+        for (std::size_t i = 0; i < 2 * pairs; i += 2) {
+            LatticeSample3d s;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                s.place.local[axis] = draw.uniform(-3, 3);
+            s.normal = test::narrow(test::random_unit(draw));
+            s.seed = draw.word();
+            const double terms = 1 + draw.word() % 16;
+            s.frequency =
+                static_cast<float>(entry == Entry3d::isotropic ? std::sqrt(terms / 8) : terms / 4.5) -
+                step / 2;
+            sampler.samples()[i] = s;
+            s.frequency += step;
+            sampler.samples()[i + 1] = s;
+        }
+        const auto answers = sampler.answers(2 * pairs);
+        Largest change;
+        for (std::size_t i = 0; i < 2 * pairs; i += 2)
+            change.see(answers[i + 1].value[0], answers[i].value[0], 1.5e-3, sampler.samples()[i]);
+        change.check("change as the frequency rises by 0.00001");
+    }
+}
+
 TEST_CASE("the gradient on the lattice is what differences of the reference say", "[oracle]") {
     test::Draw draw(24);
     for (int i = 0; i < 500; ++i) {
@@ -303,6 +333,9 @@ TEST_CASE("odd requests to the lattice in space give what is documented and neve
             samples.push_back(sample);
         }
     }
+    LatticeSample3d nowhere;
+    nowhere.dx = {0, std::numeric_limits<float>::quiet_NaN(), 0};
+    samples.push_back(nowhere);
     for (const Entry3d entry : {Entry3d::field, Entry3d::isotropic, Entry3d::surface,
                                 Entry3d::surface_isotropic, Entry3d::filtered}) {
         LatticeSampler3d sampler(device, samples.size(), entry);

@@ -606,3 +606,29 @@ TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[
         CHECK(largest <= 0.05);
     }
 }
+
+TEST_CASE("a spread changes by little with its frequency, where lobes come and go too", "[spectrum]") {
+    const vulkan::Device device;
+    constexpr std::size_t pairs = 1 << 11;
+    constexpr float step = 1e-5f;
+    Sampler sampler(device, 2 * pairs);
+    Draw draw(39);
+    for (std::size_t i = 0; i < 2 * pairs; i += 2) {
+        Sample s = {};
+        s.p[0] = draw.uniform(-2, 2);
+        s.p[1] = draw.uniform(-2, 2);
+        s.orientation_spread = draw.uniform(0.4f, static_cast<float>(pi / 2));
+        s.seed = draw.word();
+        const double quarters = s.orientation_spread / (pi / 2);
+        const double count = 1 + draw.word() % 20 + (draw.word() % 2 ? 0.8 : 1.0);
+        s.frequency = static_cast<float>((count - 0.8 - 0.6 * quarters) / (4.44 * quarters)) - step / 2;
+        sampler.samples()[i] = s;
+        s.frequency += step;
+        sampler.samples()[i + 1] = s;
+    }
+    const auto answers = sampler.answers(2 * pairs, spread_only);
+    Largest change;
+    for (std::size_t i = 0; i < 2 * pairs; i += 2)
+        change.see(answers[i + 1].spread[0], answers[i].spread[0], 1.5e-3, sampler.samples()[i]);
+    change.check("change of a spread as its frequency rises by 0.00001");
+}
