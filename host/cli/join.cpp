@@ -25,6 +25,10 @@ struct JoinOptions {
 void join(const JoinOptions& options) {
     if (options.half && !options.texture)
         throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+    const std::filesystem::path extension = std::filesystem::path(options.output).extension();
+    if (!extension.empty() && extension != ".exr")
+        throw RequestError(
+            fmt::format("-o '{}': it takes the name of a file that ends in .exr", options.output));
     std::uint64_t pixels = 0;
     for (const std::filesystem::path& region : options.regions) {
         std::error_code ignored;

@@ -12,5 +12,6 @@ int main(int argc, char** argv) {
         if (::fcntl(stream, F_GETFD) < 0)
             ::open("/dev/null", O_RDONLY);
     std::signal(SIGPIPE, SIG_IGN); // a reader who goes away is an error like any other
+    std::signal(SIGXFSZ, SIG_IGN); // so is a file that grows too large
     return gabor::cli::run(argc, argv);
 }

@@ -118,6 +118,9 @@ class Refused(JoinTest):
             path.write_bytes(path.read_bytes()[:-20])
             self.assert_refused([regions[1], "truncated"], "join", *regions, "-o", "new.exr")
 
+    def test_a_name_of_another_format(self):
+        self.assert_refused(["-o 'whole.png'", "ends in .exr"], "join", *self.regions(STRIPS), "-o", "whole.png")
+
     def test_a_full_disk(self):
         self.assert_fails(1, ["/dev/full"], "join", *self.regions(STRIPS), "-o", "/dev/full")
 
