@@ -37,14 +37,14 @@ void print_base(const std::vector<bench::Row>& rows) {
     const bench::Row& first = rows.front();
     fmt::print("{0} x {0} pixels, {1} pixels per kernel radius, frequency {2}\n", first.side, first.scale,
                first.frequency);
-    fmt::print("{:<36}{:>8}{:>10}{:>19}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
+    fmt::print("{:<40}{:>8}{:>10}{:>23}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
                "quartiles", "seminal/", "advice/", "/gradient", "writing/", "pipeline", "cvm");
     for (const bench::Row& row : rows) {
         const double to_nanoseconds = 1e9 / row.side / row.side;
         const std::string cvm =
             row.cvm ? fmt::format("{:.3f} [{:.3f}, {:.3f}]", row.cvm->value, row.cvm->low, row.cvm->high)
                     : "";
-        fmt::print("{:<36}{:>8}{:>10.3f}{:>19}{:>10.1f}{:>9.2f}{:>10.2f}{:>9.3f}{:>7.1f} ms  {}\n", row.name,
+        fmt::print("{:<40}{:>8}{:>10.3f}{:>23}{:>10.1f}{:>9.2f}{:>10.2f}{:>9.3f}{:>7.1f} ms  {}\n", row.name,
                    row.visited > 0 ? fmt::format("{:.0f}", row.visited) : "", row.nanoseconds_per_pixel(),
                    fmt::format("{:.3f} to {:.3f}", row.seconds.lower * to_nanoseconds,
                                row.seconds.upper * to_nanoseconds),

@@ -144,7 +144,7 @@ Work make_work(const RenderOptions& options) {
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {
-        render::Loaded like = of_option("--like", [&] { return render::load_request(*options.like); });
+        render::Loaded like = of_option("--like:", [&] { return render::load_request(*options.like); });
         work.request = std::move(like.request);
         if (!options.size)
             region = like.region;

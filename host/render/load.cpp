@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 namespace gabor::render {
@@ -18,10 +20,13 @@ namespace {
 std::string read_text(const std::string& path) {
     constexpr std::size_t most = 1 << 20;
     std::ifstream file(path, std::ios::binary);
+    if (!file.is_open())
+        throw RequestError(
+            fmt::format("cannot read '{}': {}; it takes a JSON file", path, std::strerror(errno)));
     std::string text(most + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (!file.is_open() || file.bad() || text.empty() || text.size() > most)
+    if (file.bad() || text.empty() || text.size() > most)
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of at most 1 MiB", path));
     return text;
 }

@@ -333,7 +333,7 @@ auto of_parameter(const Parameter& p, Work work) {
     try {
         return work();
     } catch (const RequestError& error) {
-        throw RequestError(fmt::format("{} {}", p.name, error.what()));
+        throw RequestError(fmt::format("{}{} {}", p.name, p.kind == Kind::lobes ? ":" : "", error.what()));
     }
 }
 
