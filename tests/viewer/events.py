@@ -93,9 +93,10 @@ class EventsTest(ViewerTest):
         """Into the dialog, once its field has the keyboard."""
         self.frames(2)
         self.wait_for(lambda state: state["dialog"] and state["dialog"]["typed"])
-        after = self.state["keys"] + len(name) # a letter typed twice is seen pressed a frame after it is written
-        self.xdotool("type", "--delay", 0, name)
-        self.wait_for(lambda state: state["dialog"]["name"] == name and state["keys"] >= after)
+        for end in range(1, len(name) + 1): # one by one: a press that comes before the last release may not be seen
+            self.xdotool("type", name[end - 1])
+            self.wait_for(lambda state, typed=name[:end]: state["dialog"]["name"] == typed)
+        self.frames(3) # the last press may be seen after its letter
 
     def screen(self, x, y, width, height):
         """What the display shows there in the window: red, green and blue of each pixel."""
