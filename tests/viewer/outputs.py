@@ -54,7 +54,6 @@ class OutputsTest(ViewerTest):
                 self.assertGreater(seen[covered].std(), 0.05)
                 snippet = (self.folder / f"{number}.glsl").read_text()
                 found, colours = self.draw(parameters, snippet, output)
-                colours = np.clip(colours, 0, 1)
                 off = np.abs(found - expected)[covered]
                 print(f"{name}: off by {off.max():.2g}, colours by {np.abs(colours - seen)[covered].max():.2g}")
                 quantile, largest = tolerances.get(name, (2e-3, 1e-2))
@@ -76,7 +75,7 @@ class OutputsTest(ViewerTest):
     def draw_colours(self, snippet, call, **textures):
         """Of a noise in colours, which are its quantity too."""
         colours = self.run_code(snippet, f"colour = {call}; pixels = vec4(colour, 0.0);", **textures)[1]
-        return colours, colours
+        return colours, np.clip(colours, 0, 1)
 
     def run_code(self, snippet, main, **textures):
         """What `main` puts into `pixels` and `colour` for each pixel `at`, beside the code that was copied."""
