@@ -3,7 +3,6 @@
 #include "error.hpp"
 #include "fit/glsl.hpp"
 #include "fit/preset.hpp"
-#include "fit/report.hpp"
 #include "image/output_file.hpp"
 #include "render/parameters.hpp"
 
@@ -27,7 +26,6 @@ struct FitOptions {
     std::string output;
     std::string lobes = std::to_string(fit::most_lobes);
     std::optional<std::string> glsl;
-    std::optional<std::string> report;
 };
 
 void save(image::OutputFile& file, const std::string& text) {
@@ -54,13 +52,13 @@ int lobes_of(const std::string& text) {
     return lobes;
 }
 
-void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const fit::Texture& texture) {
-    const fit::Figures& figures = texture.figures;
-    fmt::print("{}: {} lobes for {} x {} pixels, {}\n", options.output, texture.waves.size(), exemplar.width,
+void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const fit::FittedNoise& fitted) {
+    const fit::FitError& error = fitted.error;
+    fmt::print("{}: {} lobes for {} x {} pixels, {}\n", options.output, fitted.waves.size(), exemplar.width,
                exemplar.height, exemplar.channels == 1 ? "grey" : "colour");
-    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", figures.l1,
-               figures.l2);
-    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", figures.autocorrelation,
+    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", error.l1,
+               error.l2);
+    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", error.autocorrelation,
                fit::furthest_lag);
     if (exemplar.structure > fit::Structure::limit)
         fmt::print(
@@ -87,18 +85,14 @@ void fit_picture(const FitOptions& options) {
         glsl.emplace(*options.glsl);
 
     std::optional<Progress> progress(std::in_place, "fitting", progress_steps);
-    const double read = options.report ? 0.2 : 0.3;
-    const double fitted = options.report ? 0.6 : 1;
-    const fit::Exemplar exemplar = fit::read_exemplar(options.image, part_of(*progress, 0, read));
-    const fit::Texture texture = fit::fit(exemplar, lobes, part_of(*progress, read, fitted));
-    const render::Request request = fit::request_of(exemplar, texture);
-    if (options.report)
-        fit::write_report(*options.report, options.image, exemplar, texture, part_of(*progress, fitted, 1));
+    const fit::Exemplar exemplar = fit::read_exemplar(options.image, part_of(*progress, 0, 0.3));
+    const fit::FittedNoise fitted = fit::fit(exemplar, lobes, part_of(*progress, 0.3, 1));
+    const render::Request request = fit::request_of(exemplar, fitted);
     progress.reset();
     save(output, render::to_json(request) + "\n");
     if (glsl)
-        save(*glsl, fit::glsl_of(*name, options.image, exemplar, texture));
-    print_fit(options, exemplar, texture);
+        save(*glsl, fit::glsl_of(*name, options.image, exemplar, fitted));
+    print_fit(options, exemplar, fitted);
 }
 
 } // namespace
@@ -125,10 +119,6 @@ void add_fit_command(CLI::App& app) {
                      "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to put after "
                      "gabor_lattice.glsl and gabor_spectrum.glsl")
         ->type_name("FILE");
-    command
-        ->add_option("--report", options->report,
-                     "Also write a page here that compares the exemplar, its random-phase noise and the fit")
-        ->type_name("FOLDER");
     command->callback([options] { fit_picture(*options); });
 }
 

@@ -15,11 +15,11 @@ namespace {
 // with the number of windows along a side. Larger pictures have 64 a side, which half overlap, as good as 28
 // that overlap wholly. Strong frequencies and autocorrelations, of which less is asked, are within chance or
 // within what can be seen.
-bool is_chance(const Figures& figures, const Exemplar& exemplar) {
+bool is_chance(const FitError& error, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side / window_side, 28.0);
-    return figures.l1 < 0.44 / windows && figures.l2 < std::max(0.38 / windows, 0.0475) &&
-           figures.autocorrelation < std::max(0.32 / windows, 0.04);
+    return error.l1 < 0.44 / windows && error.l2 < std::max(0.38 / windows, 0.0475) &&
+           error.autocorrelation < std::max(0.32 / windows, 0.04);
 }
 
 // A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
@@ -27,8 +27,8 @@ bool is_chance(const Figures& figures, const Exemplar& exemplar) {
 void keep_from_zero(std::vector<Wave>& waves) {
     const double least = 0.0011 / waves.front().radius;
     for (Wave& wave : waves)
-        if (wave.wave.norm() < least)
-            wave.wave = {least, 0};
+        if (wave.frequency.norm() < least)
+            wave.frequency = {least, 0};
 }
 
 void drop_empty(std::vector<Wave>& waves) {
@@ -44,10 +44,11 @@ Spectra channel_spectra(const Exemplar& exemplar) {
     return exemplar.spectra.mapped(exemplar.components);
 }
 
-Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
+FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
-    const Target target(spectra, std::min(std::min(exemplar.width, exemplar.height) / 2.0, largest_radius));
+    const TargetSpectra target(spectra,
+                               std::min(std::min(exemplar.width, exemplar.height) / 2.0, largest_radius));
     const Search search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {
@@ -55,14 +56,14 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
         if (next.weight.isZero())
             break;
         waves.push_back(std::move(next));
-        refine(target, waves, Free::weights, 4);
-        refine(target, waves, Free::all, 6);
+        refine(target, waves, FreeParameters::weights, 4);
+        refine(target, waves, FreeParameters::all, 6);
         drop_empty(waves);
         advance(0.8 * (i + 1) / lobes);
         if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
             break;
     }
-    refine(target, waves, Free::all, 30);
+    refine(target, waves, FreeParameters::all, 30);
     for (Wave& wave : waves)
         wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
 
@@ -71,18 +72,18 @@ Texture fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     };
     const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
     std::ranges::sort(waves, std::greater(), power);
-    Texture texture{.waves = {}, .colour = {}, .model = in_channels(), .figures = {}, .variances = {}};
-    texture.figures = compare(channel_spectra(exemplar), texture.model);
+    FittedNoise fitted{.waves = {}, .colour = {}, .model = in_channels(), .error = {}, .variances = {}};
+    fitted.error = compare(channel_spectra(exemplar), fitted.model);
     const Eigen::MatrixXd covariance = model(waves, static_cast<int>(scales.size())).covariance();
     const Eigen::MatrixXd measured = exemplar.spectra.covariance();
     for (Eigen::Index c = 0; c < scales.size(); ++c)
-        texture.variances.push_back(covariance(c, c) / measured(c, c));
+        fitted.variances.push_back(covariance(c, c) / measured(c, c));
     normalize(waves);
     keep_from_zero(waves);
-    texture.waves = std::move(waves);
-    texture.colour = colour_of(exemplar, texture.waves);
+    fitted.waves = std::move(waves);
+    fitted.colour = colour_of(exemplar, fitted.waves);
     advance(1);
-    return texture;
+    return fitted;
 }
 
 } // namespace gabor::fit

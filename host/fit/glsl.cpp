@@ -63,8 +63,8 @@ struct Line {
 Line line_of(const Wave& wave, const std::array<Colour::Weight, 3>& weights) {
     const auto of = [&](auto value) { return vector([&](std::size_t c) { return value(weights[c]); }); };
     return {number(wave.radius),
-            number(wave.wave.norm() * wave.radius),
-            number(std::atan2(wave.wave.y(), wave.wave.x())),
+            number(wave.frequency.norm() * wave.radius),
+            number(std::atan2(wave.frequency.y(), wave.frequency.x())),
             of([](const Colour::Weight& w) { return w.noise; }),
             of([](const Colour::Weight& w) { return w.quadrature; }),
             of([](const Colour::Weight& w) { return w.noise * w.noise + w.quadrature * w.quadrature; })};
@@ -128,8 +128,8 @@ vec3 {name}_colour(vec3 z, vec3 removed)
 }
 
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
-                    const Texture& texture) {
-    const Colour& colour = texture.colour;
+                    const FittedNoise& fitted) {
+    const Colour& colour = fitted.colour;
     const bool complex = has_quadrature(colour);
     std::string comment = image.filename().string();
     std::ranges::replace_if(
@@ -154,13 +154,13 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
 const uint {name}_seed = 0u; // which instance of the noise
 )",
                     fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
-                    fmt::arg("height", exemplar.height), fmt::arg("count", texture.waves.size()));
+                    fmt::arg("height", exemplar.height), fmt::arg("count", fitted.waves.size()));
     text += colour_function(name, colour);
 
     std::string plain;
     std::string filtered;
-    for (std::size_t i = 0; i < texture.waves.size(); ++i) {
-        const Line line = line_of(texture.waves[i], colour.weights[i]);
+    for (std::size_t i = 0; i < fitted.waves.size(); ++i) {
+        const Line line = line_of(fitted.waves[i], colour.weights[i]);
         const std::string seed = fmt::format("gabor_lobe_seed({}_seed, {})", name, i);
         const std::string arguments =
             fmt::format("p / {}, {}, {}, {}", line.radius, line.frequency, line.orientation, seed);

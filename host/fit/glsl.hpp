@@ -19,6 +19,6 @@ std::string colour_function(const std::string& name, const noise::Colour& colour
 ///     vec4 NAME_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it, and the share of the variance
 ///     removed
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
-                    const Texture& texture);
+                    const FittedNoise& fitted);
 
 } // namespace gabor::fit

@@ -54,7 +54,7 @@ int stride_of(double radius) {
 
 } // namespace
 
-Search::Search(const Target& target) : channels_(target.channels), weight_(target.weight) {
+Search::Search(const TargetSpectra& target) : channels_(target.channels), weight_(target.weight) {
     const Eigen::MatrixXf weight = whole_plane(target.weight.square() / multiplicities(), 1);
     for (double radius = smallest_radius; radius < 1.01 * target.largest_radius;
          radius *= std::numbers::sqrt2) {
@@ -133,9 +133,9 @@ Wave Search::best(const Residual& left) const {
                 gained = gain;
                 most = value / scale.square(y, x);
                 products = at;
-                wave.wave = {scale.columns[static_cast<std::size_t>(x)],
-                             scale.rows[static_cast<std::size_t>(y)]};
-                wave.wave /= grid_side;
+                wave.frequency = {scale.columns[static_cast<std::size_t>(x)],
+                                  scale.rows[static_cast<std::size_t>(y)]};
+                wave.frequency /= grid_side;
                 wave.radius = scale.radius;
             }
     }

@@ -10,7 +10,7 @@ namespace gabor::fit {
 /// of sqrt 2.
 class Search {
   public:
-    explicit Search(const Target& target);
+    explicit Search(const TargetSpectra& target);
 
     /// That wave, with the weights that fit best while others stay as they are.
     Wave best(const Residual& left) const;

@@ -48,8 +48,8 @@ Parts parts_of(const std::vector<Wave>& waves, bool with_derivatives, const Eige
                 Eigen::MatrixXd(grid_size, each * std::ssize(waves))};
     Index column = 0;
     for (const Wave& wave : waves) {
-        const AxisAtom x = axis_atom(wave.wave.x(), wave.radius);
-        const AxisAtom y = axis_atom(wave.wave.y(), wave.radius);
+        const AxisAtom x = axis_atom(wave.frequency.x(), wave.radius);
+        const AxisAtom y = axis_atom(wave.frequency.y(), wave.radius);
         put(parts, column, x.value, y.value, false);
         if (with_derivatives) {
             put(parts, column + 1, x.by_frequency, y.value, false);
@@ -92,7 +92,7 @@ struct Parameter {
 };
 
 // Weights change in proportion to the length of all of a wave's; a single one is real.
-std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, Free free) {
+std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParameters free) {
     std::vector<Parameter> parameters;
     for (Index j = 0; j < std::ssize(waves); ++j) {
         const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
@@ -104,7 +104,7 @@ std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, Free free) 
                 change[c] = w.norm() * unit;
                 parameters.push_back({j, 0, entries(change * w.adjoint() + w * change.adjoint())});
             }
-        if (free == Free::all)
+        if (free == FreeParameters::all)
             for (Index f = 1; f < functions; ++f)
                 parameters.push_back({j, f, entries(w * w.adjoint())});
     }
@@ -189,7 +189,8 @@ void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<
 }
 
 // The waves after a step, which is kept within what the equations can know of.
-std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Free free, double largest) {
+std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, FreeParameters free,
+                        double largest) {
     Index at = 0;
     for (Wave& wave : waves) {
         const Index channels = wave.weight.size();
@@ -200,12 +201,12 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
         }
         const double most = 0.5 / std::max(change.norm(), 0.5);
         wave.weight += most * wave.weight.norm() * change;
-        if (free != Free::all)
+        if (free != FreeParameters::all)
             continue;
         Eigen::Vector2d turn(step[at], step[at + 1]);
         const double reach = 0.5 / wave.radius;
-        wave.wave += turn * (reach / std::max(turn.norm(), reach));
-        wave.wave.array() -= (wave.wave.array() + 0.5).floor(); // aliases of one another
+        wave.frequency += turn * (reach / std::max(turn.norm(), reach));
+        wave.frequency.array() -= (wave.frequency.array() + 0.5).floor(); // aliases of one another
         wave.radius =
             std::clamp(wave.radius * std::exp(std::clamp(step[at + 2], -0.5, 0.5)), smallest_radius, largest);
         at += 3;
@@ -213,7 +214,8 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
     return waves;
 }
 
-Residual subtract(const Target& target, const std::vector<Wave>& waves, const Parts& parts, Index each) {
+Residual subtract(const TargetSpectra& target, const std::vector<Wave>& waves, const Parts& parts,
+                  Index each) {
     Residual left{target.real, target.imaginary};
     for (Index j = 0; j < std::ssize(waves); ++j) {
         const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
@@ -226,7 +228,7 @@ Residual subtract(const Target& target, const std::vector<Wave>& waves, const Pa
 
 } // namespace
 
-Target::Target(const Spectra& spectra, double radius)
+TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary), largest_radius(radius) {
     const Eigen::ArrayXd total = spectra.total();
     const double mean = (total * multiplicities()).sum() / (grid_side * grid_side);
@@ -239,7 +241,7 @@ Target::Target(const Spectra& spectra, double radius)
         real.col(column++) *= c == d ? 1 : root_2;
 }
 
-Residual residual(const Target& target, const std::vector<Wave>& waves) {
+Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
     return subtract(target, waves, parts_of(waves, false, target.weight), 1);
 }
 
@@ -258,12 +260,12 @@ Spectra model(const std::vector<Wave>& waves, int channels) {
     return result;
 }
 
-void refine(const Target& target, std::vector<Wave>& waves, Free free, int steps) {
+void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameters free, int steps) {
     constexpr int most_trials = 6;
-    const Index each = free == Free::all ? functions : 1;
+    const Index each = free == FreeParameters::all ? functions : 1;
     double lambda = 0.01;
     for (int s = 0; s < steps; ++s) {
-        const Parts parts = parts_of(waves, free == Free::all, target.weight);
+        const Parts parts = parts_of(waves, free == FreeParameters::all, target.weight);
         const Residual left = subtract(target, waves, parts, each);
         const double cost = left.cost();
         const std::vector<Parameter> parameters = parameters_of(waves, free);

@@ -9,25 +9,25 @@
 namespace gabor::fit {
 
 /// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
-/// z(p)*] = 2 exp(2 pi i wave.t) g(t.x / radius) g(t.y / radius), channel c has Re(weight_c z): cross-spectra
-/// weight_c weight_d*.
+/// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius) g(t.y / radius), channel c has Re(weight_c z):
+/// cross-spectra weight_c weight_d*.
 struct Wave {
-    Eigen::Vector2d wave;    ///< cycles per pixel
-    double radius;           ///< pixels
-    Eigen::VectorXcd weight; ///< of each channel; real where there is one
+    Eigen::Vector2d frequency; ///< cycles per pixel
+    double radius;             ///< pixels
+    Eigen::VectorXcd weight;   ///< of each channel; real where there is one
 };
 
 /// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the
 /// power there, P + 0.01 mean P. Plain least squares would leave weak frequencies empty, and weights 1 / P
 /// follow where the estimate is low by chance.
-struct Target {
+struct TargetSpectra {
     int channels;
     Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal
     Eigen::MatrixXd imaginary;
     Eigen::ArrayXd weight; ///< the root, with multiplicities
     double largest_radius; ///< that waves may have
 
-    Target(const Spectra& spectra, double largest_radius);
+    TargetSpectra(const Spectra& spectra, double largest_radius);
 };
 
 /// What waves leave of the target.
@@ -37,16 +37,16 @@ struct Residual {
 
     double cost() const { return real.squaredNorm() + imaginary.squaredNorm(); }
 };
-Residual residual(const Target& target, const std::vector<Wave>& waves);
+Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
 /// The spectra that waves have, as the estimate would see them.
 Spectra model(const std::vector<Wave>& waves, int channels);
 
 /// What may change: weights alone, or also frequencies and radii.
-enum class Free { weights, all };
+enum class FreeParameters { weights, all };
 
 /// Moves waves towards the least residual, by Levenberg and Marquardt's method, until it falls by less than a
 /// ten-thousandth or for so many steps.
-void refine(const Target& target, std::vector<Wave>& waves, Free free, int steps);
+void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameters free, int steps);
 
 } // namespace gabor::fit

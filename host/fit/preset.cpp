@@ -6,22 +6,22 @@
 
 namespace gabor::fit {
 
-render::Request request_of(const Exemplar& exemplar, const Texture& texture) {
+render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) {
     render::Request request;
     request.width = exemplar.width;
     request.height = exemplar.height;
-    request.scale = texture.waves.front().radius; // the unit is that of the strongest lobe
+    request.scale = fitted.waves.front().radius; // the unit is that of the strongest lobe
     request.lobes.clear();
-    for (const Wave& wave : texture.waves) {
+    for (const Wave& wave : fitted.waves) {
         noise::Lobe lobe;
-        lobe.frequency = wave.wave.norm() * request.scale;
-        lobe.orientation = noise::degrees(std::atan2(wave.wave.y(), wave.wave.x()));
+        lobe.frequency = wave.frequency.norm() * request.scale;
+        lobe.orientation = noise::degrees(std::atan2(wave.frequency.y(), wave.frequency.x()));
         lobe.radius = wave.radius / request.scale;
         lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }
     if (exemplar.channels > 1)
-        request.colour = texture.colour;
+        request.colour = fitted.colour;
     return request;
 }
 

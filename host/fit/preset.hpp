@@ -6,6 +6,6 @@
 namespace gabor::fit {
 
 /// The texture as a picture of the exemplar's size and scale. In grey it is a noise of variance 1 alone.
-render::Request request_of(const Exemplar& exemplar, const Texture& texture);
+render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

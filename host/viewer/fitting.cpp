@@ -59,10 +59,10 @@ std::string glsl_name(const std::string& path) {
     return name;
 }
 
-std::vector<std::string> lines_of(const fit::Exemplar& exemplar, const fit::Texture& texture) {
+std::vector<std::string> lines_of(const fit::Exemplar& exemplar, const fit::FittedNoise& fitted) {
     std::vector<std::string> lines{
-        fmt::format("{} lobes; spectrum within {:.3f}, autocorrelation within {:.3f}", texture.waves.size(),
-                    texture.figures.l1, texture.figures.autocorrelation)};
+        fmt::format("{} lobes; spectrum within {:.3f}, autocorrelation within {:.3f}", fitted.waves.size(),
+                    fitted.error.l1, fitted.error.autocorrelation)};
     if (exemplar.structure > fit::Structure::limit)
         lines.emplace_back("The photograph has edges or things in it that no noise can have: they are lost");
     if (exemplar.alpha)
@@ -144,10 +144,10 @@ void Fitter::work(const Wanted& wanted) {
             read_ = std::make_shared<Photograph>(std::move(photograph));
             exemplar_ = std::move(exemplar);
         }
-        const fit::Texture texture = fit::fit(*exemplar_, wanted.lobes, part(0.4, 1));
-        result_ = FittedNoise{fit::request_of(*exemplar_, texture),
-                              fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, texture),
-                              lines_of(*exemplar_, texture)};
+        const fit::FittedNoise fitted = fit::fit(*exemplar_, wanted.lobes, part(0.4, 1));
+        result_ = FittedPreset{fit::request_of(*exemplar_, fitted),
+                               fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, fitted),
+                               lines_of(*exemplar_, fitted)};
     } catch (const Cancelled&) {
         // for something else
     } catch (const std::exception& error) {

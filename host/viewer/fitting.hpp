@@ -27,7 +27,7 @@ struct Photograph {
 };
 
 /// A noise that was fitted to a photograph.
-struct FittedNoise {
+struct FittedPreset {
     render::Request request;
     std::string glsl;               ///< the function of it
     std::vector<std::string> lines; ///< what is to be said of it
@@ -60,7 +60,7 @@ class Fitter {
     /// The photograph, from when it has been read until another one has.
     const std::shared_ptr<const Photograph>& photograph() const { return photograph_; }
     /// What was fitted since the last call.
-    std::optional<FittedNoise> take() { return std::exchange(fitted_, {}); }
+    std::optional<FittedPreset> take() { return std::exchange(fitted_, {}); }
     /// Why there is nothing to take, since the last call.
     std::optional<std::string> take_error() { return std::exchange(error_, {}); }
 
@@ -80,12 +80,12 @@ class Fitter {
     std::atomic<bool> cancelled_ = false;
     std::atomic<double> progress_ = 0;
     std::shared_ptr<const Photograph> photograph_;
-    std::optional<FittedNoise> fitted_;
+    std::optional<FittedPreset> fitted_;
     std::optional<std::string> error_;
     // These belong to the thread while it runs.
     std::shared_ptr<const Photograph> read_;
     std::shared_ptr<const fit::Exemplar> exemplar_;
-    std::optional<FittedNoise> result_;
+    std::optional<FittedPreset> result_;
     std::optional<std::string> failure_;
 };
 

@@ -20,7 +20,7 @@ Camera in_radii(const Camera& camera, double times) {
     return {coordinate(camera.x), coordinate(camera.y), camera.zoom};
 }
 
-void take(Session& session, FittedNoise fitted) {
+void take(Session& session, FittedPreset fitted) {
     Document& document = session.document();
     const bool again = session.fitted && session.fitted_path == session.fitter.path() &&
                        document.request.colour.has_value() == fitted.request.colour.has_value();
@@ -60,7 +60,7 @@ void go_on_fitting(Session& session) {
     session.fitter.go_on();
     if (std::optional<std::string> error = session.fitter.take_error())
         notify(session, std::move(*error), true);
-    if (std::optional<FittedNoise> fitted = session.fitter.take())
+    if (std::optional<FittedPreset> fitted = session.fitter.take())
         take(session, std::move(*fitted));
 }
 

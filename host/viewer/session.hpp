@@ -70,7 +70,7 @@ struct Session {
     std::optional<Question> question;
     std::optional<FileDialog> dialog;
     Fitter fitter;
-    std::optional<FittedNoise> fitted; ///< to the photograph of that path
+    std::optional<FittedPreset> fitted; ///< to the photograph of that path
     std::string fitted_path;
     bool photograph_beside = true; ///< the noise, where there is one
     bool gallery = false;          ///< the presets as pictures, in place of the view

@@ -145,15 +145,6 @@ void main()
         kept = rgb(filtered).var((0, 1)).sum() / drawn.var((0, 1)).sum()
         self.assertLess(abs(kept + removed.mean() - 1), 0.03)
 
-    def test_report(self):
-        write_png(self.folder / "colour.png", colour_noise(160))
-        self.fit("colour.png", "--lobes", "3", "--report", "page")
-        page = (self.folder / "page" / "index.html").read_text()
-        pictures = sorted(path.name for path in (self.folder / "page").glob("*.png"))
-        self.assertEqual(len(pictures), 9)
-        for name in pictures:
-            self.assertIn(f'src="{name}"', page)
-
     def test_what_is_read(self):
         exemplar = colour_noise(192)
         write_png(self.folder / "rgba.png", exemplar, alpha=True)
@@ -208,7 +199,6 @@ void main()
                                (["--glsl", "NAME.glsl"], ["--glsl", "a-b.glsl"])):
             self.assert_refused(words, "fit", "good.png", "-o", "fit.json", *options)
         self.assert_refused(["-o", ".json"], "fit", "good.png", "-o", "fit.txt")
-        self.assert_refused(["--report"], "fit", "good.png", "-o", "fit.json", "--report", "small.png/page")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-#include "fit/figures.hpp"
+#include "fit/fit_error.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -48,15 +48,15 @@ Eigen::MatrixXd autocorrelation(const Spectra& spectra) {
     return result / result(furthest_lag, furthest_lag);
 }
 
-Figures compare(const Spectra& estimate, const Spectra& model) {
+FitError compare(const Spectra& estimate, const Spectra& model) {
     Spectra difference = model;
     difference.real -= estimate.real;
     difference.imaginary -= estimate.imaginary;
-    Figures figures;
-    figures.l1 = sum(difference.total().abs()) / sum(estimate.total());
-    figures.l2 = std::sqrt(squares(difference) / squares(estimate));
-    figures.autocorrelation = (autocorrelation(model) - autocorrelation(estimate)).cwiseAbs().maxCoeff();
-    return figures;
+    FitError error;
+    error.l1 = sum(difference.total().abs()) / sum(estimate.total());
+    error.l2 = std::sqrt(squares(difference) / squares(estimate));
+    error.autocorrelation = (autocorrelation(model) - autocorrelation(estimate)).cwiseAbs().maxCoeff();
+    return error;
 }
 
 } // namespace gabor::fit
