@@ -1,27 +1,12 @@
-// gabor_lattice.glsl: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice.
+// gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place.
 //
-// Paste or include this one file after `#version`; it needs GLSL 450, 330 core or 300 es, declares no resources, and
-// every name it adds begins with gabor_, Gabor or GABOR_. The functions to call are at its end:
-//     gabor_noise, gabor_unorm                 the noise, mean 0 and variance 1, and to show it
-//     gabor_noise_gradient                     with its analytic gradient, for bump and normal mapping
-//     gabor_noise_complex, gabor_phasor        with its quadrature: phase and intensity
-//     gabor_noise_four                         four independent ones at once
-//     gabor_noise_tiled, gabor_noise_animated  with exact periods in space, and in time
-//     gabor_noise_at, gabor_kernel             by integer cell and local offset, for large worlds
-//     gabor_field, gabor_place                 noise, quadrature and both gradients at once, in any cell, tile or time
+// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name it
+// adds begins with gabor_, Gabor or GABOR_. Those with gabor_impl_ are private.
 //
-// The nodes (x_i, y_j) of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent
-// and normal, and each sends out a wave under a window that ends one unit, the kernel radius, from it along x and y:
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
-// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2;
-// as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
-// and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
-// derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. From node to node it turns
-// by u = 2 pi F_x / R and v = 2 pi F_y / R; counted from node (0, 0), which is next to p, both axes separate:
-//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
-// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -37,15 +22,121 @@ precision highp float;
 precision highp int;
 #endif
 
-// Nodes along each axis that reach a point: 3; 4 for a covariance that depends less on the place; 2 for speed. Each
-// function costs as many amplitudes as their square, and four and animated noise four and three times as many.
+// Quality; define it before the file. A point sums GABOR_TAPS^2 waves: 3 by 3 by default; 4 for a covariance that depends
+// less on the place; 2 for speed, with columns and rows that show at high frequencies.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
 #if GABOR_TAPS < 2 || GABOR_TAPS > 4
 #error GABOR_TAPS is 2, 3 or 4
 #endif
-#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // R, nodes per kernel radius
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
+//                10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, up to 10^6
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; different seeds give independent noises
+// Frequency and orientation may vary from place to place: the noise is continuous where they are.
+float gabor_noise(vec2 p, float frequency, float orientation, uint seed);
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed);
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines;
+// at one place both have variance 1 and are independent.
+vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed);
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+vec2 gabor_phasor(vec2 value);
+
+// Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
+vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed);
+
+// Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
+// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter periods
+// narrow the windows.
+float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed);
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise, at any
+// other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
+float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed);
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+float gabor_unorm(float noise);
+
+// A seed for part `index` of a sum of independent noises.
+uint gabor_lobe_seed(uint seed, int index);
+
+// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+
+#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
+
+// A wave vector: see gabor_kernel.
+struct GaborKernel {
+    vec2 wave; // cycles per kernel radius
+};
+
+// A position in nodes of the lattice, and how space and time repeat.
+struct GaborPlace {
+    ivec2 cell;    // any integers, but for the last few before the world wraps around at 2^31
+    vec2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
+    vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
+    ivec2 period;  // in nodes, 0 for none
+    bool animated; // whether time counts
+    float time;    // in periods of time
+};
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    vec2 value;
+    vec2 slope_x;
+    vec2 slope_y;
+};
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+GaborKernel gabor_kernel(float frequency, float orientation);
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+GaborPlace gabor_place(ivec2 cell, vec2 local);
+
+// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless
+// where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+GaborPlace gabor_place_tiled(vec2 p, vec2 period);
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed);
+
+// The noise at gabor_place(cell, local).
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
+// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+//
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
+// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+//
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//
+// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
+// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
+// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// normal.
+//
+// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
+// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+//
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
@@ -56,7 +147,6 @@ uint gabor_impl_mix(uint word, uint salt) {
     return word ^ (word >> 15u);
 }
 
-// The seed of noise `index` of a sum: those of different indices are independent.
 uint gabor_lobe_seed(uint seed, int index) {
     return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
@@ -138,27 +228,6 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 }
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
-
-struct GaborKernel { // see gabor_kernel
-    vec2 wave; // F, cycles per kernel radius
-};
-
-// Where to evaluate, and how space and time close upon themselves.
-struct GaborPlace {
-    ivec2 cell;    // any integers, but for the last few before the world wraps around at 2^31
-    vec2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
-    vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
-    ivec2 period;  // in nodes, 0 for none
-    bool animated; // whether time counts
-    float time;    // in periods of time
-};
-
-// The noise as a complex number, the imaginary part the noise itself, and its derivatives per kernel radius.
-struct GaborField {
-    vec2 value;
-    vec2 slope_x;
-    vec2 slope_y;
-};
 
 // An index within a period.
 int gabor_impl_wrap(int index, int period) {
@@ -242,7 +311,6 @@ GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 str
                       stretch.y * gabor_impl_product(slope.xy, turn) + wave.y * turned);
 }
 
-// The noise at a place: what the functions below call.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel.wave.x, place.radius.x);
@@ -254,15 +322,12 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     return gabor_impl_field(sum, slope, turn, kernel.wave, place.radius / GABOR_RADIUS);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
 GaborPlace gabor_place(ivec2 cell, vec2 local) {
     return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), false, 0.0);
 }
 
-// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
 GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
     vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -273,43 +338,27 @@ GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
     return place;
 }
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation));
 }
 
-// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
 float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
-// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
-//                steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude is used, up to 10^6
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
-//   seed         any; each seed is another instance, independent of the others
-// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
-// turns about its own node. A slope of theirs adds to that of the noise.
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
-// Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
-// of their deviation at frequency 1, by 1.1 of it at 0.
 vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed) {
     GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
-// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
 vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
 vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
     return vec4(gabor_noise(p, frequency, orientation, seed),
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
@@ -317,32 +366,22 @@ vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
                 gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
 }
 
-// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
     return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
 }
 
-// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
-// with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
-// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
-// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
 float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed) {
     GaborPlace place = GaborPlace(ivec2(0), p * GABOR_RADIUS, vec2(GABOR_RADIUS), ivec2(0), true, time);
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
-// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
 float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }

@@ -1,30 +1,11 @@
-// gabor_materials.glsl: materials made of Gabor noise. Include it after gabor_lattice.glsl and gabor_spectrum.glsl.
+// gabor_materials.glsl: materials made of Gabor noise.
+//
+// Paste or include this file after gabor_lattice.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
-//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // as a pixel sees it
+//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
-// gabor_noise_filtered.
-//     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
-//     gabor_fabric         linen: a plain weave of uneven threads [5]
-//     gabor_leather        pebbled grain: cells between creases [8]
-//     gabor_marble         white, with veins of four sizes [12]
-//     gabor_sand           wind ripples, steep on one side, and grains [7]
-//     gabor_ripples        water under a light wind [14]
-//     gabor_brushed_metal  streaks along x [5]
-//     gabor_scratches      hairlines in a dark lacquer [28]
-//     gabor_zebra          stripes that fork, and hair [5]
-//     gabor_bark           furrows and plates, moss [11]
-//     gabor_carbon_fibre   a twill of black tows [3]
-//     gabor_strata         layers of sandstone, seen from the side [11]
-//
-// How a nonlinear function f of noise is filtered: of a noise of variance 1 the pixel's filter leaves the value v, and
-// takes away the share r of the variance. What it took away is normal too, so that the pixel sees the mean of
-// f(v + sqrt(r) z) over normal z. The functions f below have that mean in closed form: a threshold is a normal
-// distribution function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile
-// along a phase a Fourier series. Materials multiply and mix functions of independent noises, so that filtered they
-// have the mean colour of the sharp ones at every distance; leather and the weaves fade to a mean that was measured.
+// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -38,11 +19,51 @@
 #define GABOR_MATERIALS_GLSL
 
 struct GaborMaterial {
-    vec3 colour;     // the base colour of physically based shading, linear, of Rec. 709's primaries, within [0, 1]
+    vec3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // in units of p
-    float roughness; // as in glTF: its square is the width of the microfacets' slopes
-    float metalness; // 1: the base colour is that of its reflections
+    float roughness; // as in glTF
+    float metalness; // 0 or 1
 };
+
+// The materials at p, and in brackets how many noises each evaluates.
+GaborMaterial gabor_wood(vec2 p, uint seed);          // a board: year rings cut lengthwise, pores, fibres [6]
+GaborMaterial gabor_fabric(vec2 p, uint seed);        // linen: a plain weave of uneven threads [5]
+GaborMaterial gabor_leather(vec2 p, uint seed);       // pebbled grain: cells between creases [8]
+GaborMaterial gabor_marble(vec2 p, uint seed);        // white, with veins of four sizes [12]
+GaborMaterial gabor_sand(vec2 p, uint seed);          // wind ripples, steep on one side, and grains [7]
+GaborMaterial gabor_ripples(vec2 p, uint seed);       // water under a light wind [14]
+GaborMaterial gabor_brushed_metal(vec2 p, uint seed); // streaks along x [5]
+GaborMaterial gabor_scratches(vec2 p, uint seed);     // hairlines in a dark lacquer [28]
+GaborMaterial gabor_zebra(vec2 p, uint seed);         // stripes that fork, and hair [5]
+GaborMaterial gabor_bark(vec2 p, uint seed);          // furrows and plates, moss [11]
+GaborMaterial gabor_carbon_fibre(vec2 p, uint seed);  // a twill of black tows [3]
+GaborMaterial gabor_strata(vec2 p, uint seed);        // layers of sandstone, seen from the side [11]
+
+// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
+// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
+// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -403,9 +424,8 @@ GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, height, 0.9, 0.0);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-// The materials listed above, at p.
 GaborMaterial gabor_wood(vec2 p, uint seed) {
     return gabor_impl_wood(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
 }
@@ -454,7 +474,6 @@ GaborMaterial gabor_strata(vec2 p, uint seed) {
     return gabor_impl_strata(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
 }
 
-// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
     return gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
 }

@@ -1,18 +1,13 @@
-// gabor_noise.glsl: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. Paste or include it after
-// `#version`: GLSL 450, 330 core or 300 es. gabor_lattice.glsl has the same calls, is faster, and is normal at every
-// place: use this file for the paper's noise itself. The functions to call stand at its end. Every name begins with
-// gabor_, Gabor or GABOR_; those with gabor_impl_ are private.
+// gabor_noise.glsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place.
 //
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // mean 0, variance 1
+// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name it
+// adds begins with gabor_, Gabor or GABOR_. Those with gabor_impl_ are private.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
-//
-//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i))
-//
-// after Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019 [TNVT19]: with
-// a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place.
+// Use this file for the paper's noise itself. gabor_lattice.glsl has the same calls, is faster, and is normal at every
+// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -29,8 +24,7 @@ precision highp int;
 
 #define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
-// ---- Recipe --------------------------------------------------------------------------------------------------------
-// Macros to define before the file; the defaults are the recipe `one`, README has a table of others.
+// ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
@@ -49,7 +43,7 @@ precision highp int;
 #define GABOR_WINDOW vec3(3.0, -4.5, 2.5) // c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2
 #endif
 #ifndef GABOR_UNROLL
-#define GABOR_UNROLL // before each loop over impulses: [[unroll]] (GL_EXT_control_flow_attributes), [unroll] (HLSL)
+#define GABOR_UNROLL // stands before each loop: [[unroll]] with GL_EXT_control_flow_attributes, [unroll] in HLSL
 #endif
 
 #ifndef GABOR_UNCHECKED // defined where the macros are constants that #if cannot know
@@ -60,6 +54,98 @@ precision highp int;
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 #endif
+// ---- Functions -----------------------------------------------------------------------------------------------------
+
+// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
+// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
+//                10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of impulses
+//                are too coarse for the exact variance.
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; different seeds give independent noises
+// Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
+// GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+float gabor_noise(vec2 p, float frequency, float orientation, uint seed);
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed);
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines.
+// At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from
+// frequency 1.5 up.
+vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed);
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+vec2 gabor_phasor(vec2 value);
+
+// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the mean
+// and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells grow to fit,
+// and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for square
+// periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed);
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is gabor_noise of
+// some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at
+// 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed);
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+float gabor_unorm(float noise);
+
+// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+
+// A wave and its normalization: see gabor_kernel.
+struct GaborKernel {
+    vec2 wave;             // wave vector, cycles per kernel radius
+    float amplitude;       // K
+    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
+};
+
+// A position in cells, and how space and time repeat.
+struct GaborPlace {
+    ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
+    vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
+    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    ivec2 period; // in cells, 0 for none
+    float time;   // in periods of time: only its fraction counts
+};
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    vec2 value;
+    vec2 slope_x;
+    vec2 slope_y;
+};
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
+GaborKernel gabor_kernel(float frequency, float orientation);
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+GaborPlace gabor_place(ivec2 cell, vec2 local);
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed);
+
+// The noise at gabor_place(cell, local).
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
+//
+// with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
+// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
+// phase counts from its own impulse, so frequency and orientation may vary from place to place.
+//
+// [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+
 void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, vec3 window) {
 }
 void gabor_impl_check_macros() { // a macro of another type ends in an error here
@@ -190,34 +276,12 @@ float gabor_impl_relative_energy(float k, GaborEnergy energy) {
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
-struct GaborKernel { // see gabor_kernel
-    vec2 wave;             // wave vector, cycles per kernel radius
-    float amplitude;       // K
-    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
-};
-
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
 vec2 gabor_impl_window(float x) {
     vec3 c = GABOR_WINDOW;
     float u = max(1.0 - x * x, 0.0);
     return vec2(u * u * (c.x + u * (c.y + u * c.z)), -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z))));
 }
-
-// Where and when to evaluate, and the periods of space.
-struct GaborPlace {
-    ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
-    vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
-    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
-    ivec2 period; // in cells, 0 for none
-    float time;   // in periods of time: only its fraction counts
-};
-
-// The noise, imaginary, and its quadrature, real, the same with cosines for sines. What is not used costs nothing.
-struct GaborField {
-    vec2 value;   // (real, imaginary), each of mean 0 and variance 1
-    vec2 slope_x; // their derivatives along x, per kernel radius
-    vec2 slope_y; // along y
-};
 
 // A cell's coordinate within a period.
 int gabor_impl_wrap(int cell, int period) {
@@ -238,14 +302,13 @@ float gabor_impl_phase_gain(GaborKernel kernel, float time) {
     return inversesqrt(1.0 + u * (1.0 - kernel.variance_factor) / kernel.variance_factor);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
-// (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
 GaborPlace gabor_place(ivec2 cell, vec2 local) {
     return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), 0.0);
 }
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise. There are N R^2 impulses per unit area,
-// so by Campbell's theorem
+// There are N R^2 impulses per unit area, so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
 GaborKernel gabor_kernel(float frequency, float orientation) {
@@ -262,7 +325,6 @@ GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel(wave, amplitude * inversesqrt(variance_factor), variance_factor);
 }
 
-// The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
     vec2 whole = floor(place.local);
@@ -304,49 +366,29 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
-// gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
 float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
-// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
-//                steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude is used, within [10^-6, 10^6]. Above 64 the positions of
-//                impulses are too coarse for the exact variance.
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
-//   seed         any; each seed is another instance, independent of the others
-// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
-// turns about its own impulse. A slope of theirs adds to that of the noise.
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed) {
     GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// (quadrature, noise) at p: the quadrature has cosines where the noise has sines. At one place both have variance 1 and
-// are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
 vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
     return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
     float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
     return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
 }
 
-// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
-// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
-// fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
-// square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
     period = max(period, vec2(2.0));
     vec2 cells = floor(period * GABOR_RADIUS);
@@ -356,17 +398,12 @@ float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation,
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
-// a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
 float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
     place.time = time;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
-// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
 float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }

@@ -1,19 +1,11 @@
-// gabor_lattice.wgsl: exactly normalized Gabor noise in two dimensions, from random amplitudes on a lattice: for WGSL.
+// gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
-// The nodes (x_i, y_j) of a square lattice, R to the unit of length, have random complex amplitudes A_ij, independent
-// and normal, and each sends out a wave under a window that ends one unit, the kernel radius, from it along x and y:
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
-// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS nodes along each axis reach a point, R = GABOR_TAPS / 2;
-// as three or more evenly spaced shifts of cos and of cos^2 over their period sum to a constant,
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
-// and likewise for the squares of the derivatives: the variances of the noise, of its gradient and of its second
-// derivatives are the same at every place, at every frequency. The sum is normal where the amplitudes are. Each wave's
-// phase counts from its own node, so frequency and orientation may vary from place to place. From node to node it turns
-// by u = 2 pi F_x / R and v = 2 pi F_y / R; counted from node (0, 0), which is next to p, both axes separate:
-//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
-// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -21,6 +13,519 @@ const GABOR_NOISE_VERSION: u32 = 10100u;
 
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
+//                10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, up to 10^6
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; different seeds give independent noises
+// Frequency and orientation may vary from place to place: the noise is continuous where they are.
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1f), _e11, seed);
+        return _e12;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 2f), _e11, seed);
+        return _e12;
+    } else {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
+        return _e12;
+    }
+}
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    }
+}
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines;
+// at one place both have variance 1 and are independent.
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    }
+}
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
+
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_10 = 0f;
+    }
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_11 = _e23;
+    }
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+// Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
+fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise(p, frequency, orientation, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise(p, frequency, orientation, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise(p, frequency, orientation, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise(p, frequency, orientation, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+// Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
+// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter periods
+// narrow the windows.
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_2 = _e10;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise, at any
+// other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else if GABOR_TAPS == 4 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    }
+}
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
+
+// A seed for part `index` of a sum of independent noises.
+fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
+    return _e7;
+}
+
+// A wave vector: see gabor_kernel.
+struct GaborKernel {
+    wave: vec2<f32>,
+}
+
+// A position in nodes of the lattice, and how space and time repeat.
+struct GaborPlace {
+    cell: vec2<i32>,
+    local: vec2<f32>,
+    radius: vec2<f32>,
+    period: vec2<i32>,
+    animated: bool,
+    time: f32,
+}
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    let _e7 = gabor_impl_wave((0.15915494f * orientation));
+    return GaborKernel((min(abs(frequency), 1000000f) * _e7));
+}
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
+    } else if GABOR_TAPS == 4 {
+        return GaborPlace(cell, local, vec2(2f), vec2(0i), false, 0f);
+    } else {
+        return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
+    }
+}
+
+// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless
+// where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 1f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    } else if GABOR_TAPS == 4 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 2f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 2f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    } else {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 1.5f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1.5f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    }
+}
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    if GABOR_TAPS == 2 {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_3: GaborAxis;
+        var turn_4: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_3 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_3;
+        let _e44 = y_3;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_3;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
+        return _e72;
+    } else if GABOR_TAPS == 4 {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_4: GaborAxis;
+        var turn_4: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_4 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_4;
+        let _e44 = y_4;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_4;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
+        return _e72;
+    } else {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_4: GaborAxis;
+        var turn_4: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_4 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_4;
+        let _e44 = y_4;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_4 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_4;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_4;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
+        return _e72;
+    }
+}
+
+// The noise at gabor_place(cell, local).
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_3: GaborKernel;
+
+    kernel_3 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_3;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
+}
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
+// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+//
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
+// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+//
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//
+// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
+// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
+// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// normal.
+//
+// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
+// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+//
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 // A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
@@ -36,12 +541,6 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     let _e18 = word_1;
     let _e19 = word_1;
     return (_e18 ^ (_e19 >> 15u));
-}
-
-// The seed of noise `index` of a sum: those of different indices are independent.
-fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
-    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
-    return _e7;
 }
 
 // The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
@@ -236,27 +735,6 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
         return;
     }
-}
-
-struct GaborKernel {
-    wave: vec2<f32>,
-}
-
-// Where to evaluate, and how space and time close upon themselves.
-struct GaborPlace {
-    cell: vec2<i32>,
-    local: vec2<f32>,
-    radius: vec2<f32>,
-    period: vec2<i32>,
-    animated: bool,
-    time: f32,
-}
-
-// The noise as a complex number, the imaginary part the noise itself, and its derivatives per kernel radius.
-struct GaborField {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
 }
 
 // An index within a period.
@@ -758,467 +1236,4 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         let _e51 = turned;
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     }
-}
-
-// The noise at a place: what the functions below call.
-fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_3: GaborAxis;
-        var turn_4: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_3 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_3;
-        let _e44 = y_3;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_3;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_4;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
-        return _e72;
-    } else if GABOR_TAPS == 4 {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_4: GaborAxis;
-        var turn_4: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_4 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_4;
-        let _e44 = y_4;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_4;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_4;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
-        return _e72;
-    } else {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_4: GaborAxis;
-        var turn_4: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_4 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_4;
-        let _e44 = y_4;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_4;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_4;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
-        return _e72;
-    }
-}
-
-// (cell + local) / GABOR_RADIUS kernel radii, without periods, precise everywhere in a world of 2^32 cells each way.
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    if GABOR_TAPS == 2 {
-        return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
-    } else if GABOR_TAPS == 4 {
-        return GaborPlace(cell, local, vec2(2f), vec2(0i), false, 0f);
-    } else {
-        return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
-    }
-}
-
-// p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless where it
-// is 0: a whole number of nodes fits in a period, GABOR_TAPS at least and 2^31 at most.
-fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
-    if GABOR_TAPS == 2 {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_5: f32;
-        var local_6: f32;
-        var local_7: i32;
-        var local_8: i32;
-
-        nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 1f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
-        } else {
-            local_6 = 1f;
-        }
-        let _e48 = local_6;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
-        } else {
-            local_8 = 0i;
-        }
-        let _e68 = local_8;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
-    } else if GABOR_TAPS == 4 {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_5: f32;
-        var local_6: f32;
-        var local_7: i32;
-        var local_8: i32;
-
-        nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 2f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
-        } else {
-            local_6 = 2f;
-        }
-        let _e48 = local_6;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
-        } else {
-            local_8 = 0i;
-        }
-        let _e68 = local_8;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
-    } else {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_5: f32;
-        var local_6: f32;
-        var local_7: i32;
-        var local_8: i32;
-
-        nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 1.5f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
-        } else {
-            local_6 = 1.5f;
-        }
-        let _e48 = local_6;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
-        } else {
-            local_8 = 0i;
-        }
-        let _e68 = local_8;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
-    }
-}
-
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
-fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    let _e7 = gabor_impl_wave((0.15915494f * orientation));
-    return GaborKernel((min(abs(frequency), 1000000f) * _e7));
-}
-
-// The noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    var kernel_3: GaborKernel;
-
-    kernel_3 = kernel;
-    let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_3;
-    let _e7 = gabor_field(_e5, _e6, seed);
-    return _e7.value.y;
-}
-
-// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
-//                steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude is used, up to 10^6
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
-//   seed         any; each seed is another instance, independent of the others
-// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
-// turns about its own node. A slope of theirs adds to that of the noise.
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 1f), _e11, seed);
-        return _e12;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 2f), _e11, seed);
-        return _e12;
-    } else {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
-        return _e12;
-    }
-}
-
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
-// Second derivatives jump on the lines where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16
-// of their deviation at frequency 1, by 1.1 of it at 0.
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var field: GaborField;
-
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var field: GaborField;
-
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else {
-        var field: GaborField;
-
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    }
-}
-
-// (quadrature, noise) at p: as a complex number the noise is the imaginary part, and its quadrature the real one, with
-// cosines where the noise has sines. Both have mean 0 and variance 1, and at one place are independent.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else {
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    }
-}
-
-// Four independent noises at p: gabor_noise, and those of the seeds -1, -2, -3 of a sum, which no lobe has.
-fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise(p, frequency, orientation, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise(p, frequency, orientation, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise(p, frequency, orientation, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise(p, frequency, orientation, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
-}
-
-// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
-    var local_11: f32;
-
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_10 = 0f;
-    }
-    let _e13 = local_10;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_11 = _e23;
-    }
-    let _e25 = local_11;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
-
-// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation,
-// with the law of gabor_noise: windows become a little wider or narrower, so that a whole number of nodes fits.
-// Each period is from 1/1024 to 10^9; from 2 up windows change by a sixth at most, shorter ones make them as narrow.
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
-
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_2 = _e10;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1; at time 0 it is
-// gabor_noise. At every time it has the law of gabor_noise, and at all times and places together; its correlation with
-// itself falls with the time between as cos^2(pi time): 1/2 after a quarter of the period, 0 after half of it.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else if GABOR_TAPS == 4 {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    }
-}
-
-// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
-// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }

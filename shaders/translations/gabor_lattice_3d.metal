@@ -3,6 +3,14 @@
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
 //
+//     float n = gabor_noise_3d(p, 2.0, float3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1
+//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
+// As in the plane, of the nodes c of a lattice, R = 3/2 to the kernel radius, the nearest and its neighbours, 27, reach
+// a point with their waves under Hann's windows h, times independent normal amplitudes A:
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
+// Whatever the wave vector F is, the variance is 1 at every place: so F may follow a surface, which sees the frequency
+// asked for and no trace of the lattice. Several directions are a sum of independent noises, jointly normal like one.
+//
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_LATTICE_3D_METAL

@@ -1,30 +1,12 @@
 // clang-format off
-// gabor_materials.hpp: materials made of Gabor noise. Include it after gabor_lattice.hpp and gabor_spectrum.hpp: for C++ on the CPU.
+// gabor_materials.hpp: materials made of Gabor noise: for C++ on the CPU.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
-// Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
-// gabor_noise_filtered.
-//     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
-//     gabor_fabric         linen: a plain weave of uneven threads [5]
-//     gabor_leather        pebbled grain: cells between creases [8]
-//     gabor_marble         white, with veins of four sizes [12]
-//     gabor_sand           wind ripples, steep on one side, and grains [7]
-//     gabor_ripples        water under a light wind [14]
-//     gabor_brushed_metal  streaks along x [5]
-//     gabor_scratches      hairlines in a dark lacquer [28]
-//     gabor_zebra          stripes that fork, and hair [5]
-//     gabor_bark           furrows and plates, moss [11]
-//     gabor_carbon_fibre   a twill of black tows [3]
-//     gabor_strata         layers of sandstone, seen from the side [11]
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// How a nonlinear function f of noise is filtered: of a noise of variance 1 the pixel's filter leaves the value v, and
-// takes away the share r of the variance. What it took away is normal too, so that the pixel sees the mean of
-// f(v + sqrt(r) z) over normal z. The functions f below have that mean in closed form: a threshold is a normal
-// distribution function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile
-// along a phase a Fourier series. Materials multiply and mix functions of independent noises, so that filtered they
-// have the mean colour of the sharp ones at every distance; leather and the weaves fade to a mean that was measured.
+// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -38,11 +20,51 @@
 #define GABOR_MATERIALS_HPP
 
 struct GaborMaterial {
-    gabor_vec3 colour;     // the base colour of physically based shading, linear, of Rec. 709's primaries, within [0, 1]
+    gabor_vec3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // in units of p
-    float roughness; // as in glTF: its square is the width of the microfacets' slopes
-    float metalness; // 1: the base colour is that of its reflections
+    float roughness; // as in glTF
+    float metalness; // 0 or 1
 };
+
+// The materials at p, and in brackets how many noises each evaluates.
+GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed);          // a board: year rings cut lengthwise, pores, fibres [6]
+GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed);        // linen: a plain weave of uneven threads [5]
+GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed);       // pebbled grain: cells between creases [8]
+GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed);        // white, with veins of four sizes [12]
+GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed);          // wind ripples, steep on one side, and grains [7]
+GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed);       // water under a light wind [14]
+GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed); // streaks along x [5]
+GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed);     // hairlines in a dark lacquer [28]
+GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed);         // stripes that fork, and hair [5]
+GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed);          // furrows and plates, moss [11]
+GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed);  // a twill of black tows [3]
+GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed);        // layers of sandstone, seen from the side [11]
+
+// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
+// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
+// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -403,9 +425,8 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t see
     return gabor_impl_material(colour, height, 0.9f, 0.0f);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-// The materials listed above, at p.
 GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_wood(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
@@ -454,7 +475,6 @@ GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
     return gabor_impl_strata(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
 }
 
-// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_impl_wood(GaborPixel{p, dx, dy, true}, seed);
 }

@@ -1,29 +1,11 @@
-// gabor_materials.metal: materials made of Gabor noise. Include it after gabor_lattice.metal and gabor_spectrum.metal: for the Metal shading language.
+// gabor_materials.metal: materials made of Gabor noise: for the Metal shading language.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
 //
-// Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
-// gabor_noise_filtered.
-//     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
-//     gabor_fabric         linen: a plain weave of uneven threads [5]
-//     gabor_leather        pebbled grain: cells between creases [8]
-//     gabor_marble         white, with veins of four sizes [12]
-//     gabor_sand           wind ripples, steep on one side, and grains [7]
-//     gabor_ripples        water under a light wind [14]
-//     gabor_brushed_metal  streaks along x [5]
-//     gabor_scratches      hairlines in a dark lacquer [28]
-//     gabor_zebra          stripes that fork, and hair [5]
-//     gabor_bark           furrows and plates, moss [11]
-//     gabor_carbon_fibre   a twill of black tows [3]
-//     gabor_strata         layers of sandstone, seen from the side [11]
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// How a nonlinear function f of noise is filtered: of a noise of variance 1 the pixel's filter leaves the value v, and
-// takes away the share r of the variance. What it took away is normal too, so that the pixel sees the mean of
-// f(v + sqrt(r) z) over normal z. The functions f below have that mean in closed form: a threshold is a normal
-// distribution function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile
-// along a phase a Fourier series. Materials multiply and mix functions of independent noises, so that filtered they
-// have the mean colour of the sharp ones at every distance; leather and the weaves fade to a mean that was measured.
+// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -41,11 +23,51 @@
 using namespace metal;
 
 struct GaborMaterial {
-    float3 colour;     // the base colour of physically based shading, linear, of Rec. 709's primaries, within [0, 1]
+    float3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // in units of p
-    float roughness; // as in glTF: its square is the width of the microfacets' slopes
-    float metalness; // 1: the base colour is that of its reflections
+    float roughness; // as in glTF
+    float metalness; // 0 or 1
 };
+
+// The materials at p, and in brackets how many noises each evaluates.
+inline GaborMaterial gabor_wood(float2 p, uint seed);          // a board: year rings cut lengthwise, pores, fibres [6]
+inline GaborMaterial gabor_fabric(float2 p, uint seed);        // linen: a plain weave of uneven threads [5]
+inline GaborMaterial gabor_leather(float2 p, uint seed);       // pebbled grain: cells between creases [8]
+inline GaborMaterial gabor_marble(float2 p, uint seed);        // white, with veins of four sizes [12]
+inline GaborMaterial gabor_sand(float2 p, uint seed);          // wind ripples, steep on one side, and grains [7]
+inline GaborMaterial gabor_ripples(float2 p, uint seed);       // water under a light wind [14]
+inline GaborMaterial gabor_brushed_metal(float2 p, uint seed); // streaks along x [5]
+inline GaborMaterial gabor_scratches(float2 p, uint seed);     // hairlines in a dark lacquer [28]
+inline GaborMaterial gabor_zebra(float2 p, uint seed);         // stripes that fork, and hair [5]
+inline GaborMaterial gabor_bark(float2 p, uint seed);          // furrows and plates, moss [11]
+inline GaborMaterial gabor_carbon_fibre(float2 p, uint seed);  // a twill of black tows [3]
+inline GaborMaterial gabor_strata(float2 p, uint seed);        // layers of sandstone, seen from the side [11]
+
+// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
+// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+inline GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_scratches_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint seed);
+inline GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
+// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -406,9 +428,8 @@ inline GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, height, 0.9, 0.0);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-// The materials listed above, at p.
 inline GaborMaterial gabor_wood(float2 p, uint seed) {
     return gabor_impl_wood(GaborPixel{p, float2(0.0), float2(0.0), false}, seed);
 }
@@ -457,7 +478,6 @@ inline GaborMaterial gabor_strata(float2 p, uint seed) {
     return gabor_impl_strata(GaborPixel{p, float2(0.0), float2(0.0), false}, seed);
 }
 
-// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
 inline GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_impl_wood(GaborPixel{p, dx, dy, true}, seed);
 }

@@ -1,29 +1,11 @@
-// gabor_materials.wgsl: materials made of Gabor noise. Include it after gabor_lattice.wgsl and gabor_spectrum.wgsl: for WGSL.
+// gabor_materials.wgsl: materials made of Gabor noise: for WGSL.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
-// Each has both forms. A unit of p is about as much of it as one sees at a glance: four by four make a good picture.
-// In brackets, how many noises it evaluates; filtered, all but those that only move or bend the pattern cost as much as
-// gabor_noise_filtered.
-//     gabor_wood           a board: year rings cut lengthwise, pores, fibres [6]
-//     gabor_fabric         linen: a plain weave of uneven threads [5]
-//     gabor_leather        pebbled grain: cells between creases [8]
-//     gabor_marble         white, with veins of four sizes [12]
-//     gabor_sand           wind ripples, steep on one side, and grains [7]
-//     gabor_ripples        water under a light wind [14]
-//     gabor_brushed_metal  streaks along x [5]
-//     gabor_scratches      hairlines in a dark lacquer [28]
-//     gabor_zebra          stripes that fork, and hair [5]
-//     gabor_bark           furrows and plates, moss [11]
-//     gabor_carbon_fibre   a twill of black tows [3]
-//     gabor_strata         layers of sandstone, seen from the side [11]
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// How a nonlinear function f of noise is filtered: of a noise of variance 1 the pixel's filter leaves the value v, and
-// takes away the share r of the variance. What it took away is normal too, so that the pixel sees the mean of
-// f(v + sqrt(r) z) over normal z. The functions f below have that mean in closed form: a threshold is a normal
-// distribution function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile
-// along a phase a Fourier series. Materials multiply and mix functions of independent noises, so that filtered they
-// have the mean colour of the sharp ones at every distance; leather and the weaves fade to a mean that was measured.
+// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -33,6 +15,152 @@ struct GaborMaterial {
     roughness: f32,
     metalness: f32,
 }
+
+// The materials at p, and in brackets how many noises each evaluates.
+// a board: year rings cut lengthwise, pores, fibres [6]
+fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_wood(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// linen: a plain weave of uneven threads [5]
+fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_fabric(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// pebbled grain: cells between creases [8]
+fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_leather(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// white, with veins of four sizes [12]
+fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_marble(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// wind ripples, steep on one side, and grains [7]
+fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_sand(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// water under a light wind [14]
+fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_ripples(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// streaks along x [5]
+fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_brushed_metal(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// hairlines in a dark lacquer [28]
+fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_scratches(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// stripes that fork, and hair [5]
+fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_zebra(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// furrows and plates, moss [11]
+fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_bark(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// a twill of black tows [3]
+fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_carbon_fibre(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// layers of sandstone, seen from the side [11]
+fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e8 = gabor_impl_strata(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
+    return _e8;
+}
+
+// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
+// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_fabric(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_leather(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_marble(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_sand(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_ripples(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_brushed_metal(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_scratches(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_zebra(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_bark(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_carbon_fibre(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_impl_strata(GaborPixel(p, dx, dy, true), seed);
+    return _e6;
+}
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
+// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // A place and the steps to the neighbouring pixels.
 struct GaborPixel {
@@ -1218,126 +1346,4 @@ fn gabor_impl_strata(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e180 = height_7;
     let _e183 = gabor_impl_material(_e179, _e180, 0.9f, 0f);
     return _e183;
-}
-
-// The materials listed above, at p.
-fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_wood(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_fabric(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_leather(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_marble(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_sand(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_ripples(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_brushed_metal(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_scratches(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_zebra(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_bark(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_carbon_fibre(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_strata(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// The same averaged over a pixel; dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p).
-fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_fabric(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_leather(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_marble(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_sand(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_ripples(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_brushed_metal(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_scratches(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_zebra(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_bark(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_carbon_fibre(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
-}
-
-fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_strata(GaborPixel(p, dx, dy, true), seed);
-    return _e6;
 }

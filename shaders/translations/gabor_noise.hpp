@@ -1,18 +1,13 @@
 // clang-format off
-// gabor_noise.hpp: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. Paste or include it after
-// `#version`: GLSL 450, 330 core or 300 es. gabor_lattice.hpp has the same calls, is faster, and is normal at every
-// place: use this file for the paper's noise itself. The functions to call stand at its end. Every name begins with
-// gabor_, Gabor or GABOR_; those with gabor_impl_ are private: for C++ on the CPU.
+// gabor_noise.hpp: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for C++ on the CPU.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
-// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i))
-//
-// after Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019 [TNVT19]: with
-// a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place.
+// Use this file for the paper's noise itself. gabor_lattice.hpp has the same calls, is faster, and is normal at every
+// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -320,8 +315,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 #define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
 
-// ---- Recipe --------------------------------------------------------------------------------------------------------
-// Macros to define before the file; the defaults are the recipe `one`, README has a table of others.
+// ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
@@ -340,7 +334,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #define GABOR_WINDOW gabor_vec3(3.0f, -4.5f, 2.5f) // c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2
 #endif
 #ifndef GABOR_UNROLL
-#define GABOR_UNROLL // before each loop over impulses: [[unroll]] (GL_EXT_control_flow_attributes), [unroll] (HLSL)
+#define GABOR_UNROLL // stands before each loop: [[unroll]] with GL_EXT_control_flow_attributes, [unroll] in HLSL
 #endif
 
 #ifndef GABOR_UNCHECKED // defined where the macros are constants that #if cannot know
@@ -351,6 +345,98 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 #endif
+// ---- Functions -----------------------------------------------------------------------------------------------------
+
+// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
+// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
+//                10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of impulses
+//                are too coarse for the exact variance.
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; different seeds give independent noises
+// Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
+// GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed);
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed);
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines.
+// At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from
+// frequency 1.5 up.
+GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed);
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value);
+
+// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the mean
+// and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells grow to fit,
+// and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for square
+// periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed);
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is gabor_noise of
+// some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at
+// 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed);
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+GABOR_INLINE float gabor_unorm(float noise);
+
+// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+
+// A wave and its normalization: see gabor_kernel.
+struct GaborKernel {
+    gabor_vec2 wave;             // wave vector, cycles per kernel radius
+    float amplitude;       // K
+    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
+};
+
+// A position in cells, and how space and time repeat.
+struct GaborPlace {
+    gabor_ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
+    gabor_vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
+    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    gabor_ivec2 period; // in cells, 0 for none
+    float time;   // in periods of time: only its fraction counts
+};
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    gabor_vec2 value;
+    gabor_vec2 slope_x;
+    gabor_vec2 slope_y;
+};
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
+GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation);
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local);
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed);
+
+// The noise at gabor_place(cell, local).
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed);
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
+//
+// with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
+// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
+// phase counts from its own impulse, so frequency and orientation may vary from place to place.
+//
+// [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+
 GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window) {
 }
 GABOR_INLINE void gabor_impl_check_macros() { // a macro of another type ends in an error here
@@ -481,34 +567,12 @@ GABOR_INLINE float gabor_impl_relative_energy(float k, GaborEnergy energy) {
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
-struct GaborKernel { // see gabor_kernel
-    gabor_vec2 wave;             // wave vector, cycles per kernel radius
-    float amplitude;       // K
-    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
-};
-
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
 GABOR_INLINE gabor_vec2 gabor_impl_window(float x) {
     gabor_vec3 c = GABOR_WINDOW;
     float u = gabor_cpp_max(1.0f - x * x, 0.0f);
     return gabor_vec2(u * u * (c.x + u * (c.y + u * c.z)), -2.0f * x * u * (2.0f * c.x + u * (3.0f * c.y + u * (4.0f * c.z))));
 }
-
-// Where and when to evaluate, and the periods of space.
-struct GaborPlace {
-    gabor_ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
-    gabor_vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
-    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
-    gabor_ivec2 period; // in cells, 0 for none
-    float time;   // in periods of time: only its fraction counts
-};
-
-// The noise, imaginary, and its quadrature, real, the same with cosines for sines. What is not used costs nothing.
-struct GaborField {
-    gabor_vec2 value;   // (real, imaginary), each of mean 0 and variance 1
-    gabor_vec2 slope_x; // their derivatives along x, per kernel radius
-    gabor_vec2 slope_y; // along y
-};
 
 // A cell's coordinate within a period.
 GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
@@ -529,14 +593,13 @@ GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time) {
     return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel.variance_factor) / kernel.variance_factor);
 }
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
-// (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
 GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
     return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
 }
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise. There are N R^2 impulses per unit area,
-// so by Campbell's theorem
+// There are N R^2 impulses per unit area, so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
 GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
@@ -553,7 +616,6 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel{wave, amplitude * gabor_cpp_inversesqrt(variance_factor), variance_factor};
 }
 
-// The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
 GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
@@ -595,49 +657,29 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
-// gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
 GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
     return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
-// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
-//                steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude is used, within [10^-6, 10^6]. Above 64 the positions of
-//                impulses are too coarse for the exact variance.
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
-//   seed         any; each seed is another instance, independent of the others
-// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
-// turns about its own impulse. A slope of theirs adds to that of the noise.
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
 GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
     return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-// (quadrature, noise) at p: the quadrature has cosines where the noise has sines. At one place both have variance 1 and
-// are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
 GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
 GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
     float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
 }
 
-// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
-// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
-// fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
-// square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
     period = gabor_cpp_max(period, gabor_vec2(2.0f));
     gabor_vec2 cells = gabor_cpp_floor(period * GABOR_RADIUS);
@@ -647,17 +689,12 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
-// a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
 GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
     place.time = time;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
-// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
 GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }

@@ -1,21 +1,414 @@
-// gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in two dimensions, with unit variance. Paste or include it after
-// `#version`: GLSL 450, 330 core or 300 es. gabor_lattice.wgsl has the same calls, is faster, and is normal at every
-// place: use this file for the paper's noise itself. The functions to call stand at its end. Every name begins with
-// gabor_, Gabor or GABOR_; those with gabor_impl_ are private: for WGSL.
+// gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
-// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i))
-//
-// after Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019 [TNVT19]: with
-// a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place.
+// Use this file for the paper's noise itself. gabor_lattice.wgsl has the same calls, is faster, and is normal at every
+// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 const GABOR_NOISE_VERSION: u32 = 10100u;
+
+// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
+// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
+//                10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of impulses
+//                are too coarse for the exact variance.
+//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   seed         any; different seeds give independent noises
+// Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
+// GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    let _e8 = gabor_kernel(frequency, orientation);
+    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
+    return _e9;
+}
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    var field: GaborField;
+
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    field = _e10;
+    let _e12 = field;
+    let _e15 = field;
+    let _e18 = field;
+    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
+}
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines.
+// At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from
+// frequency 1.5 up.
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    return _e10.value;
+}
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
+
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_10 = 0f;
+    }
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_11 = _e23;
+    }
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the mean
+// and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells grow to fit,
+// and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for square
+// periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var period_2: vec2<f32>;
+    var cells: vec2<f32>;
+    var radius: vec2<f32>;
+    var within_1: vec2<f32>;
+    var place_1: GaborPlace;
+
+    period_2 = period;
+    let _e6 = period_2;
+    period_2 = max(_e6, vec2(2f));
+    let _e10 = period_2;
+    cells = floor((_e10 * 1f));
+    let _e15 = cells;
+    let _e16 = period_2;
+    radius = (_e15 / _e16);
+    let _e19 = period_2;
+    let _e22 = period_2;
+    within_1 = (p - (floor((p / _e19)) * _e22));
+    let _e28 = within_1;
+    let _e29 = radius;
+    let _e31 = radius;
+    let _e32 = cells;
+    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
+    let _e37 = place_1;
+    let _e38 = gabor_kernel(frequency, orientation);
+    let _e39 = gabor_field(_e37, _e38, seed);
+    return _e39.value.y;
+}
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is gabor_noise of
+// some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at
+// 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+
+    let _e9 = gabor_place(vec2(0i), (p * 1f));
+    place_2 = _e9;
+    place_2.time = time;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
+
+// A wave and its normalization: see gabor_kernel.
+struct GaborKernel {
+    wave: vec2<f32>,
+    amplitude: f32,
+    variance_factor: f32,
+}
+
+// A position in cells, and how space and time repeat.
+struct GaborPlace {
+    cell: vec2<i32>,
+    local: vec2<f32>,
+    radius: vec2<f32>,
+    period: vec2<i32>,
+    time: f32,
+}
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    var local_7: f32;
+    var wave: vec2<f32>;
+    var energy_1: GaborEnergy;
+    var density: f32 = 1f;
+    var power: f32 = 0.7278125f;
+    var amplitude: f32;
+    var x_1: f32;
+    var y_1: f32;
+    var variance_factor: f32;
+
+    if (abs(frequency) > 0.000001f) {
+        local_7 = abs(frequency);
+    } else {
+        local_7 = 0.000001f;
+    }
+    let _e8 = local_7;
+    let _e11 = gabor_impl_direction(orientation);
+    wave = (min(_e8, 1000000f) * _e11);
+    let _e14 = gabor_impl_energy();
+    energy_1 = _e14;
+    let _e32 = density;
+    let _e34 = power;
+    let _e36 = energy_1;
+    let _e39 = energy_1;
+    amplitude = inverseSqrt(((((0.5f * _e32) * _e34) * _e36.sum) * _e39.sum));
+    if true {
+        let _e47 = wave;
+        let _e48 = amplitude;
+        return GaborKernel(_e47, _e48, 1f);
+    }
+    let _e51 = wave;
+    let _e53 = energy_1;
+    let _e54 = gabor_impl_relative_energy(_e51.x, _e53);
+    x_1 = _e54;
+    let _e56 = wave;
+    let _e58 = energy_1;
+    let _e59 = gabor_impl_relative_energy(_e56.y, _e58);
+    y_1 = _e59;
+    let _e61 = x_1;
+    let _e62 = y_1;
+    let _e64 = x_1;
+    let _e65 = y_1;
+    variance_factor = ((_e61 + _e62) - (_e64 * _e65));
+    let _e69 = wave;
+    let _e70 = amplitude;
+    let _e71 = variance_factor;
+    let _e74 = variance_factor;
+    return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
+}
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
+}
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    var kernel_3: GaborKernel;
+    var visited: i32 = 3i;
+    var whole: vec2<f32>;
+    var local_8: vec2<f32>;
+    var first: vec2<f32>;
+    var cell_2: vec2<i32>;
+    var cell_side: vec2<f32>;
+    var time_1: f32;
+    var seed_word_1: u32;
+    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var j: i32 = 0i;
+    var row_word_1: u32;
+    var i_1: i32;
+    var column_1: i32;
+    var k_1: i32;
+    var word_3: u32;
+    var impulse: GaborImpulse;
+    var d: vec2<f32>;
+    var turns: f32;
+    var x_2: vec2<f32>;
+    var y_2: vec2<f32>;
+    var wave_1: vec2<f32>;
+    var turned: vec2<f32>;
+    var scale: f32;
+
+    kernel_3 = kernel;
+    whole = floor(place.local);
+    let _e16 = whole;
+    local_8 = (place.local - _e16);
+    let _e19 = local_8;
+    first = floor((_e19 - place.radius));
+    let _e25 = whole;
+    let _e26 = first;
+    cell_2 = (place.cell + vec2<i32>((_e25 + _e26)));
+    let _e31 = first;
+    first = (_e31 - vec2(1f));
+    cell_side = (vec2(1f) / place.radius);
+    time_1 = fract(place.time);
+    let _e43 = gabor_impl_seed_word(seed);
+    seed_word_1 = _e43;
+    loop {
+        let _e55 = j;
+        let _e56 = visited;
+        if !((_e55 < _e56)) {
+            break;
+        }
+        {
+            let _e62 = cell_2;
+            let _e64 = j;
+            let _e68 = gabor_impl_wrap((_e62.y + _e64), place.period.y);
+            let _e69 = seed_word_1;
+            let _e70 = gabor_impl_row_word(_e68, _e69);
+            row_word_1 = _e70;
+            i_1 = 0i;
+            loop {
+                let _e74 = i_1;
+                let _e75 = visited;
+                if !((_e74 < _e75)) {
+                    break;
+                }
+                {
+                    let _e81 = cell_2;
+                    let _e83 = i_1;
+                    let _e87 = gabor_impl_wrap((_e81.x + _e83), place.period.x);
+                    column_1 = _e87;
+                    k_1 = 0i;
+                    loop {
+                        let _e91 = k_1;
+                        if !((_e91 < 1i)) {
+                            break;
+                        }
+                        {
+                            let _e98 = column_1;
+                            let _e99 = row_word_1;
+                            let _e100 = k_1;
+                            let _e101 = gabor_impl_impulse_word(_e98, _e99, _e100);
+                            word_3 = _e101;
+                            let _e103 = word_3;
+                            let _e104 = gabor_impl_impulse(_e103);
+                            impulse = _e104;
+                            let _e106 = local_8;
+                            let _e107 = impulse;
+                            let _e109 = first;
+                            let _e110 = i_1;
+                            let _e112 = j;
+                            let _e118 = cell_side;
+                            d = ((_e106 - (_e107.position_plus_one + (_e109 + vec2<f32>(f32(_e110), f32(_e112))))) * _e118);
+                            let _e121 = d;
+                            let _e124 = d;
+                            if (max(abs(_e121.x), abs(_e124.y)) < 1f) {
+                                {
+                                    let _e130 = kernel_3;
+                                    let _e132 = d;
+                                    let _e134 = impulse;
+                                    let _e137 = impulse;
+                                    let _e139 = time_1;
+                                    turns = ((dot(_e130.wave, _e132) + _e134.phase) + (_e137.phase_rate * _e139));
+                                    let _e143 = d;
+                                    let _e145 = gabor_impl_window(_e143.x);
+                                    x_2 = _e145;
+                                    let _e147 = d;
+                                    let _e149 = gabor_impl_window(_e147.y);
+                                    y_2 = _e149;
+                                    let _e151 = impulse;
+                                    let _e153 = turns;
+                                    let _e156 = gabor_impl_sine((_e153 + 0.25f));
+                                    let _e157 = turns;
+                                    let _e158 = gabor_impl_sine(_e157);
+                                    wave_1 = (_e151.magnitude * vec2<f32>(_e156, _e158));
+                                    let _e163 = x_2;
+                                    let _e166 = y_2;
+                                    let _e169 = wave_1;
+                                    let _e172 = wave_1;
+                                    turned = (((6.2831855f * _e163.x) * _e166.x) * vec2<f32>(-(_e169.y), _e172.x));
+                                    let _e178 = sum;
+                                    let _e180 = x_2;
+                                    let _e182 = y_2;
+                                    let _e185 = wave_1;
+                                    sum.value = (_e178.value + ((_e180.x * _e182.x) * _e185));
+                                    let _e189 = sum;
+                                    let _e191 = x_2;
+                                    let _e193 = y_2;
+                                    let _e196 = wave_1;
+                                    let _e198 = kernel_3;
+                                    let _e201 = turned;
+                                    sum.slope_x = (_e189.slope_x + (((_e191.y * _e193.x) * _e196) + (_e198.wave.x * _e201)));
+                                    let _e206 = sum;
+                                    let _e208 = y_2;
+                                    let _e210 = x_2;
+                                    let _e213 = wave_1;
+                                    let _e215 = kernel_3;
+                                    let _e218 = turned;
+                                    sum.slope_y = (_e206.slope_y + (((_e208.y * _e210.x) * _e213) + (_e215.wave.y * _e218)));
+                                }
+                            }
+                        }
+                        continuing {
+                            let _e95 = k_1;
+                            k_1 = (_e95 + 1i);
+                        }
+                    }
+                }
+                continuing {
+                    let _e78 = i_1;
+                    i_1 = (_e78 + 1i);
+                }
+            }
+        }
+        continuing {
+            let _e59 = j;
+            j = (_e59 + 1i);
+        }
+    }
+    let _e222 = kernel_3;
+    let _e233 = kernel_3;
+    let _e234 = time_1;
+    let _e235 = gabor_impl_phase_gain(_e233, _e234);
+    scale = (((_e222.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e235);
+    let _e238 = scale;
+    let _e239 = sum;
+    let _e242 = scale;
+    let _e243 = sum;
+    let _e246 = scale;
+    let _e247 = sum;
+    return GaborField((_e238 * _e239.value), (_e242 * _e243.slope_x), (_e246 * _e247.slope_y));
+}
+
+// The noise at gabor_place(cell, local).
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_5: GaborKernel;
+
+    kernel_5 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_5;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
+}
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
+//
+// with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
+// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
+// phase counts from its own impulse, so frequency and orientation may vary from place to place.
+//
+// [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 // A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
 // The salt enters between them, so that the sequences of two salts share no run.
@@ -340,12 +733,6 @@ fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
-struct GaborKernel {
-    wave: vec2<f32>,
-    amplitude: f32,
-    variance_factor: f32,
-}
-
 // The window q along one axis, 0 from |x| = 1 on, and its derivative.
 fn gabor_impl_window(x: f32) -> vec2<f32> {
     var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
@@ -366,22 +753,6 @@ fn gabor_impl_window(x: f32) -> vec2<f32> {
     let _e43 = u;
     let _e45 = c_1;
     return vec2<f32>(((_e13 * _e14) * (_e16.x + (_e18 * (_e19.y + (_e21 * _e22.z))))), (((-2f * x) * _e32) * ((2f * _e35.x) + (_e38 * ((3f * _e40.y) + (_e43 * (4f * _e45.z)))))));
-}
-
-// Where and when to evaluate, and the periods of space.
-struct GaborPlace {
-    cell: vec2<i32>,
-    local: vec2<f32>,
-    radius: vec2<f32>,
-    period: vec2<i32>,
-    time: f32,
-}
-
-// The noise, imaginary, and its quadrature, real, the same with cosines for sines. What is not used costs nothing.
-struct GaborField {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
 }
 
 // A cell's coordinate within a period.
@@ -428,368 +799,4 @@ fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
     let _e31 = kernel_1;
     let _e35 = kernel_1;
     return inverseSqrt((1f + ((_e29 * (1f - _e31.variance_factor)) / _e35.variance_factor)));
-}
-
-// ---- The functions to call -----------------------------------------------------------------------------------------
-// (cell + local) / GABOR_RADIUS kernel radii, without periods, at time 0: in full precision in a world of 2^32 cells.
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
-}
-
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise. There are N R^2 impulses per unit area,
-// so by Campbell's theorem
-//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
-// With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
-fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    var local_7: f32;
-    var wave: vec2<f32>;
-    var energy_1: GaborEnergy;
-    var density: f32 = 1f;
-    var power: f32 = 0.7278125f;
-    var amplitude: f32;
-    var x_1: f32;
-    var y_1: f32;
-    var variance_factor: f32;
-
-    if (abs(frequency) > 0.000001f) {
-        local_7 = abs(frequency);
-    } else {
-        local_7 = 0.000001f;
-    }
-    let _e8 = local_7;
-    let _e11 = gabor_impl_direction(orientation);
-    wave = (min(_e8, 1000000f) * _e11);
-    let _e14 = gabor_impl_energy();
-    energy_1 = _e14;
-    let _e32 = density;
-    let _e34 = power;
-    let _e36 = energy_1;
-    let _e39 = energy_1;
-    amplitude = inverseSqrt(((((0.5f * _e32) * _e34) * _e36.sum) * _e39.sum));
-    if true {
-        let _e47 = wave;
-        let _e48 = amplitude;
-        return GaborKernel(_e47, _e48, 1f);
-    }
-    let _e51 = wave;
-    let _e53 = energy_1;
-    let _e54 = gabor_impl_relative_energy(_e51.x, _e53);
-    x_1 = _e54;
-    let _e56 = wave;
-    let _e58 = energy_1;
-    let _e59 = gabor_impl_relative_energy(_e56.y, _e58);
-    y_1 = _e59;
-    let _e61 = x_1;
-    let _e62 = y_1;
-    let _e64 = x_1;
-    let _e65 = y_1;
-    variance_factor = ((_e61 + _e62) - (_e64 * _e65));
-    let _e69 = wave;
-    let _e70 = amplitude;
-    let _e71 = variance_factor;
-    let _e74 = variance_factor;
-    return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
-}
-
-// The noise at a place, which all functions below call: visits (ceil(2 R) + 1)^2 N impulses, 9 for the default recipe.
-fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var kernel_3: GaborKernel;
-    var visited: i32 = 3i;
-    var whole: vec2<f32>;
-    var local_8: vec2<f32>;
-    var first: vec2<f32>;
-    var cell_2: vec2<i32>;
-    var cell_side: vec2<f32>;
-    var time_1: f32;
-    var seed_word_1: u32;
-    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-    var j: i32 = 0i;
-    var row_word_1: u32;
-    var i_1: i32;
-    var column_1: i32;
-    var k_1: i32;
-    var word_3: u32;
-    var impulse: GaborImpulse;
-    var d: vec2<f32>;
-    var turns: f32;
-    var x_2: vec2<f32>;
-    var y_2: vec2<f32>;
-    var wave_1: vec2<f32>;
-    var turned: vec2<f32>;
-    var scale: f32;
-
-    kernel_3 = kernel;
-    whole = floor(place.local);
-    let _e16 = whole;
-    local_8 = (place.local - _e16);
-    let _e19 = local_8;
-    first = floor((_e19 - place.radius));
-    let _e25 = whole;
-    let _e26 = first;
-    cell_2 = (place.cell + vec2<i32>((_e25 + _e26)));
-    let _e31 = first;
-    first = (_e31 - vec2(1f));
-    cell_side = (vec2(1f) / place.radius);
-    time_1 = fract(place.time);
-    let _e43 = gabor_impl_seed_word(seed);
-    seed_word_1 = _e43;
-    loop {
-        let _e55 = j;
-        let _e56 = visited;
-        if !((_e55 < _e56)) {
-            break;
-        }
-        {
-            let _e62 = cell_2;
-            let _e64 = j;
-            let _e68 = gabor_impl_wrap((_e62.y + _e64), place.period.y);
-            let _e69 = seed_word_1;
-            let _e70 = gabor_impl_row_word(_e68, _e69);
-            row_word_1 = _e70;
-            i_1 = 0i;
-            loop {
-                let _e74 = i_1;
-                let _e75 = visited;
-                if !((_e74 < _e75)) {
-                    break;
-                }
-                {
-                    let _e81 = cell_2;
-                    let _e83 = i_1;
-                    let _e87 = gabor_impl_wrap((_e81.x + _e83), place.period.x);
-                    column_1 = _e87;
-                    k_1 = 0i;
-                    loop {
-                        let _e91 = k_1;
-                        if !((_e91 < 1i)) {
-                            break;
-                        }
-                        {
-                            let _e98 = column_1;
-                            let _e99 = row_word_1;
-                            let _e100 = k_1;
-                            let _e101 = gabor_impl_impulse_word(_e98, _e99, _e100);
-                            word_3 = _e101;
-                            let _e103 = word_3;
-                            let _e104 = gabor_impl_impulse(_e103);
-                            impulse = _e104;
-                            let _e106 = local_8;
-                            let _e107 = impulse;
-                            let _e109 = first;
-                            let _e110 = i_1;
-                            let _e112 = j;
-                            let _e118 = cell_side;
-                            d = ((_e106 - (_e107.position_plus_one + (_e109 + vec2<f32>(f32(_e110), f32(_e112))))) * _e118);
-                            let _e121 = d;
-                            let _e124 = d;
-                            if (max(abs(_e121.x), abs(_e124.y)) < 1f) {
-                                {
-                                    let _e130 = kernel_3;
-                                    let _e132 = d;
-                                    let _e134 = impulse;
-                                    let _e137 = impulse;
-                                    let _e139 = time_1;
-                                    turns = ((dot(_e130.wave, _e132) + _e134.phase) + (_e137.phase_rate * _e139));
-                                    let _e143 = d;
-                                    let _e145 = gabor_impl_window(_e143.x);
-                                    x_2 = _e145;
-                                    let _e147 = d;
-                                    let _e149 = gabor_impl_window(_e147.y);
-                                    y_2 = _e149;
-                                    let _e151 = impulse;
-                                    let _e153 = turns;
-                                    let _e156 = gabor_impl_sine((_e153 + 0.25f));
-                                    let _e157 = turns;
-                                    let _e158 = gabor_impl_sine(_e157);
-                                    wave_1 = (_e151.magnitude * vec2<f32>(_e156, _e158));
-                                    let _e163 = x_2;
-                                    let _e166 = y_2;
-                                    let _e169 = wave_1;
-                                    let _e172 = wave_1;
-                                    turned = (((6.2831855f * _e163.x) * _e166.x) * vec2<f32>(-(_e169.y), _e172.x));
-                                    let _e178 = sum;
-                                    let _e180 = x_2;
-                                    let _e182 = y_2;
-                                    let _e185 = wave_1;
-                                    sum.value = (_e178.value + ((_e180.x * _e182.x) * _e185));
-                                    let _e189 = sum;
-                                    let _e191 = x_2;
-                                    let _e193 = y_2;
-                                    let _e196 = wave_1;
-                                    let _e198 = kernel_3;
-                                    let _e201 = turned;
-                                    sum.slope_x = (_e189.slope_x + (((_e191.y * _e193.x) * _e196) + (_e198.wave.x * _e201)));
-                                    let _e206 = sum;
-                                    let _e208 = y_2;
-                                    let _e210 = x_2;
-                                    let _e213 = wave_1;
-                                    let _e215 = kernel_3;
-                                    let _e218 = turned;
-                                    sum.slope_y = (_e206.slope_y + (((_e208.y * _e210.x) * _e213) + (_e215.wave.y * _e218)));
-                                }
-                            }
-                        }
-                        continuing {
-                            let _e95 = k_1;
-                            k_1 = (_e95 + 1i);
-                        }
-                    }
-                }
-                continuing {
-                    let _e78 = i_1;
-                    i_1 = (_e78 + 1i);
-                }
-            }
-        }
-        continuing {
-            let _e59 = j;
-            j = (_e59 + 1i);
-        }
-    }
-    let _e222 = kernel_3;
-    let _e233 = kernel_3;
-    let _e234 = time_1;
-    let _e235 = gabor_impl_phase_gain(_e233, _e234);
-    scale = (((_e222.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e235);
-    let _e238 = scale;
-    let _e239 = sum;
-    let _e242 = scale;
-    let _e243 = sum;
-    let _e246 = scale;
-    let _e247 = sum;
-    return GaborField((_e238 * _e239.value), (_e242 * _e243.slope_x), (_e246 * _e247.slope_y));
-}
-
-// gabor_noise at (cell + local) / GABOR_RADIUS kernel radii, in full precision everywhere.
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    var kernel_5: GaborKernel;
-
-    kernel_5 = kernel;
-    let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_5;
-    let _e7 = gabor_field(_e5, _e6, seed);
-    return _e7.value.y;
-}
-
-// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / R. Where p is large its own rounding shows: at 10^5 a float
-//                steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude is used, within [10^-6, 10^6]. Above 64 the positions of
-//                impulses are too coarse for the exact variance.
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400.
-//   seed         any; each seed is another instance, independent of the others
-// Frequency and orientation may vary from place to place: where they are continuous so is the noise, for each wave
-// turns about its own impulse. A slope of theirs adds to that of the noise.
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e8 = gabor_kernel(frequency, orientation);
-    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
-    return _e9;
-}
-
-// The noise at p and its analytic gradient: (noise, d/dx, d/dy), derivatives per kernel radius, continuous everywhere.
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
-
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    field = _e10;
-    let _e12 = field;
-    let _e15 = field;
-    let _e18 = field;
-    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
-}
-
-// (quadrature, noise) at p: the quadrature has cosines where the noise has sines. At one place both have variance 1 and
-// are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from frequency 1.5 up.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    return _e10.value;
-}
-
-// Phase, in turns within [0, 1), and intensity of a complex value [Tricard et al., "Procedural phasor noise", 2019]:
-// any profile of the phase, such as sin(6.2831853 * phase) or step(phase, width), is a pattern of even contrast.
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
-    var local_11: f32;
-
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_10 = 0f;
-    }
-    let _e13 = local_10;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_11 = _e23;
-    }
-    let _e25 = local_11;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
-
-// Gabor noise that repeats after `period` kernel radii along x and y, exactly, whatever the frequency and orientation.
-// Mean and variance are those of gabor_noise. So is the rest of the law where period * R is whole; else cells grow to
-// fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for
-// square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, is taken as 2.
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var period_2: vec2<f32>;
-    var cells: vec2<f32>;
-    var radius: vec2<f32>;
-    var within_1: vec2<f32>;
-    var place_1: GaborPlace;
-
-    period_2 = period;
-    let _e6 = period_2;
-    period_2 = max(_e6, vec2(2f));
-    let _e10 = period_2;
-    cells = floor((_e10 * 1f));
-    let _e15 = cells;
-    let _e16 = period_2;
-    radius = (_e15 / _e16);
-    let _e19 = period_2;
-    let _e22 = period_2;
-    within_1 = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within_1;
-    let _e29 = radius;
-    let _e31 = radius;
-    let _e32 = cells;
-    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
-    let _e37 = place_1;
-    let _e38 = gabor_kernel(frequency, orientation);
-    let _e39 = gabor_field(_e37, _e38, seed);
-    return _e39.value.y;
-}
-
-// Gabor noise that evolves in place, without drift, and is itself again whenever `time` has gone by 1. At every time it
-// is gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at
-// a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
-
-    let _e9 = gabor_place(vec2(0i), (p * 1f));
-    place_2 = _e9;
-    place_2.time = time;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-// Maps noise of variance 1 to [0, 1] as the paper does: the mean to 0.5 and two standard deviations to the ends, which
-// keeps 95 % of the histogram inside [TNVT19, figure 4]; the rest is clamped.
-fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }

@@ -88,7 +88,7 @@ USE_MORE = {
 """,
     "gabor_materials": "".join(
         f"    noise += {material}(p, 7u).colour.x + {material}_filtered(p, p, p.yx, 7u).height;\n"
-        for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(", SOURCES["gabor_materials"], re.MULTILINE)),
+        for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(.*;", SOURCES["gabor_materials"], re.MULTILINE)),
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
            "    color = vec4(gabor_unorm(noise));\n}}\n"
@@ -225,9 +225,19 @@ class Names(unittest.TestCase):
         # WGSL tells functions apart by their names alone.
         for files in FILES.values():
             code = strip_comments("".join((SHADERS / f"{file}.glsl").read_text() for file in files))
-            found = re.findall(r"^\w+ (gabor_\w+)\(", re.sub(r"^#(?:elif|else)(?:.|\n)*?^#endif", "", code, flags=re.MULTILINE),
-                               re.MULTILINE)
+            code = re.sub(r"^#(?:elif|else)(?:.|\n)*?^#endif", "", code, flags=re.MULTILINE)
+            found = re.findall(r"^\w+ (gabor_\w+)\([^)]*\)\s*\{", code, re.MULTILINE)
             self.assertEqual({name for name in found if found.count(name) > 1}, set())
+
+    def test_the_users_part_declares_what_the_private_part_defines(self):
+        for name in FILES:
+            text = (SHADERS / f"{name}.glsl").read_text()
+            if "// Private implementation\n" not in text:
+                continue
+            user, private = map(strip_comments, text.split("// Private implementation\n"))
+            declared = re.findall(r"^\w+ (gabor_\w+)\([^)]*\);", user, re.MULTILINE)
+            defined = re.findall(r"^\w+ (gabor_(?!impl_)\w+)\([^)]*\)\s*\{", private, re.MULTILINE)
+            self.assertEqual(sorted(declared), sorted(defined), name)
 
     def test_its_messages_have_no_quotes(self):
         # naga, which wgpu reads GLSL with, takes words and numbers only.
