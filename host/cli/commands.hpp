@@ -8,10 +8,7 @@ namespace gabor::cli {
 void add_render_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
-void add_bench_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
-void add_study_command(CLI::App& app);
-void add_merge_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
 

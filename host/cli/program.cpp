@@ -1,20 +1,23 @@
 #include "cli/program.hpp"
 
-#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "vulkan/device.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <fcntl.h>
+#include <initializer_list>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 #include <vector>
 
 namespace gabor::cli {
@@ -22,10 +25,10 @@ namespace gabor::cli {
 namespace {
 
 // One line on stderr, whatever the message holds: names from files may hold control characters.
-int fail(int status, std::string message) {
+int fail(const Program& program, int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
-    std::fputs(fmt::format("gabor: {}\n", message).c_str(),
+    std::fputs(fmt::format("{}: {}\n", program.name, message).c_str(),
                stderr); // if nobody reads it, the status still tells
     return status;
 }
@@ -71,25 +74,18 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
 
 std::string where_to_look(const CLI::App& app) {
     const std::vector<CLI::App*> chosen = app.get_subcommands();
-    return fmt::format("gabor {}--help lists what is accepted",
+    return fmt::format("{} {}--help lists what is accepted", app.get_name(),
                        chosen.empty() ? "" : chosen.front()->get_name() + " ");
 }
 
-int parse_and_work(int argc, const char* const* argv) {
-    CLI::App app("Renders Gabor noise, and measures it.", "gabor");
+int parse_and_work(const Program& program, int argc, const char* const* argv) {
+    CLI::App app(program.description, program.name);
     app.formatter(std::make_shared<Formatter>());
-    app.set_version_flag("--version", "gabor " GABOR_VERSION);
+    app.set_version_flag("--version", program.name + " " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
     app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
-    add_render_command(app);
-    add_join_command(app);
-    add_stats_command(app);
-    add_bench_command(app);
-    add_fit_command(app);
-    add_study_command(app);
-    add_merge_command(app);
-    add_devices_command(app);
-    add_recipes_command(app);
+    for (const auto& add : program.commands)
+        add(app);
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
@@ -100,29 +96,37 @@ int parse_and_work(int argc, const char* const* argv) {
             app.exit(error); // prints what --help and --version ask for
         else if (!words
                       .empty()) // also where an option is missing, which may be what the word was meant to be
-            return fail(2, fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
-                                       where_to_look(app)));
+            return fail(program, 2,
+                        fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
+                                    where_to_look(app)));
         else
-            return fail(2, fmt::format("{} ({})", error.what(), where_to_look(app)));
+            return fail(program, 2, fmt::format("{} ({})", error.what(), where_to_look(app)));
     } catch (const RequestError& error) {
-        return fail(2, error.what());
+        return fail(program, 2, error.what());
     } catch (const std::exception& error) {
-        return fail(1, error.what());
+        return fail(program, 1, error.what());
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        return fail(1, "cannot write to the standard output");
+        return fail(program, 1, "cannot write to the standard output");
     if (const int messages = vulkan::validation_messages())
-        return fail(1, fmt::format("{} message(s) from the validation layers", messages));
+        return fail(program, 1, fmt::format("{} message(s) from the validation layers", messages));
     return 0;
 }
 
 } // namespace
 
-int run(int argc, const char* const* argv) {
+int run(const Program& program, int argc, const char* const* argv) {
+    // The next file that is opened would take the place of a standard stream that is closed, and what is
+    // printed would go into it. What stands in for it cannot be written, so that printing fails.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0)
+            ::open("/dev/null", O_RDONLY);
+    std::signal(SIGPIPE, SIG_IGN); // a reader who goes away is an error like any other
+    std::signal(SIGXFSZ, SIG_IGN); // so is a file that grows too large
     try {
-        return parse_and_work(argc, argv);
+        return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {
-        fail(1, "interrupted; nothing half-done was kept");
+        fail(program, 1, "interrupted; nothing half-done was kept");
         // End as the signal would have, so that shells and queues see why.
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal);

@@ -1,4 +1,4 @@
-"""`gabor bench`: what it reports, not how fast it was."""
+"""`gabor-lab bench`: what it reports, not how fast it was."""
 
 import datetime
 import json
@@ -43,7 +43,7 @@ class Bench(ProgramTest):
         page = self.folder / "page.md"
         page.write_text("before\n<!-- tools/performance -->\nold\n<!-- end -->\nafter\n")
         shutil.copy(ROOT / "tests/bench/recorded_isa.json", self.folder / "isa.json")
-        subprocess.run([ROOT / "tools/performance", "--program", PROGRAM, "--quick", "--figures", self.folder, "--page",
+        subprocess.run([ROOT / "tools/performance", "--programs", pathlib.Path(PROGRAM).parent, "--quick", "--figures", self.folder, "--page",
                         page], check=True, env=environment())
         text = page.read_text()
         self.assertRegex(text, r"\Abefore\n<!-- tools/performance -->\n## (?s:.*)<!-- end -->\nafter\n\Z")

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["GABOR_PROGRAM"]
+NAME = pathlib.Path(PROGRAM).name
 LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, where it is
 
 
@@ -24,8 +25,8 @@ def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
                           stderr=subprocess.PIPE, text=True, errors="replace", timeout=900)
 
 
-def start(*arguments, cwd):
-    return subprocess.Popen([PROGRAM, *arguments], cwd=cwd, env=environment(), stdout=subprocess.PIPE,
+def start(*arguments, cwd, command=(PROGRAM,)):
+    return subprocess.Popen([*command, *arguments], cwd=cwd, env=environment(), stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, text=True)
 
 
@@ -45,7 +46,7 @@ class ProgramTest(unittest.TestCase):
     def succeed(self, *arguments, **options):
         """Runs the program, which must succeed in silence on stderr; returns its stdout."""
         result = gabor(*arguments, cwd=self.folder, **options)
-        self.assertEqual((result.returncode, result.stderr), (0, ""), f"gabor {arguments}")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), f"{NAME} {arguments}")
         return result.stdout
 
     def assert_fails(self, status, words, *arguments, **options):
@@ -53,9 +54,9 @@ class ProgramTest(unittest.TestCase):
         stdout, and leave the folder as it was."""
         before = self.files()
         result = gabor(*arguments, cwd=self.folder, **options)
-        case = f"gabor {arguments}: {result.stderr!r}"
+        case = f"{NAME} {arguments}: {result.stderr!r}"
         self.assertEqual(result.returncode, status, case)
-        self.assertRegex(result.stderr, r"\Agabor: [^\n]+\n\Z", case)
+        self.assertRegex(result.stderr, rf"\A{NAME}: [^\n]+\n\Z", case)
         for word in words:
             self.assertIn(word, result.stderr, case)
         self.assertFalse(result.stdout, case)

@@ -14,7 +14,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "join", "stats", "bench", "study", "merge", "devices", "recipes"):
+        for command in ("render", "join", "stats", "fit", "devices", "recipes"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -26,16 +26,13 @@ class Help(ProgramTest):
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
                               "--zoom", "--material"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
-                   "merge": ("PART", "-o,--output", "--device"),
-                   "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",),
-                   "bench": ("--json", "--device", "--quick", "--isa")}
+                   "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",)}
         for command, names in options.items():
             text = self.succeed(command, "--help")
             listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
             self.assertEqual(listed, {"-h,--help", *names}, command)
             self.assertNotIn("TEXT", text)
         self.assertIn('[{"frequency": 4, "orientation": 45, "power": 1}]', self.succeed("render", "--help"))
-        self.assertNotIn("TEXT", self.succeed("study", "--help"))
 
     def test_recipes_are_those_of_the_readme(self):
         readme = (pathlib.Path(__file__).parents[2] / "README.md").read_text()

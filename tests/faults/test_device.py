@@ -9,6 +9,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
 from program import ProgramTest, gabor  # noqa: E402
 
+LAB = os.environ["GABOR_LAB"]
 LAYER = os.environ["GABOR_FAULT_LAYER"]
 FOUR_BANDS = ("--size=2200x4000", "--compression=none")
 
@@ -53,13 +54,13 @@ class Device(ProgramTest):
 
     def test_lost_during_a_study(self):
         """What was measured is kept, and the study goes on from there."""
-        self.succeed("study", "figure1", "--quick", "-o", "whole")
-        result = gabor("study", "figure1", "--quick", "-o", "broken", cwd=self.folder,
+        self.succeed("study", "figure1", "--quick", "-o", "whole", command=(LAB,))
+        result = gabor("study", "figure1", "--quick", "-o", "broken", command=(LAB,), cwd=self.folder,
                        env=broken("vkWaitForFences", 3))
         self.assertEqual(result.returncode, 1)
-        self.assertRegex(result.stderr, r"\Agabor: [^\n]*DeviceLost[^\n]*\n\Z")
+        self.assertRegex(result.stderr, r"\Agabor-lab: [^\n]*DeviceLost[^\n]*\n\Z")
         self.assertFalse((self.folder / "broken" / "figure1.csv").exists())
-        self.succeed("study", "figure1", "--quick", "-o", "broken")
+        self.succeed("study", "figure1", "--quick", "-o", "broken", command=(LAB,))
         files = self.files()
         self.assertEqual(files["broken/figure1.csv"], files["whole/figure1.csv"])
 

@@ -20,7 +20,8 @@ inline void run(const std::vector<std::string>& arguments) {
     std::vector<const char*> pointers{"gabor"};
     for (const std::string& argument : arguments)
         pointers.push_back(argument.c_str());
-    const int status = cli::run(static_cast<int>(pointers.size()), pointers.data());
+    static const cli::Program program = cli::gabor_program();
+    const int status = cli::run(program, static_cast<int>(pointers.size()), pointers.data());
     if (!nowhere || (status != 0 && status != 2))
         std::abort();
 }

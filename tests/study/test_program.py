@@ -1,4 +1,4 @@
-"""`gabor study` and `tools/plot` from outside."""
+"""`gabor-lab study` and `tools/plot` from outside."""
 
 import csv
 import pathlib

@@ -1,8 +1,8 @@
 #include "study/study.hpp"
 
-#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
+#include "lab/cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,11 @@
 #include <utility>
 #include <vector>
 
-namespace gabor::cli {
+namespace gabor::lab {
+
+using cli::check_interrupt;
+using cli::note_interrupts;
+using cli::Progress;
 
 namespace {
 
@@ -207,7 +211,7 @@ void add_study_command(CLI::App& app) {
         ->type_name("NAME");
     command
         ->add_option("--part", options->part,
-                     "K/N: only the K-th of N parts, into study.K-of-N.rows, for `gabor merge`")
+                     "K/N: only the K-th of N parts, into study.K-of-N.rows, for `gabor-lab merge`")
         ->type_name("K/N");
     command->callback([options] { make_study(*options); });
 }
@@ -216,7 +220,7 @@ void add_merge_command(CLI::App& app) {
     auto options = std::make_shared<MergeOptions>();
     CLI::App* command =
         app.add_subcommand("merge", "Make of a study's parts the tables that one run would have made");
-    command->add_option("PART", options->parts, "All files study.K-of-N.rows of `gabor study --part`")
+    command->add_option("PART", options->parts, "All files study.K-of-N.rows of `gabor-lab study --part`")
         ->type_name("FILE")
         ->required();
     command->add_option("-o,--output", options->folder, "The folder for its tables")
@@ -229,4 +233,4 @@ void add_merge_command(CLI::App& app) {
     command->callback([options] { merge(*options); });
 }
 
-} // namespace gabor::cli
+} // namespace gabor::lab

@@ -9,7 +9,7 @@
 
 namespace gabor::study {
 
-/// In the order of shaders/passes/recipes.comp.
+/// In the order of host/lab/passes/variants.comp.
 enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
@@ -40,7 +40,7 @@ struct Variant {
     double jitter = 1; ///< how far impulses are from the centre of their cell; 0 for a regular grid
 };
 
-/// The specialization constants of passes/recipes.comp.
+/// The specialization constants of passes/variants.comp.
 std::vector<std::uint32_t> constants(const Variant& variant);
 
 /// N R^2 E[w^2] integral(window^2) / 2: the mean over all places, and at each place where jitter is 1.

@@ -1,4 +1,4 @@
-// For passes/bench/bench.glsl and host/bench.
+// For passes/bench/bench.glsl and host/lab/bench.
 
 #ifndef GABOR_BENCH_INTERFACE_H
 #define GABOR_BENCH_INTERFACE_H

@@ -3,7 +3,7 @@
 
 // The drop-in of any recipe, as one would call it.
 
-#include "../recipe.glsl"
+#include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
 #endif

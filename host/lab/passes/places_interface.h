@@ -1,4 +1,4 @@
-// For passes/places.glsl and host/study.
+// For passes/places.glsl and host/lab/study.
 
 #ifndef GABOR_PLACES_INTERFACE_H
 #define GABOR_PLACES_INTERFACE_H

@@ -10,7 +10,7 @@
 #include "passes/places_interface.h"
 #include "passes/points.h"
 #include "passes/points_interface.h"
-#include "passes/recipes.h"
+#include "passes/variants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ Noise::Noise(const vulkan::Device& device, const Ingredients& ingredients, const
             std::sqrt(variance / study::variance(ingredients, wave)), 1) {}
 
 Noise::Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave, double variance)
-    : Noise(device, recipes_spirv, constants(variant), wave, std::sqrt(variance / study::variance(variant)),
+    : Noise(device, variants_spirv, constants(variant), wave, std::sqrt(variance / study::variance(variant)),
             variant.radius) {}
 
 Noise::Noise(const vulkan::Device& device, const noise::Recipe& recipe, const Wave& wave)

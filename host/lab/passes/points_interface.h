@@ -1,4 +1,4 @@
-// For passes/points.comp and host/study.
+// For passes/points.comp and host/lab/study.
 
 #ifndef GABOR_POINTS_INTERFACE_H
 #define GABOR_POINTS_INTERFACE_H

@@ -1,8 +1,8 @@
 #include "bench/bench.hpp"
 #include "bench/subjects.hpp"
-#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "image/output_file.hpp"
+#include "lab/cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,11 @@
 #include <optional>
 #include <string>
 
-namespace gabor::cli {
+namespace gabor::lab {
+
+using cli::check_interrupt;
+using cli::note_interrupts;
+using cli::Progress;
 
 namespace {
 
@@ -102,9 +106,10 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
     print_device(device);
     print_base(report.base);
     print_trends(report.trends);
-    fmt::print("\nresident memory {} MiB at most\n", peak_memory() >> 20);
-    return {
-        {"base", to_json(report.base)}, {"trends", to_json(report.trends)}, {"peak_memory", peak_memory()}};
+    fmt::print("\nresident memory {} MiB at most\n", cli::peak_memory() >> 20);
+    return {{"base", to_json(report.base)},
+            {"trends", to_json(report.trends)},
+            {"peak_memory", cli::peak_memory()}};
 }
 
 ordered_json count_code(const vulkan::Device& device) {
@@ -158,4 +163,4 @@ void add_bench_command(CLI::App& app) {
     command->callback([options] { run_bench(*options); });
 }
 
-} // namespace gabor::cli
+} // namespace gabor::lab

@@ -1,0 +1,13 @@
+#include "cli/commands.hpp"
+#include "cli/program.hpp"
+
+namespace gabor::cli {
+
+Program gabor_program() {
+    return {"gabor",
+            "Renders Gabor noise, and measures it.",
+            {add_render_command, add_join_command, add_stats_command, add_fit_command, add_devices_command,
+             add_recipes_command}};
+}
+
+} // namespace gabor::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gabor::lab {
+
+/// Each adds one subcommand, which does its work in its callback.
+void add_study_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
+void add_bench_command(CLI::App& app);
+
+} // namespace gabor::lab
