@@ -14,7 +14,7 @@ PIXEL_TYPES = ("<u4", "<f2", "<f4")
 
 
 class Exr:
-    """attributes: name -> (type, bytes). channels: name -> array of height x width."""
+    """A file of which every value is finite. attributes: name -> (type, bytes). channels: name -> array of height x width."""
 
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()
@@ -33,6 +33,7 @@ class Exr:
         rows = np.frombuffer(data, row, height, start)
         assert np.array_equal(rows["y"], np.arange(top, bottom + 1)) and (rows["size"] == row.itemsize - 8).all()
         self.channels = {name: rows[name] for name in self.types}
+        assert all(np.isfinite(values).all() for values in self.channels.values()), "not finite"
 
     def box(self, name):
         return struct.unpack("<4i", self.attributes[name][1])
@@ -74,6 +75,7 @@ class Texture:
             rows = np.frombuffer(data, row, h, offset + 20)
             for name in types:
                 self.levels[level][name][64 * y:64 * y + h, 64 * x:64 * x + w] = rows[name]
+        assert all(np.isfinite(values).all() for level in self.levels for values in level.values()), "not finite"
 
 
 def read_name(data, at):

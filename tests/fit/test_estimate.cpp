@@ -1,5 +1,6 @@
 // The estimate, from spectra and values whose answers are known.
 
+#include "../largest.hpp"
 #include "error.hpp"
 #include "fit/atoms.hpp"
 #include "fit/colour.hpp"
@@ -93,23 +94,22 @@ const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
 } // namespace
 
 TEST_CASE("kernels correlate as the integral of their windows says") {
-    double largest = 0;
+    gabor::test::Largest largest;
     for (double t = -2.5; t <= 2.5; t += 0.05)
-        largest = std::max(largest, std::abs(kernel_correlation(t) - integrated_correlation(t)));
-    INFO("largest difference " << largest);
-    CHECK(largest < 1e-6);
+        largest.see(kernel_correlation(t), integrated_correlation(t), 1e-6,
+                    [&] { return fmt::format("{}", t); });
+    largest.check("correlation");
 }
 
 TEST_CASE("atoms are what windows expect of a wave") {
     for (const auto& [frequency, radius] :
          {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
         const AxisAtom atom = axis_atom(frequency, radius);
-        double largest = 0;
+        gabor::test::Largest largest;
         for (int k = 0; k < 128; k += 9)
-            largest =
-                std::max(largest, std::abs(atom.value[k] - expected_power(k / 128.0, frequency, radius)));
-        INFO("frequency " << frequency << ", radius " << radius << ": largest difference " << largest);
-        CHECK(largest < 1e-5);
+            largest.see(atom.value[k], expected_power(k / 128.0, frequency, radius), 1e-5,
+                        [&] { return fmt::format("{} cycles / 128", k); });
+        largest.check(fmt::format("frequency {}, radius {}", frequency, radius));
 
         constexpr double h = 1e-6;
         const Eigen::ArrayXd by_frequency =
@@ -207,7 +207,7 @@ TEST_CASE("the estimate of white noise is flat and of its variance") {
 }
 
 TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and variance 1") {
-    const auto check = [](const std::array<double, 6>& c, auto law) {
+    const auto check = [](const std::array<double, 6>& c, double tolerance, auto law) {
         const auto value = [&](double z) {
             double sum = 0;
             for (std::size_t n = c.size(); n-- > 0;)
@@ -216,20 +216,20 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
         };
         double mean = 0;
         double square = 0;
-        double largest = 0;
+        gabor::test::Largest largest;
         for (double z = -8; z <= 8; z += 1.0 / 256) {
             const double p = std::exp(-z * z / 2) / std::sqrt(2 * pi) / 256;
             mean += p * value(z);
             square += p * value(z) * value(z);
             if (std::abs(z) < 2)
-                largest = std::max(largest, std::abs(value(z) - law(z)));
+                largest.see(value(z), law(z), tolerance, [&] { return fmt::format("{}", z); });
             if (std::abs(z) < 4)
                 REQUIRE(value(z + 1.0 / 256) >= value(z));
         }
-        INFO("mean " << mean << ", mean square " << square << ", largest difference " << largest);
+        INFO("mean " << mean << ", mean square " << square);
         CHECK(std::abs(mean) < 1e-9);
         CHECK(square == Approx(1).epsilon(1e-9));
-        return largest;
+        largest.check("law");
     };
     std::mt19937 generator(7);
     std::normal_distribution<double> normal;
@@ -245,10 +245,10 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
         uniform.add(static_cast<float>(std::sqrt(3) * std::erf(z / std::numbers::sqrt2)));
         two.add(z > 0 ? 1.0f : -1.0f);
     }
-    CHECK(check(cubic.polynomial(), cube) < 0.02);
-    CHECK(check(uniform.polynomial(),
-                [](double z) { return std::sqrt(3) * std::erf(z / std::numbers::sqrt2); }) < 0.15);
-    check(two.polynomial(), [](double z) { return z; });
+    check(cubic.polynomial(), 0.02, cube);
+    check(uniform.polynomial(), 0.15,
+          [](double z) { return std::sqrt(3) * std::erf(z / std::numbers::sqrt2); });
+    check(two.polynomial(), 2, [](double z) { return z; });
 }
 
 TEST_CASE("a quadratic trend is removed, and nothing else") {
@@ -279,17 +279,16 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
     const Survey b = without.survey();
     CHECK(a.covariance(0, 0) == Approx(b.covariance(0, 0)).epsilon(1e-4));
     CHECK(a.covariance(0, 0) == Approx(0.04 / 12).epsilon(0.03));
-    double largest = 0;
+    gabor::test::Largest largest;
     for (int y = 0; y < height; ++y) {
         std::vector<float>& left = rows[static_cast<std::size_t>(2 * y)];
         std::vector<float>& right = rows[static_cast<std::size_t>(2 * y + 1)];
         a.trend.subtract(y, left);
         b.trend.subtract(y, right);
         for (std::size_t x = 0; x < width; ++x)
-            largest = std::max<double>(largest, std::abs(left[x] - right[x]));
+            largest.see(left[x], right[x], 1e-5, [&] { return fmt::format("pixel {}, {}", x, y); });
     }
-    INFO("largest difference " << largest);
-    CHECK(largest < 1e-5);
+    largest.check("rows");
 }
 
 TEST_CASE("structure tells edges and ridges from waves and from normal noise") {

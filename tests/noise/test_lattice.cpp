@@ -1,6 +1,7 @@
 // The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes,
 // without sampling.
 
+#include "../largest.hpp"
 #include "reference/lattice.hpp"
 
 #include <catch2/catch.hpp>
@@ -195,7 +196,8 @@ TEST_CASE("the covariance of the lattice noise depends little on the place", "[l
                         lattice_energy(taps);
             }
         }
-        double worst_rms = 0, largest = 0, squares = 0;
+        double largest = 0, squares = 0;
+        gabor::test::Largest rms;
         for (const auto& x : along) {
             for (const auto& y : along) {
                 double mean = 0, mean_square = 0;
@@ -208,16 +210,16 @@ TEST_CASE("the covariance of the lattice noise depends little on the place", "[l
                 for (const double a : x)
                     for (const double b : y)
                         largest = std::max(largest, std::abs(a * b - mean));
-                const double variance = std::max(0.0, mean_square - mean * mean);
-                worst_rms = std::max(worst_rms, std::sqrt(variance));
+                const double variance = std::abs(mean_square - mean * mean);
+                rms.see(std::sqrt(variance), 0, taps == 2 ? 0.30 : taps == 3 ? 0.045 : 0.012, "some lag");
                 squares += variance / (lags * lags);
             }
         }
-        fmt::print("{} taps: covariance differs from place to place by {:.2f} % rms at the worst lag, {:.2f} "
-                   "% over all "
-                   "lags, {:.1f} % at most, of the variance\n",
-                   taps, 100 * worst_rms, 100 * std::sqrt(squares), 100 * largest);
-        CHECK(worst_rms < (taps == 2 ? 0.30 : taps == 3 ? 0.045 : 0.012));
+        fmt::print(
+            "{} taps: covariance differs from place to place by {:.2f} % rms over all lags, {:.1f} % at "
+            "most, of the variance\n",
+            taps, 100 * std::sqrt(squares), 100 * largest);
+        rms.check("  rms at the worst lag");
     }
 }
 
@@ -290,9 +292,7 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
                                                    {{0, 1}, {0, 2}, {0, 3}},
                                                    {{7, 0}, {0, 5}, {7, 5}}};
     const auto count = draws();
-    double largest = 0;
-    int seen = 0;
-    std::string which;
+    gabor::test::Largest sigmas;
     for (const bool over_seeds : {false, true}) {
         for (const auto& figure : figures) {
             double sums[4][4] = {};
@@ -313,20 +313,16 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
                 for (int b = 0; b < 4; ++b) {
                     if (figure.size() == 1 && figure[0].x == 0 && figure[0].y == 0 && a >= b)
                         continue; // a number and itself; its square
-                    const double sigma = std::abs(sums[a][b]) / std::sqrt(static_cast<double>(count));
-                    ++seen;
-                    if (sigma > largest) {
-                        largest = sigma;
-                        which = fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
-                                            figure[0].x, figure[0].y, a, b,
-                                            over_seeds ? "over seeds" : "in a square");
-                    }
+                    sigmas.see(sums[a][b] / std::sqrt(static_cast<double>(count)), 0, 5.5, [&] {
+                        return fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
+                                           figure[0].x, figure[0].y, a, b,
+                                           over_seeds ? "over seeds" : "in a square");
+                    });
                 }
             }
         }
     }
-    fmt::print("{} products over {} draws: {:.2f} sigma at most ({})\n", seen, count, largest, which);
-    CHECK(largest < 5.5);
+    sigmas.check("products, of 5.5 sigma");
 }
 
 // A word is its column's times its row's modulo 2^32, and all are odd: of the corners of a rectangle the
@@ -340,16 +336,8 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
     };
     const auto count = draws();
     const double n = static_cast<double>(count);
-    double largest = 0;
-    int seen = 0;
-    std::string which;
-    const auto see = [&](double sigma, const std::string& name) {
-        ++seen;
-        if (std::abs(sigma) > std::abs(largest)) {
-            largest = sigma;
-            which = name;
-        }
-    };
+    gabor::test::Largest sigmas;
+    const auto see = [&](double sigma, const std::string& name) { sigmas.see(sigma, 0, 5.5, name); };
     for (const bool over_seeds : {false, true}) {
         for (const Sides sides : {Sides{1, 1}, {2, 1}, {1, 2}, {2, 2}, {7, 5}}) {
             std::complex<double> alternating,
@@ -395,9 +383,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
                        alternating.real() / n / 4, alternating.imag() / n / 4, std::sqrt(8 / n) / 4);
         }
     }
-    fmt::print("{} figures of rectangles over {} draws: {:.2f} sigma at most ({})\n", seen, count, largest,
-               which);
-    CHECK(std::abs(largest) < 5.5);
+    sigmas.check("rectangles, of 5.5 sigma");
 }
 
 // Not more draws: the word of a column or a row is one of 2^22, which longer sequences go through too evenly
@@ -405,7 +391,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
 TEST_CASE("the leading bits of both parts of node words are uniform, along rows and columns and over seeds",
           "[lattice][randomness]") {
     constexpr std::uint64_t count = 1 << 21;
-    double largest = 0;
+    gabor::test::Largest sigmas;
     for (const int along : {0, 1, 2, 3}) { // a square, a row, a column, seeds
         std::array<std::vector<std::uint64_t>, 2> counts{std::vector<std::uint64_t>(4096),
                                                          std::vector<std::uint64_t>(4096)};
@@ -423,12 +409,9 @@ TEST_CASE("the leading bits of both parts of node words are uniform, along rows 
             double chi_square = 0;
             for (const std::uint64_t c : part)
                 chi_square += std::pow(static_cast<double>(c) - expected, 2) / expected;
-            const double sigma = (chi_square - 4095) / std::sqrt(2 * 4095.0);
-            if (std::abs(sigma) > std::abs(largest))
-                largest = sigma;
-            INFO("sequence " << along);
-            CHECK(std::abs(sigma) < 5.5);
+            sigmas.see((chi_square - 4095) / std::sqrt(2 * 4095.0), 0, 5.5,
+                       [&] { return fmt::format("sequence {}", along); });
         }
     }
-    fmt::print("8 chi-squares of {} words: {:.2f} sigma at most\n", count, largest);
+    sigmas.check("chi-squares, of 5.5 sigma");
 }

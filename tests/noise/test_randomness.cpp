@@ -1,6 +1,7 @@
 // The words of impulses as random numbers. GABOR_DRAWS says how many are drawn for each figure;
 // tools/test-long draws 10^8.
 
+#include "../largest.hpp"
 #include "reference/reference.hpp"
 
 #include <catch2/catch.hpp>
@@ -89,32 +90,10 @@ double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total)
     return (std::cbrt(sum / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
 }
 
-// The largest of many figures, and which one.
-struct Largest {
-    double figure = 0;
-    std::string which = {};
-    int seen = 0;
-
-    void see(double value, const std::string& name) {
-        ++seen;
-        if (std::abs(value) >= std::abs(figure)) {
-            figure = value;
-            which = name;
-        }
-    }
-
-    void check(std::string_view what) const {
-        fmt::print("{}: {} figures of {} draws each, the largest {:.2f} sigma ({})\n", what, seen, draws(),
-                   figure, which);
-        CHECK(std::abs(figure) < far);
-    }
-};
-
 } // namespace
 
 TEST_CASE("every bit of an input turns every bit of the word half of the time", "[randomness]") {
-    Largest largest;
-    double bias = 0;
+    gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
         for (int bit = 0; bit < 32 * 3 + 5; ++bit) {
             std::array<std::uint64_t, 32> turned{};
@@ -137,19 +116,16 @@ TEST_CASE("every bit of an input turns every bit of the word half of the time", 
             }
             for (unsigned k = 0; k < 32; ++k) {
                 const double share = static_cast<double>(turned[k]) / static_cast<double>(count);
-                bias = std::max(bias, std::abs(share - 0.5));
-                largest.see((share - 0.5) * 2 * std::sqrt(static_cast<double>(count)),
+                largest.see(share, 0.5, 0.03,
                             fmt::format("{}, input bit {}, output bit {}", sequence.name, bit, k));
             }
         }
     }
-    fmt::print("avalanche: {} pairs of bits, {:.2f} sigma at most ({}), {:.5f} from one half\n", largest.seen,
-               largest.figure, largest.which, bias);
-    CHECK(bias < 0.03);
+    largest.check("avalanche");
 }
 
 TEST_CASE("the fields of words are uniform", "[randomness]") {
-    Largest largest;
+    gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
         std::array<std::vector<std::uint64_t>, 4> counts; // the word's bytes, in twelve bits each
         for (auto& field : counts)
@@ -160,14 +136,14 @@ TEST_CASE("the fields of words are uniform", "[randomness]") {
                 ++counts[k][std::rotl(word, static_cast<int>(8 * k)) & 0xfff];
         }
         for (unsigned k = 0; k < 4; ++k)
-            largest.see(chi_square(counts[k], draws()),
+            largest.see(chi_square(counts[k], draws()), 0, far,
                         fmt::format("{}, bits from {}", sequence.name, (32 - 8 * k) % 32));
     }
     largest.check("uniformity");
 }
 
 TEST_CASE("the fields of one word are independent", "[randomness]") {
-    Largest largest;
+    gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
         for (std::size_t a = 0; a < fields.size(); ++a) {
             for (std::size_t b = a + 1; b < fields.size(); ++b) {
@@ -176,7 +152,7 @@ TEST_CASE("the fields of one word are independent", "[randomness]") {
                     const std::uint32_t word = sequence.input(i).word();
                     ++counts[fields[a].of(word) * fields[b].values() + fields[b].of(word)];
                 }
-                largest.see(chi_square(counts, draws()),
+                largest.see(chi_square(counts, draws()), 0, far,
                             fmt::format("{}, {} and {}", sequence.name, fields[a].name, fields[b].name));
             }
         }
@@ -197,7 +173,7 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
         {"column and row exchanged", [](Input& input) { std::swap(input.column, ++input.row); }},
         {"the next seed", [](Input& input) { ++input.seed; }},
         {"the next impulse", [](Input& input) { ++input.index; }}};
-    Largest joint, linear;
+    gabor::test::Largest joint, linear;
     for (const auto& [name, step] : steps) {
         std::array<std::vector<std::uint64_t>, fields.size()> counts;
         std::array<double, fields.size()> product{};
@@ -219,8 +195,8 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
         for (std::size_t f = 0; f < fields.size(); ++f) {
             const double variance = (std::pow(fields[f].values(), 2) - 1) / 12;
             const std::string which = fmt::format("{}, {}", fields[f].name, name);
-            joint.see(chi_square(counts[f], draws()), which);
-            linear.see(product[f] / variance / std::sqrt(static_cast<double>(draws())), which);
+            joint.see(chi_square(counts[f], draws()), 0, far, which);
+            linear.see(product[f] / variance / std::sqrt(static_cast<double>(draws())), 0, far, which);
         }
     }
     joint.check("neighbours, jointly");

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "largest.hpp"
 #include "reference/reference.hpp"
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,33 +17,6 @@ inline std::string to_string(const noise::Place& p) {
                        p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x, p.period_y,
                        p.time);
 }
-
-/// The largest difference of one function, in units of its tolerance, and where it was.
-class Largest {
-  public:
-    /// `sample` is described by a function to_string.
-    template <typename Sample>
-    void see(double value, double expected, double tolerance, const Sample& sample) {
-        ++points_;
-        const double scaled = std::abs(value - expected) / tolerance;
-        if (scaled <= difference_) // a NaN is seen
-            return;
-        difference_ = scaled;
-        where_ = fmt::format("{} instead of {} at {}", value, expected, to_string(sample));
-    }
-
-    void check(std::string_view name) const {
-        fmt::print("  {:<22} {:.3f} in {} points: {}\n", name, difference_, points_, where_);
-        INFO(name);
-        CHECK(points_ > 0);
-        CHECK(difference_ <= 1);
-    }
-
-  private:
-    std::size_t points_ = 0;
-    double difference_ = 0;
-    std::string where_ = "nowhere";
-};
 
 /// 1e-5 up to frequency 4, above in proportion to it: single precision carries no more of the phase.
 inline double tolerance(double frequency) {

@@ -1,3 +1,4 @@
+#include "largest.hpp"
 #include "reference/lattice.hpp"
 #include "reference/reference.hpp"
 #include "render/renderer.hpp"
@@ -67,8 +68,7 @@ struct AnyReference {
 TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
-        double largest = 0;
-        std::string place;
+        test::Largest largest;
         // A frequency, as high as the pixels carry, for each scale.
         for (const auto& [scale, frequency] :
              {std::pair(2.0, 0.9), std::pair(2.3, 0.001), std::pair(7.77, 2.0), std::pair(31.7, 4.0),
@@ -92,19 +92,17 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                     const double py = (region.y + y + 0.5) / scale * recipe.radius;
                     // In units of what single precision carries of the phase, and of the difference of a low
                     // sine from 0, which its amplitude makes large again.
-                    const double difference =
-                        std::abs(pixels[static_cast<std::size_t>(y * region.width + x)] -
-                                 reference.field(px, py, axis, axis).value.imag()) /
-                        std::max({1.0, frequency / 4, recipe.phases == 2 ? 0.1 / frequency : 0});
-                    if (!(difference <= largest)) {
-                        largest = difference;
-                        place = fmt::format("scale {}, frequency {}, pixel {}, {}", scale, frequency, x, y);
-                    }
+                    const double tolerance =
+                        1.5e-5 * std::max({1.0, frequency / 4, recipe.phases == 2 ? 0.1 / frequency : 0});
+                    largest.see(pixels[static_cast<std::size_t>(y * region.width + x)],
+                                reference.field(px, py, axis, axis).value.imag(), tolerance, [&] {
+                                    return fmt::format("scale {}, frequency {}, pixel {}, {}", scale,
+                                                       frequency, x, y);
+                                });
                 }
             }
         }
-        fmt::print("{}: largest difference {:.2g} at {}\n", recipe.name, largest, place);
-        CHECK(largest < 1.5e-5);
+        largest.check(recipe.name);
     }
 }
 
@@ -163,7 +161,7 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
         const AnyReference reference(recipe, request.lobes.front(), 5);
         const double cells_x = std::floor(131 / 16.3 * recipe.radius);
         const double cells_y = std::floor(100 / 16.3 * recipe.radius);
-        double largest = 0;
+        test::Largest largest;
         // The second round sees every pixel one period further along both axes.
         for (const int round : {0, 1}) {
             for (int y = 0; y < request.height; ++y) {
@@ -175,12 +173,12 @@ TEST_CASE("a tileable picture is the reference on a torus, at any time", "[rende
                     const AnyReference::Field field =
                         reference.field(u + round * cells_x, v - round * cells_y, x_axis, y_axis, 0.3);
                     const double value = pixels[static_cast<std::size_t>(y * request.width + x)];
-                    largest = std::max(largest, std::abs(value - field.value.imag()));
+                    largest.see(value, field.value.imag(), 2e-5,
+                                [&] { return fmt::format("pixel {}, {}", x, y); });
                 }
             }
         }
-        fmt::print("{}, tileable: largest difference {:.2g}\n", recipe.name, largest);
-        CHECK(largest < 2e-5);
+        largest.check(recipe.name);
     }
 }
 
@@ -202,23 +200,22 @@ TEST_CASE("quadrature and gradient are those of the reference", "[render]") {
             REQUIRE(values.size() == 90 * 70 * channels);
             const AnyReference reference(recipe, request.lobes.front(), 5);
             const render::Axis axis{recipe.radius, 0};
-            double largest = 0;
-            double largest_slope = 0;
+            test::Largest value, slope;
+            const double slope_tolerance = 1.5e-5 * (2 * std::numbers::pi * 4 + 2);
             for (int i = 0; i < 90 * 70; ++i) {
                 const double u = (i % 90 + 0.5) / 21.3 * recipe.radius;
                 const double v = (i / 90 + 0.5) / 21.3 * recipe.radius;
                 const AnyReference::Field field = reference.field(u, v, axis, axis);
                 const float* pixel = &values[static_cast<std::size_t>(i) * channels];
-                largest = std::max(largest, std::abs(pixel[0] - field.value.imag()));
+                const auto place = [&] { return fmt::format("pixel {}, {}", i % 90, i / 90); };
+                value.see(pixel[0], field.value.imag(), 1.5e-5, place);
                 if (with_quadrature)
-                    largest = std::max(largest, std::abs(pixel[1] - field.value.real()));
-                largest_slope = std::max(largest_slope, std::abs(pixel[channels - 2] - field.slope_x.imag()));
-                largest_slope = std::max(largest_slope, std::abs(pixel[channels - 1] - field.slope_y.imag()));
+                    value.see(pixel[1], field.value.real(), 1.5e-5, place);
+                slope.see(pixel[channels - 2], field.slope_x.imag(), slope_tolerance, place);
+                slope.see(pixel[channels - 1], field.slope_y.imag(), slope_tolerance, place);
             }
-            fmt::print("{}: largest differences {:.2g}, of the gradient {:.2g}\n", recipe.name, largest,
-                       largest_slope);
-            CHECK(largest < 1.5e-5);
-            CHECK(largest_slope < 1.5e-5 * (2 * std::numbers::pi * 4 + 2));
+            value.check(recipe.name);
+            slope.check("  its gradient");
         }
     }
 }

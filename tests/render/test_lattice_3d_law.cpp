@@ -280,7 +280,7 @@ TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
     test::Draw draw(34);
     for (const double frequency : {0.5, 1.0, 1.5, 2.0, 2.9, 4.0, 5.1}) {
         // On the surface: the power by angle, from the lobes' parts across the angle.
-        double worst = 0;
+        test::Largest angular, moments;
         for (int i = 0; i < 50; ++i) {
             const Vector normal = random_unit(draw);
             const auto waves = noise::surface_isotropic_waves(normal, frequency, 1);
@@ -302,23 +302,19 @@ TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
             double mean = 0;
             for (const double power : powers)
                 mean += power / 90;
-            for (const double power : powers)
-                worst = std::max(worst, std::abs(power / mean - 1));
+            for (std::size_t k = 0; k < powers.size(); ++k)
+                angular.see(powers[k] / mean, 1, 0.08, [&] { return fmt::format("{} degrees", 2 * k); });
         }
         // In space: the second moments of the directions are those of the sphere.
-        double moments = 0;
         for (std::size_t a = 0; a < 3; ++a) {
             for (std::size_t b = 0; b < 3; ++b) {
                 double moment = 0;
                 for (const noise::WeightedWave& w : noise::isotropic_waves(frequency, 1))
                     moment += w.weight * w.weight * w.wave[a] * w.wave[b] / (frequency * frequency);
-                moments = std::max(moments, std::abs(moment - (a == b ? 1.0 / 3 : 0)));
+                moments.see(moment, a == b ? 1.0 / 3 : 0, 0.035, [&] { return fmt::format("{}, {}", a, b); });
             }
         }
-        fmt::print("frequency {}: on surfaces angular power even within {:.3f}; in space second moments "
-                   "within {:.3f}\n",
-                   frequency, worst, moments);
-        CHECK(worst < 0.08);
-        CHECK(moments < 0.035);
+        angular.check(fmt::format("frequency {}: power by angle on surfaces", frequency));
+        moments.check("  second moments in space");
     }
 }

@@ -1,5 +1,6 @@
 // Whole blocks and single pixels are two ways to the same picture: passes/bake.comp and passes/pixels.comp.
 
+#include "largest.hpp"
 #include "render/bake.hpp"
 #include "render/parameters.hpp"
 #include "render/pixels.hpp"
@@ -45,30 +46,25 @@ void check_blocks_are_pixels(const vulkan::Device& device, const render::Request
     const auto count = static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height);
     REQUIRE(blocks.size() == count * names.size());
     REQUIRE(pixels.size() == count * all);
-    std::vector<double> largest(names.size());
-    double of_phasor = 0;
+    std::vector<test::Largest> largest(names.size());
+    test::Largest phasor_sine;
     float lowest = blocks.front();
     float highest = blocks.front();
     for (std::size_t i = 0; i < count; ++i) {
+        const auto place = [&] { return fmt::format("pixel {}", i); };
         for (std::size_t c = 0; c < names.size(); ++c) {
-            const double difference = std::abs(double{pixels[i * all + c]} - blocks[i * names.size() + c]);
-            if (!(difference <= largest[c]))
-                largest[c] = difference;
+            largest[c].see(pixels[i * all + c], blocks[i * names.size() + c],
+                           names[c].starts_with("gradient") ? 1e-3 : 4e-5, place);
         }
         const double turn = 2 * std::numbers::pi * pixels[i * all + names.size()];
-        const double difference =
-            std::abs(pixels[i * all + names.size() + 1] * std::sin(turn) - pixels[i * all]);
-        if (!(difference <= of_phasor))
-            of_phasor = difference;
+        phasor_sine.see(pixels[i * all + names.size() + 1] * std::sin(turn), pixels[i * all], 1e-4, place);
         lowest = std::min(lowest, blocks[i * names.size()]);
         highest = std::max(highest, blocks[i * names.size()]);
     }
     INFO(request.recipe.name << ", scale " << request.scale << ", region " << region.x << "," << region.y);
-    for (std::size_t c = 0; c < names.size(); ++c) {
-        INFO(names[c] << " differs by " << largest[c]);
-        CHECK(largest[c] < (names[c].starts_with("gradient") ? 1e-3 : 4e-5));
-    }
-    CHECK(of_phasor < 1e-4);
+    for (std::size_t c = 0; c < names.size(); ++c)
+        largest[c].check(names[c]);
+    phasor_sine.check("phasor");
     CHECK(highest - lowest > 0.1f);
 }
 

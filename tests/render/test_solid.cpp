@@ -1,4 +1,5 @@
 #include "error.hpp"
+#include "largest.hpp"
 #include "reference/lattice_3d.hpp"
 #include "render/parameters.hpp"
 #include "render/solid.hpp"
@@ -38,6 +39,11 @@ std::vector<float> rendered(const vulkan::Device& device, const Request& request
         pixels.insert(pixels.end(), values.begin(), values.end());
     }
     return pixels;
+}
+
+// Where a pixel is, for messages.
+auto pixel_name(auto x, auto y) {
+    return [=] { return fmt::format("pixel {}, {}", x, y); };
 }
 
 Vector3 along(const Vector3& a, double t, const Vector3& b) {
@@ -177,7 +183,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
                                   .view = Slice{7.3},
                                   .filter = filtered};
             const auto pixels = rendered(device, request, {0, 0, 150, 70}, 70);
-            double largest = 0;
+            test::Largest largest;
             for (int y = 0; y < request.height; y += filtered ? 9 : 1) { // for quadrature takes its time
                 for (int x = 0; x < request.width; x += filtered ? 7 : 1) {
                     const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
@@ -185,11 +191,11 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
                     const Expected here =
                         expected(request, {0, 0, 1}, p, {1 / request.scale, 0, 0}, {0, 1 / request.scale, 0});
                     REQUIRE(pixels[at + 1] == 1);
-                    largest = std::max(largest, std::abs(pixels[at] - here.value) / (1 + 0.1 * here.slope));
+                    const double tolerance = (filtered ? filter_error : 1.5e-5) * (1 + 0.1 * here.slope);
+                    largest.see(pixels[at], here.value, tolerance, pixel_name(x, y));
                 }
             }
-            fmt::print("slice, spread {}: largest difference {:.2g}\n", spread, largest);
-            CHECK(largest < (filtered ? filter_error : 1.5e-5));
+            largest.check(fmt::format("{}slice, spread {}", filtered ? "filtered " : "", spread));
         }
     }
 }
@@ -216,7 +222,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                 const auto pixels = rendered(device, request, {0, 0, 160, 120}, 120);
                 const Camera camera(request);
                 const double unit = render::sphere_radius(request);
-                double largest = 0;
+                test::Largest largest;
                 int compared = 0;
                 const int stride = request.filter ? 21 : 2; // for quadrature takes its time
                 for (int y = 0; y < request.height; y += stride) {
@@ -249,14 +255,12 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                         const double turning = solid || spread > 0 ? 1 : 4;
                         const double tolerance = (request.filter ? filter_error : 1e-5) +
                                                  5e-7 * turning * unit * (here.slope + 20) / facing;
-                        largest = std::max(largest, std::abs(pixels[at] - here.value) / tolerance);
+                        largest.see(pixels[at], here.value, tolerance, pixel_name(x, y));
                         ++compared;
                     }
                 }
-                fmt::print(
-                    "shape {}, solid {}, spread {}: {} pixels, largest difference {:.2f} of the tolerance\n",
-                    static_cast<int>(shape), solid, spread, compared, largest);
-                CHECK(largest < 1);
+                largest.check(
+                    fmt::format("shape {}, solid {}, spread {}", static_cast<int>(shape), solid, spread));
                 CHECK(compared > 4000 / (stride * stride));
             }
         }
@@ -305,7 +309,7 @@ TEST_CASE("quadrature, gradient and phasor of a body stand beside its noise", "[
                                                                       "gradient.y", "phase", "intensity",
                                                                       "A"});
         const auto pixels = rendered(device, request, {0, 0, 120, 90}, 90);
-        double largest = 0;
+        test::Largest phasor, slope;
         int compared = 0;
         for (std::size_t i = 0; i < 120 * 90; ++i) {
             const float* at = &pixels[7 * i];
@@ -314,26 +318,27 @@ TEST_CASE("quadrature, gradient and phasor of a body stand beside its noise", "[
             if (at[6] < 1)
                 continue;
             const double turn = 2 * std::numbers::pi * at[4];
-            largest = std::max({largest, std::abs(at[5] * std::sin(turn) - at[0]),
-                                std::abs(at[5] * std::cos(turn) - at[1])});
+            const std::string place = fmt::format("pixel {}", i);
+            phasor.see(at[5] * std::sin(turn), at[0], 1e-4, place);
+            phasor.see(at[5] * std::cos(turn), at[1], 1e-4, place);
             ++compared;
         }
-        CHECK(largest < 1e-4);
+        phasor.check("phasor");
         CHECK(compared > 4000);
         if (!std::holds_alternative<Slice>(view))
             continue;
         // The gradient of a slice is that of its pixels, rows growing downwards.
-        double slope = 0;
+        const double tolerance = 0.15 * 2 * std::numbers::pi * 1.5 * 3;
         for (std::size_t y = 1; y < 89; ++y) {
             for (std::size_t x = 1; x < 119; ++x) {
                 const auto value = [&](std::size_t column, std::size_t row) {
                     return double{pixels[7 * (120 * row + column)]};
                 };
                 const float* at = &pixels[7 * (120 * y + x)];
-                slope = std::max({slope, std::abs(at[2] - 6 * (value(x + 1, y) - value(x - 1, y))),
-                                  std::abs(at[3] - 6 * (value(x, y + 1) - value(x, y - 1)))});
+                slope.see(at[2], 6 * (value(x + 1, y) - value(x - 1, y)), tolerance, pixel_name(x, y));
+                slope.see(at[3], 6 * (value(x, y + 1) - value(x, y - 1)), tolerance, pixel_name(x, y));
             }
         }
-        CHECK(slope < 0.15 * 2 * std::numbers::pi * 1.5 * 3);
+        slope.check("gradient");
     }
 }

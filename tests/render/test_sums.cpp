@@ -2,6 +2,7 @@
 // lobes, each the double-precision reference of its recipe.
 
 #include "error.hpp"
+#include "largest.hpp"
 #include "reference/lattice.hpp"
 #include "reference/reference.hpp"
 #include "reference/spectrum.hpp"
@@ -119,9 +120,9 @@ Field expected(const render::Request& request, const std::vector<noise::Spectrum
     return sum;
 }
 
-// The largest difference over a region, in units of what single precision carries.
-double largest_difference(const vulkan::Device& device, const render::Request& request,
-                          const image::Window& region, std::string& where) {
+// Compares a region with the reference, in units of what single precision carries.
+void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
+             const image::Window& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);
     const std::vector<float> pixels = rendered(device, request, region);
     const std::size_t channels = render::channels(request).size();
@@ -130,27 +131,23 @@ double largest_difference(const vulkan::Device& device, const render::Request& r
     for (const noise::SpectrumLobe& term : terms)
         highest = std::max(highest, term.frequency * term.radius);
     const double tolerance = 1e-5 * (1 + highest / 4);
-    double largest = 0;
+    const double of_slopes = tolerance * (2 * pi * highest + 2);
     for (int i = 0; i < region.width * region.height; ++i) {
         const int x = region.x + i % region.width;
         const int y = region.y + i / region.width;
         const Field field = expected(request, terms, x, y);
         const float* pixel = &pixels[static_cast<std::size_t>(i) * channels];
-        const auto see = [&](double difference, const char* channel) {
-            if (!(difference <= largest)) {
-                largest = difference;
-                where = fmt::format("{} of pixel {}, {}", channel, x, y);
-            }
+        const auto see = [&](float value, double wanted, double within, const char* channel) {
+            largest.see(value, wanted, within,
+                        [&] { return fmt::format("{} of pixel {}, {}, {}", channel, x, y, name); });
         };
-        see(std::abs(pixel[0] - field.value.imag()) / tolerance, "value");
-        see(std::abs(pixel[1] - field.value.real()) / tolerance, "quadrature");
-        const double of_slopes = tolerance * (2 * pi * highest + 2);
-        see(std::abs(pixel[2] - field.slope_x.imag()) / of_slopes, "slope along x");
-        see(std::abs(pixel[3] - field.slope_y.imag()) / of_slopes, "slope along y");
+        see(pixel[0], field.value.imag(), tolerance, "value");
+        see(pixel[1], field.value.real(), tolerance, "quadrature");
+        see(pixel[2], field.slope_x.imag(), of_slopes, "slope along x");
+        see(pixel[3], field.slope_y.imag(), of_slopes, "slope along y");
         if (request.phasor)
-            see(std::abs(pixel[5] - std::abs(field.value)) / tolerance, "intensity");
+            see(pixel[5], std::abs(field.value), tolerance, "intensity");
     }
-    return largest;
 }
 
 const std::vector<noise::Lobe> one_spread{{2.5, 20, 0.4, 60}};
@@ -165,8 +162,7 @@ const std::vector<noise::Lobe> several{
 TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
-        double largest = 0;
-        std::string which, where;
+        test::Largest largest;
         for (const std::vector<noise::Lobe>& lobes : {one_spread, several}) {
             render::Request request{.width = 101,
                                     .height = 94,
@@ -189,22 +185,16 @@ TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]")
                     CHECK(render::Bake::can_fill(*each) == !phasor);
                     const image::Window region = each == &far ? image::Window{65536 - 17, 65536 - 12, 17, 12}
                                                               : image::Window{43, 50, 17, 12};
-                    std::string here;
-                    const double difference = largest_difference(device, *each, region, here);
-                    if (!(difference <= largest)) {
-                        largest = difference;
-                        where = fmt::format("{}, {}, {} lobes, {}",
-                                            each == &far    ? "far"
-                                            : each == &tile ? "tile"
-                                                            : "near",
-                                            phasor ? "pixels" : "blocks", lobes.size(), here);
-                    }
+                    compare(largest, device, *each, region,
+                            fmt::format("{}, {}, {} lobes",
+                                        each == &far    ? "far"
+                                        : each == &tile ? "tile"
+                                                        : "near",
+                                        phasor ? "pixels" : "blocks", lobes.size()));
                 }
             }
         }
-        fmt::print("{}: largest difference {:.2g} of the tolerance, {}\n", recipe.name, largest, where);
-        CHECK(largest > 0);
-        CHECK(largest < 1);
+        largest.check(recipe.name);
     }
 }
 
@@ -219,8 +209,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
                                .mean = {0.5, 0.4, 0.3},
                                .mixing = {{{0.2, 0.05, -0.03}, {0.15, -0.1, 0.02}, {0.1, 0.02, 0.08}}}};
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        double largest = 0;
-        std::string where;
+        test::Largest largest;
         for (const bool tileable : {false, true}) {
             render::Request request{.width = 94,
                                     .height = 101,
@@ -256,22 +245,16 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
                         for (std::size_t n = 0; n < 6; ++n)
                             value += colour.mixing[channel][c] * colour.histogram[c][n] *
                                      std::pow(components[c], static_cast<double>(n));
-                    for (const std::vector<float>* picture : {&blocks, &pixels}) {
-                        const double difference =
-                            std::abs((*picture)[3 * static_cast<std::size_t>(i) + channel] - value);
-                        if (!(difference <= largest)) {
-                            largest = difference;
-                            where = fmt::format("channel {} of pixel {}, {}, {}, {}", channel, x, y,
-                                                picture == &blocks ? "blocks" : "pixels",
-                                                tileable ? "tile" : "plane");
-                        }
-                    }
+                    for (const std::vector<float>* picture : {&blocks, &pixels})
+                        largest.see((*picture)[3 * static_cast<std::size_t>(i) + channel], value, 2e-5, [&] {
+                            return fmt::format("channel {} of pixel {}, {}, {}, {}", channel, x, y,
+                                               picture == &blocks ? "blocks" : "pixels",
+                                               tileable ? "tile" : "plane");
+                        });
                 }
             }
         }
-        fmt::print("{} in colour: largest difference {:.2g}, {}\n", recipe->name, largest, where);
-        CHECK(largest > 0);
-        CHECK(largest < 2e-5);
+        largest.check(fmt::format("{} in colour", recipe->name));
     }
 }
 
@@ -308,7 +291,7 @@ TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") 
                 rendered(device, request, region); // red, green, blue, coverage
             REQUIRE(grey.size() == 3u * 90 * 60);
             REQUIRE(colours.size() == 4u * 90 * 60);
-            double largest = 0;
+            test::Largest largest;
             for (std::size_t i = 0; i < 90u * 60; ++i) {
                 const double y = grey[3 * i];
                 const double q = grey[3 * i + 1];
@@ -318,12 +301,10 @@ TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") 
                 if (coverage == 0) // beside the body
                     expected.fill(0);
                 for (std::size_t c = 0; c < 4; ++c)
-                    largest = std::max(largest, std::abs(colours[4 * i + c] - expected[c]));
+                    largest.see(colours[4 * i + c], expected[c], 5e-6,
+                                [&] { return fmt::format("channel {} of pixel {}", c, i); });
             }
-            fmt::print("{}{} in colour: largest difference {:.2g}\n", filter ? "filtered " : "", name,
-                       largest);
-            CHECK(largest > 0);
-            CHECK(largest < 5e-6);
+            largest.check(fmt::format("{}{} in colour", filter ? "filtered " : "", name));
         }
     }
 }
@@ -383,7 +364,7 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
         const std::vector<float> pixels = rendered(device, request, {0, 0, 40, 40});
         const noise::Spectrum spectrum(terms_of(request));
         double squares = 0;
-        double worst = 0;
+        test::Largest removed;
         int count = 0;
         for (int y = horizon ? 20 : 1; y < 40; y += 6) {
             for (int x = 2; x < 40; x += 13) {
@@ -397,16 +378,16 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
                 }
                 const float* pixel = &pixels[static_cast<std::size_t>(y * 40 + x) * 2];
                 squares += std::pow(pixel[0] - spectrum.filtered(at[0], at[1], dx, dy).value.imag(), 2);
-                worst = std::max(worst, std::abs(pixel[1] - spectrum.removed(dx, dy)));
+                removed.see(pixel[1], spectrum.removed(dx, dy), 0.01,
+                            [&] { return fmt::format("pixel {}, {}", x, y); });
                 ++count;
             }
         }
         const double error = std::sqrt(squares / count);
-        fmt::print("filtered{}: RMSE {:.4f} over {} pixels, removed variance off by {:.4f} at most\n",
-                   horizon ? ", horizon" : "", error, count, worst);
+        fmt::print("filtered{}: RMSE {:.4f} over {} pixels\n", horizon ? ", horizon" : "", error, count);
         CHECK(count > 10);
         CHECK(error < 0.02);
-        CHECK(worst < 0.01);
+        removed.check("removed variance");
     }
 }
 

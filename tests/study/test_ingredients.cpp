@@ -1,6 +1,7 @@
 // Every combination of ingredients, on the device, against the double-precision reference.
 
 #include "ingredients_reference.hpp"
+#include "largest.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -12,8 +13,7 @@ using namespace gabor;
 TEST_CASE("every combination of ingredients agrees with the reference", "[ingredients]") {
     const vulkan::Device device;
     const study::Wave wave{4, 0.7};
-    double largest = 0;
-    std::string where;
+    test::Largest largest;
     std::uint32_t seed = 11;
     for (const study::Points points : study::all_points)
         for (const study::Weights weights : study::all_weights)
@@ -29,14 +29,9 @@ TEST_CASE("every combination of ingredients agrees with the reference", "[ingred
                     for (std::uint32_t i = 0; i < values.size(); ++i) {
                         const test::Place p = test::random_place(5 + i, seed, 99);
                         const double expected = amplitude * test::ingredients_sum(it, wave, p.x, p.y, p.seed);
-                        const double difference = std::abs(values[i] - expected);
-                        if (difference <= largest)
-                            continue;
-                        largest = difference;
-                        where = fmt::format("{}, value {}: {} instead of {}", study::key(it), i, values[i],
-                                            expected);
+                        largest.see(values[i], expected, 1e-5,
+                                    [&] { return fmt::format("{}, value {}", study::key(it), i); });
                     }
                 }
-    fmt::print("ingredients: largest difference {:.2g} at {}\n", largest, where);
-    CHECK(largest < 1e-5);
+    largest.check("ingredients");
 }

@@ -1,5 +1,6 @@
 // What panes show, on the device: by the shaders that are built in, as values.
 
+#include "../largest.hpp"
 #include "viewer/canvas.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/timing.hpp"
@@ -63,20 +64,14 @@ void compare(const std::string& what, const std::vector<float>& found, const std
              double tolerance) {
     REQUIRE(found.size() == expected.size());
     REQUIRE(!found.empty());
-    double largest = 0;
+    test::Largest largest;
     double power = 0;
-    std::size_t place = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         power += double{expected[i]} * double{expected[i]} / static_cast<double>(found.size());
-        const double off = std::abs(double{found[i]} - double{expected[i]});
-        if (!(off <= largest)) {
-            largest = off;
-            place = i;
-        }
+        largest.see(found[i], expected[i], tolerance, [&] { return fmt::format("value {}", i); });
     }
-    fmt::print("{}: off by {:.2g} at {}\n", what, largest, place);
     CHECK(power > 0.3);
-    CHECK(largest <= tolerance);
+    largest.check(what);
 }
 
 } // namespace

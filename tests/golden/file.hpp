@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace gabor::test {
+
+/// What calls give at 64 points, and the file of what they gave in this version.
+class Rows {
+  public:
+    static constexpr int points = 64;
+    static constexpr int numbers = 16; ///< in a line of the file, each a sum over every 16th point
+
+    /// The values up to the next call are those of this point.
+    void begin(int point) {
+        point_ = point;
+        call_ = 0;
+    }
+
+    /// `call` may be empty, where it is not known.
+    void see(const std::string& call, double value) {
+        if (call_ == rows_.size())
+            rows_.push_back({call, {}});
+        constexpr double weights[points / numbers] = {1, -0.7, 0.8, -0.6};
+        rows_[call_++].sums[static_cast<std::size_t>(point_ % numbers)] += weights[point_ / numbers] * value;
+    }
+
+    /// Whether the file at `path` has the same calls, and sums within `tolerance`; says where not. Where the
+    /// environment has GABOR_GOLDEN=write, writes the file instead and fails.
+    bool compare(const std::string& path, double tolerance) const {
+        const char* mode = std::getenv("GABOR_GOLDEN");
+        if (mode && std::string(mode) == "write")
+            return write(path);
+        std::ifstream file(path);
+        std::string line;
+        std::getline(file, line);
+        if (line != version) {
+            std::printf("%s is of '%s' instead of '%s'\n", path.c_str(), line.c_str(), version);
+            return false;
+        }
+        bool same = !rows_.empty();
+        double largest = 0;
+        std::string where = "nowhere";
+        for (const Row& row : rows_) {
+            std::getline(file, line);
+            const std::size_t end = line.rfind(": ");
+            if (end == std::string::npos || (!row.call.empty() && line.substr(0, end) != row.call)) {
+                std::printf("%s has '%s' instead of '%s'\n", path.c_str(), line.substr(0, end).c_str(),
+                            row.call.c_str());
+                return false;
+            }
+            std::istringstream stream(line.substr(end + 2));
+            for (std::size_t i = 0; i < numbers; ++i) {
+                double expected = NAN;
+                stream >> expected;
+                const double difference = std::abs(row.sums[i] - expected);
+                same &= difference <= tolerance; // not of a NaN
+                if (!(difference <= largest)) {
+                    largest = difference;
+                    where = line.substr(0, end) + ", number " + std::to_string(i);
+                }
+            }
+        }
+        if (std::getline(file, line)) {
+            std::printf("%s has more calls: %s\n", path.c_str(), line.c_str());
+            return false;
+        }
+        std::printf("%s: %zu calls, largest difference %.2g at %s\n", path.c_str(), rows_.size(), largest,
+                    where.c_str());
+        return same;
+    }
+
+  private:
+    static constexpr const char* version = "version " GABOR_VERSION;
+
+    struct Row {
+        std::string call;
+        std::array<double, numbers> sums;
+    };
+
+    bool write(const std::string& path) const {
+        std::ofstream file(path);
+        file << version << "\n";
+        for (const Row& row : rows_) {
+            file << row.call << ":";
+            for (const double sum : row.sums) {
+                char text[32];
+                std::snprintf(text, sizeof text, " %.6f", sum);
+                file << text;
+            }
+            file << "\n";
+        }
+        std::printf("%s is written: look at its diff\n", path.c_str());
+        return false;
+    }
+
+    std::vector<Row> rows_;
+    std::size_t call_ = 0;
+    int point_ = 0;
+};
+
+} // namespace gabor::test

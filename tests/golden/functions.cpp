@@ -1,0 +1,59 @@
+// Compares what the C++ translations of the drop-ins give with a file in this folder, or writes it where the
+// environment says GABOR_GOLDEN=write: functions FILE. A line of it is a call and 16 numbers, each a sum over
+// 4 points.
+
+#include "file.hpp"
+
+#include <cmath>
+
+#define vec2 gabor_vec2
+#define vec3 gabor_vec3
+#define vec4 gabor_vec4
+#define ivec2 gabor_ivec2
+#define ivec3 gabor_ivec3
+#define uint std::uint32_t
+
+#include "sets.h"
+#if defined GOLDEN_NOISE
+#include "gabor_noise.hpp"
+#else
+#include "gabor_lattice.hpp"
+#endif
+#if !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
+#include "gabor_spectrum.hpp"
+#endif
+#if defined GOLDEN_LATTICE_3D
+#include "gabor_lattice_3d.hpp"
+#endif
+#if defined GOLDEN_MATERIALS
+#include "gabor_materials.hpp"
+#endif
+
+namespace {
+
+[[maybe_unused]] float exp2(float x) {
+    return std::exp2(x);
+}
+[[maybe_unused]] float sin(float x) {
+    return std::sin(x);
+}
+[[maybe_unused]] float floor(float x) {
+    return std::floor(x);
+}
+[[maybe_unused]] float dot(vec2 a, vec2 b) {
+    return gabor_cpp_dot(a, b);
+}
+
+gabor::test::Rows rows;
+#define SEE(call) rows.see(#call, call);
+#include "functions.glsl"
+
+} // namespace
+
+int main(int, char** arguments) {
+    for (int point = 0; point < gabor::test::Rows::points; ++point) {
+        rows.begin(point);
+        see_all(point);
+    }
+    return rows.compare(arguments[1], 2e-6) ? 0 : 1;
+}

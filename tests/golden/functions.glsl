@@ -1,0 +1,222 @@
+// Every public function of the drop-ins at 64 points: in C++ and GLSL, which both compile this text. Before it stand the
+// drop-ins, GOLDEN_... of the set to see, and SEE(call), which keeps what a call gives.
+//
+// One point in four is on nodes and where windows end, one in four far away.
+
+struct Point {
+    vec2 p;
+    vec3 q;
+    float frequency;
+    float orientation;
+    float frequency_spread;
+    float orientation_spread;
+    vec3 direction;
+    vec3 normal;
+    vec2 dx;
+    vec2 dy;
+    vec3 dx_3d;
+    vec3 dy_3d;
+    vec2 period;
+    vec3 period_3d;
+    float time;
+    ivec2 cell;
+    vec2 local;
+    uint seed;
+};
+
+// A number from low to high, another for each point and k.
+float drawn(int point, int k, float low, float high) {
+    uint word = (uint(point) * 0x9e3779b1u + uint(k)) * 0x85ebca6bu;
+    word = (word ^ (word >> 15u)) * 0x2c1b3c6du;
+    word = (word ^ (word >> 12u)) * 0x297a2d39u;
+    return low + (high - low) * (float((word ^ (word >> 15u)) >> 8u) / 16777216.0f);
+}
+
+// At integers there are nodes, and for three taps at odd ones window ends.
+float coordinate(int point, int k) {
+    int kind = point / 4 % 4;
+    float far = drawn(point, k, -2.0e4f, 2.0e4f);
+    float near = drawn(point, k, -4.0f, 4.0f);
+    return kind == 0 ? floor(near) : kind == 1 && k % 2 == 1 ? floor(near) : kind == 3 ? far : near;
+}
+
+Point point_of(int i) {
+    Point s;
+    s.p = vec2(coordinate(i, 0), coordinate(i, 1));
+    s.q = vec3(coordinate(i, 2), coordinate(i, 3), coordinate(i, 4));
+    s.frequency = i % 16 == 1 ? 20.0f : i % 16 == 2 ? -0.05f : drawn(i, 5, 0.1f, 4.0f);
+#if defined GOLDEN_SPECTRUM
+    if (i % 16 == 1) s.frequency = 8.0f;
+#endif
+#if !defined GOLDEN_NOISE
+    if (i % 16 == 3) s.frequency = 0.0f;
+#endif
+    s.orientation = drawn(i, 6, -4.0f, 4.0f);
+    s.frequency_spread = i % 8 == 3 ? 0.0f : drawn(i, 7, 0.0f, 1.1f);
+    s.orientation_spread = i % 8 == 5 ? 0.0f : drawn(i, 8, 0.0f, 1.7f);
+    s.direction = vec3(drawn(i, 9, -1.0f, 1.0f), drawn(i, 10, -1.0f, 1.0f), drawn(i, 11, -1.0f, 1.0f));
+    s.normal = vec3(drawn(i, 12, -0.5f, 0.5f), drawn(i, 13, -0.5f, 0.5f), drawn(i, 14, -0.5f, 0.5f));
+    if (i % 8 == 6) // the direction nearly on the normal
+        s.normal = s.direction + 0.3f * s.normal;
+    // Pixels of all sizes and shapes; at steps of 0.18 to 0.2 the filter changes its form.
+    float size = i % 8 == 1 ? drawn(i, 15, 0.18f, 0.2f) : exp2(drawn(i, 15, -7.0f, 2.0f));
+    s.dx_3d = size * vec3(drawn(i, 16, -1.0f, 1.0f), drawn(i, 17, -1.0f, 1.0f), drawn(i, 18, -1.0f, 1.0f));
+    s.dy_3d = size * vec3(drawn(i, 19, -1.0f, 1.0f), drawn(i, 20, -1.0f, 1.0f), drawn(i, 21, -1.0f, 1.0f));
+    if (i % 16 == 7) // a line
+        s.dy_3d = 0.5f * s.dx_3d;
+    if (i % 16 == 15)
+        s.dx_3d = 2.0e3f * s.dx_3d;
+    s.dx = vec2(s.dx_3d.x, s.dx_3d.y);
+    s.dy = vec2(s.dy_3d.x, s.dy_3d.y);
+    if (i % 8 == 4) { // along the axes
+        s.dx.y = 0.0f;
+        s.dy.x = 0.0f;
+    }
+    s.period = vec2(drawn(i, 22, 0.2f, 9.0f), drawn(i, 23, 0.2f, 9.0f));
+    s.period_3d = vec3(s.period.x, s.period.y, drawn(i, 24, 0.2f, 9.0f));
+    s.time = drawn(i, 25, -2.0f, 2.0f);
+    s.cell = ivec2(int(drawn(i, 26, -2.0e9f, 2.0e9f)), int(drawn(i, 27, -2.0e9f, 2.0e9f)));
+    s.local = vec2(drawn(i, 28, -2.0f, 2.0f), drawn(i, 29, -2.0f, 2.0f));
+    s.seed = uint(i) * 0x9e3779b1u;
+    return s;
+}
+
+// What is kept of a value: a sum of its parts, derivatives brought near to 1.
+
+float kept(float v) {
+    return v;
+}
+
+float kept(vec2 v) {
+    return v.x + 0.7f * v.y;
+}
+
+float kept(vec3 v) {
+    return v.x + 0.7f * v.y - 0.5f * v.z;
+}
+
+float kept(vec4 v) {
+    return v.x + 0.7f * v.y - 0.5f * v.z + 0.3f * v.w;
+}
+
+float kept(GaborField f) {
+    return kept(f.value) + 0.05f * (kept(f.slope_x) + 0.3f * kept(f.slope_y));
+}
+
+#if defined GOLDEN_LATTICE_3D
+float kept(GaborField3d f) {
+    return f.noise + 0.7f * f.quadrature + f.removed + 0.05f * kept(f.gradient) + 0.03f * kept(f.quadrature_gradient);
+}
+#endif
+
+#if defined GOLDEN_MATERIALS
+float kept(GaborMaterial m) {
+    return kept(m.colour) + 10.0f * m.height + 0.3f * m.roughness + 0.2f * m.metalness;
+}
+#endif
+
+float kept_gradient(vec3 v) {
+    return v.x + 0.05f * v.y + 0.03f * v.z;
+}
+
+void see_all(int i) {
+    Point s = point_of(i);
+#if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
+    SEE(gabor_noise(s.p, s.frequency, s.orientation, s.seed))
+    SEE(gabor_unorm(gabor_noise(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(kept_gradient(gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(kept(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).y)
+    SEE(sin(6.2831853f * gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).x))
+    SEE(gabor_noise_tiled(s.p, s.period, s.frequency, s.orientation, s.seed))
+    SEE(gabor_noise_animated(s.p, s.time, s.frequency, s.orientation, s.seed))
+    SEE(gabor_noise_at(s.cell, s.local, gabor_kernel(s.frequency, s.orientation), s.seed))
+    GaborPlace place = gabor_place(s.cell, s.local);
+    place.radius *= 0.9f;
+    place.period = ivec2(7, 12);
+    place.time = s.time;
+#endif
+#if defined GOLDEN_LATTICE
+    place.animated = i % 2 == 0;
+    SEE(kept(gabor_noise_four(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
+    SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
+#endif
+#if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
+    SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
+#endif
+#if defined GOLDEN_SPECTRUM
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // for a lobe of another radius rounds its place
+    GaborLobes lobes;
+    lobes.count = 5; // of which GABOR_LOBES count
+    lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);
+    lobes.lobe[1] = gabor_lobe(2.0f, 1.6f, drawn(i, 30, 0.5f, 2.0f), i % 8 == 0 ? 0.0f : 1.0f);
+    lobes.lobe[2] = gabor_lobe(drawn(i, 31, 0.0f, 3.0f), s.time, 0.7f, drawn(i, 32, 0.0f, 3.0f));
+    GaborPlace place = gabor_place_tiled(p, s.period);
+    place.animated = true;
+    place.time = s.time;
+    float removed;
+#define SPREAD s.frequency, s.orientation, s.frequency_spread, s.orientation_spread, s.seed
+    SEE(gabor_noise_spread(s.p, SPREAD))
+    SEE(kept_gradient(gabor_noise_spread_gradient(s.p, SPREAD)))
+    SEE(kept(gabor_noise_spread_complex(s.p, SPREAD)))
+    SEE(kept(gabor_field_spread(place, SPREAD)))
+    SEE(gabor_noise_lobes(p, lobes, s.seed))
+    SEE(kept_gradient(gabor_noise_lobes_gradient(p, lobes, s.seed)))
+    SEE(kept(gabor_noise_lobes_complex(p, lobes, s.seed)))
+    SEE(kept(gabor_field_lobes(place, lobes, s.seed)))
+    SEE(kept(gabor_field(gabor_place_scaled(place, 1.3f), gabor_kernel(s.frequency, s.orientation), s.seed)))
+    SEE(kept(gabor_footprint(s.dx, s.dy).covariance / dot(s.dx, s.dx)))
+    SEE(kept(gabor_footprint(s.dx, s.dy).resolved))
+    SEE(kept(gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed)))
+    vec4 gradient = gabor_noise_filtered_gradient(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed);
+    SEE(gradient.x + 0.05f * gradient.y + 0.03f * gradient.z + gradient.w)
+    SEE(kept(gabor_noise_four_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed, removed)))
+    SEE(removed)
+    SEE(kept(gabor_noise_lobes_filtered(p, s.dx, s.dy, lobes, s.seed)))
+    vec4 gradients = gabor_noise_lobes_filtered_gradient(p, s.dx, s.dy, lobes, s.seed);
+    SEE(gradients.x + 0.05f * gradients.y + 0.03f * gradients.z + gradients.w)
+    SEE(kept(gabor_field_filtered(place, gabor_kernel(s.frequency, s.orientation), gabor_footprint(s.dx, s.dy), s.seed, removed)))
+    SEE(removed)
+#endif
+#if defined GOLDEN_LATTICE_3D
+    GaborPlace3d place = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
+    place.radius *= vec3(0.9f, 1.1f, 1.0f);
+    place.period = ivec3(7, 0, 12);
+    place.animated = i % 2 == 0;
+    place.time = s.time;
+    place.filtered = i % 4 < 2;
+    place.dx = s.dx_3d;
+    place.dy = s.dy_3d;
+    SEE(gabor_noise_3d(s.q, s.frequency, s.direction, s.seed))
+    SEE(kept(gabor_noise_3d_gradient(s.q, s.frequency, s.direction, s.seed) * vec4(1.0f, 0.1f, 0.1f, 0.1f)))
+    SEE(kept(gabor_noise_3d_complex(s.q, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_noise_3d_four(s.q, s.frequency, s.direction, s.seed)))
+    SEE(gabor_noise_3d_tiled(s.q, s.period_3d, s.frequency, s.direction, s.seed))
+    SEE(gabor_noise_3d_animated(s.q, s.time, s.frequency, s.direction, s.seed))
+    SEE(kept(gabor_noise_3d_filtered(s.q, s.dx_3d, s.dy_3d, s.frequency, s.direction, s.seed)))
+    SEE(gabor_noise_3d_isotropic(s.q, s.frequency, s.seed))
+    SEE(gabor_noise_surface(s.q, s.normal, s.frequency, s.direction, s.seed))
+    SEE(gabor_noise_surface_isotropic(s.q, s.normal, 2.0f * s.frequency, s.seed))
+    SEE(kept(gabor_field_3d(place, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_isotropic_3d(place, 0.3f * s.frequency, s.seed)))
+    SEE(kept(gabor_surface_3d(place, s.normal, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_surface_isotropic_3d(place, s.normal, s.frequency, s.seed)))
+#endif
+#if defined GOLDEN_MATERIALS
+    vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units
+#define MATERIAL(sharp, filtered) SEE(kept(sharp(p, s.seed))) SEE(kept(filtered(p, 0.3f * s.dx, 0.3f * s.dy, s.seed)))
+    MATERIAL(gabor_wood, gabor_wood_filtered)
+    MATERIAL(gabor_fabric, gabor_fabric_filtered)
+    MATERIAL(gabor_leather, gabor_leather_filtered)
+    MATERIAL(gabor_marble, gabor_marble_filtered)
+    MATERIAL(gabor_sand, gabor_sand_filtered)
+    MATERIAL(gabor_ripples, gabor_ripples_filtered)
+    MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered)
+    MATERIAL(gabor_scratches, gabor_scratches_filtered)
+    MATERIAL(gabor_zebra, gabor_zebra_filtered)
+    MATERIAL(gabor_bark, gabor_bark_filtered)
+    MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered)
+    MATERIAL(gabor_strata, gabor_strata_filtered)
+#endif
+}

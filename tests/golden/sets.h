@@ -1,0 +1,31 @@
+// The macros of each set of functions, GABOR_OF_SET, which has a file SET.txt: for C++ and GLSL.
+
+#if defined GABOR_OF_noise_one
+#define GOLDEN_NOISE
+#elif defined GABOR_OF_noise_pure
+#define GOLDEN_NOISE
+#define GABOR_RADIUS 1.5f
+#define GABOR_WEIGHT_FLOOR 0.5f
+#define GABOR_WINDOW vec3(1.0f, -1.0f, 1.0f)
+#elif defined GABOR_OF_noise_paper
+#define GOLDEN_NOISE
+#define GABOR_IMPULSES 2
+#define GABOR_WEIGHT_FLOOR 1.0f
+#define GABOR_PHASES 2
+#define GABOR_WINDOW vec3(1.0f, 0.0f, 0.0f)
+#elif defined GABOR_OF_lattice_2
+#define GOLDEN_LATTICE
+#define GABOR_TAPS 2
+#elif defined GABOR_OF_lattice_3
+#define GOLDEN_LATTICE
+#elif defined GABOR_OF_lattice_4
+#define GOLDEN_LATTICE
+#define GABOR_TAPS 4
+#elif defined GABOR_OF_spectrum
+#define GOLDEN_SPECTRUM
+#elif defined GABOR_OF_lattice_3d
+#define GOLDEN_LATTICE_3D
+#elif defined GABOR_OF_materials
+#define GOLDEN_MATERIALS
+#endif
+#define GABOR_LOBES 3
