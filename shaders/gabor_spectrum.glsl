@@ -3,7 +3,7 @@
 // Paste or include this file after gabor_lattice.glsl.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
-//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel, variance removed
+//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
 //
 // Positions are in kernel radii, as in gabor_lattice.glsl. Noise has variance 1; filtered noise 1 less what was removed.
 // The filter needs GABOR_TAPS 3, the default.
@@ -40,92 +40,90 @@ struct GaborLobes {
     int count;
 };
 
-// A lobe of waves around one wave vector.
-//   frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, whatever the radius
-//   radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) / radius
-//                           cycles per unit of p
-//   power                   relative to other lobes', not negative
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power);
+// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+//     A lobe of waves around one wave vector.
+//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, whatever the radius
+//       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
+//                               radius cycles per unit of p
+//       power                   relative to other lobes', not negative
 
-// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At the
-// cost of gabor_noise for each lobe.
-//     #define GABOR_LOBES 2              // before the file
-//     GaborLobes lobes;
-//     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
-//     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
-//     lobes.count = 2;
-float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed);
+// float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
+//     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At
+//     the cost of gabor_noise for each lobe.
+//         #define GABOR_LOBES 2              // before the file
+//         GaborLobes lobes;
+//         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
+//         lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
+//         lobes.count = 2;
 
-// With its analytic gradient: (noise, d/dx, d/dy).
-vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed);
+// vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
+//     With its analytic gradient: (noise, d/dx, d/dy).
 
-// With its quadrature, as gabor_noise_complex.
-vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed);
+// vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
+//     With its quadrature, as gabor_noise_complex.
 
 // ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
 
-// Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-// `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be. pi/2
-// radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at frequencies from
-// 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous where the arguments are.
-// Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
-//     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-// directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8 frequencies, up
-// to 16. Near a change, a fifth of all arguments, both counts run.
-float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
-                         uint seed);
+// float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
+//                          uint seed)
+//     Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
+//     `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be.
+//     pi/2 radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at
+//     frequencies from 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous
+//     where the arguments are. Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
+//         (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
+//     directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8
+//     frequencies, up to 16. Near a change, a fifth of all arguments, both counts run.
 
-// With its analytic gradient: (noise, d/dx, d/dy).
-vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
-                                 float orientation_spread, uint seed);
+// vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
+//                                  float orientation_spread, uint seed)
+//     With its analytic gradient: (noise, d/dx, d/dy).
 
-// With its quadrature, as gabor_noise_complex.
-vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
-                                float orientation_spread, uint seed);
+// vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
+//                                 float orientation_spread, uint seed)
+//     With its quadrature, as gabor_noise_complex.
 
-#if GABOR_TAPS == 3
-// ---- As a pixel sees it --------------------------------------------------------------------------------------------
+// ---- As a pixel sees it, with GABOR_TAPS 3 -------------------------------------------------------------------------
 
-// Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add what
-// was removed to a material's roughness, or treat it as the contrast that a picture lost.
-//   dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel is
-//           a normal filter of covariance (dx dx^T + dy dy^T) / 4, whose standard deviation is half a pixel.
-// Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the noise
-// differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root mean squares
-// over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone. Continuous in the
-// place and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.1 times, with
-// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 3.4 times, along both 25 and 3.8 times. Where
-// compilers run both sides of a branch, as for CPUs, 3 and 5 times.
-vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed);
+// vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
+//     Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add
+//     what was removed to a material's roughness, or treat it as the contrast that a picture lost.
+//       dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The
+//               pixel is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its deviation is half a pixel.
+//     Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the
+//     noise differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root
+//     mean squares over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone.
+//     Continuous in the place and in both steps. Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii,
+//     with 9 nodes, and from 0.2 on 3.1 times, with 16; both in between. From 0.66 on along x or y it takes 20 nodes
+//     and 3.4 times, along both 25 and 3.8 times. Where compilers run both sides of a branch, as for CPUs, 3 and 5
+//     times.
 
-// With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and differ
-// by up to 7 %.
-vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed);
+// vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
+//     With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and
+//     differ by up to 7 %.
 
-// The four noises of gabor_noise_four, filtered, and the share of its variance that each lost.
-vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,
-                               out float removed);
+// vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,
+//                                out float removed)
+//     The four noises of gabor_noise_four, filtered, and the share of its variance that each lost.
 
-// The noise of gabor_noise_lobes, filtered: (noise, removed).
-vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed);
+// vec2 gabor_noise_lobes_filtered(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
+//     The noise of gabor_noise_lobes, filtered: (noise, removed).
 
-// With its gradient: (noise, d/dx, d/dy, removed).
-vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed);
-#endif
+// vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
+//     With its gradient: (noise, d/dx, d/dy, removed).
 
 // ---- By place ------------------------------------------------------------------------------------------------------
 
-// The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is rounded to
-// a float: within a period, or without one as p is.
-GaborPlace gabor_place_scaled(GaborPlace place, float radius);
+// GaborPlace gabor_place_scaled(GaborPlace place, float radius)
+//     The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
+//     rounded to a float: within a period, or without one as p is.
 
-// The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
-GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed);
+// GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
+//     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
 
-// The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
-GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
-                              float orientation_spread, uint seed);
+// GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
+//                               float orientation_spread, uint seed)
+//     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 #if GABOR_TAPS == 3
 // What a pixel covers: see gabor_footprint.
@@ -133,15 +131,16 @@ struct GaborFootprint {
     vec3 covariance; // xx, yy, xy in kernel radii^2
     vec3 resolved;   // the same with standard deviations of at most 1/2, for which the windows are made
 };
-
-// The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
-GaborFootprint gabor_footprint(vec2 dx, vec2 dy);
-
-// The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed. For
-// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
-GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
-                                out float removed);
 #endif
+
+// GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
+//     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+
+// GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
+//                                 out float removed)
+//     The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
+//     For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius /
+//     GABOR_RADIUS.
 
 // ====================================================================================================================
 // Private implementation

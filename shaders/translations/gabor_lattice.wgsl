@@ -15,8 +15,8 @@ const GABOR_NOISE_VERSION: u32 = 10100u;
 override GABOR_TAPS: i32 = 3;
 
 // Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
-//                10^5 it steps by 0.008.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                at 10^5 it steps by 0.008
 //   frequency    cycles per kernel radius; its magnitude counts, up to 10^6
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //   seed         any; different seeds give independent noises
@@ -76,8 +76,8 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     }
 }
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines;
-// at one place both have variance 1 and are independent.
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+// sines; at one place both have variance 1 and are independent.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -97,8 +97,8 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     }
 }
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_10: f32;
@@ -140,8 +140,8 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 }
 
 // Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
-// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter periods
-// narrow the windows.
+// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
+// periods narrow the windows.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
@@ -153,8 +153,8 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e14.value.y;
 }
 
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise, at any
-// other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
+// at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_3: GaborPlace;
@@ -183,7 +183,8 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     }
 }
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+// clamped.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
@@ -222,7 +223,8 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     return GaborKernel((min(abs(frequency), 1000000f) * _e7));
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+// way.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
@@ -233,8 +235,8 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
-// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless
-// where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
+// endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;

@@ -26,11 +26,6 @@ struct GaborPlace3d {
     dy: vec3<f32>,
 }
 
-// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
-fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
-    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
-}
-
 // The noise and its quadrature, each with its gradient per kernel radius. Apart, so that compilers drop unused ones.
 struct GaborField3d {
     noise: f32,
@@ -38,6 +33,11 @@ struct GaborField3d {
     quadrature: f32,
     quadrature_gradient: vec3<f32>,
     removed: f32,
+}
+
+// (cell + local) / GABOR_RADIUS kernel radii: full precision everywhere in a world of 2^32 cells each way.
+fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
+    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.

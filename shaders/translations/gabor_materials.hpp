@@ -27,33 +27,33 @@ struct GaborMaterial {
 };
 
 // The materials at p, and in brackets how many noises each evaluates.
-GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed);          // a board: year rings cut lengthwise, pores, fibres [6]
-GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed);        // linen: a plain weave of uneven threads [5]
-GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed);       // pebbled grain: cells between creases [8]
-GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed);        // white, with veins of four sizes [12]
-GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed);          // wind ripples, steep on one side, and grains [7]
-GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed);       // water under a light wind [14]
-GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed); // streaks along x [5]
-GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed);     // hairlines in a dark lacquer [28]
-GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed);         // stripes that fork, and hair [5]
-GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed);          // furrows and plates, moss [11]
-GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed);  // a twill of black tows [3]
-GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed);        // layers of sandstone, seen from the side [11]
+// GaborMaterial gabor_wood(vec2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
+// GaborMaterial gabor_fabric(vec2 p, uint seed)           linen: a plain weave of uneven threads [5]
+// GaborMaterial gabor_leather(vec2 p, uint seed)          pebbled grain: cells between creases [8]
+// GaborMaterial gabor_marble(vec2 p, uint seed)           white, with veins of four sizes [12]
+// GaborMaterial gabor_sand(vec2 p, uint seed)             wind ripples, steep on one side, and grains [7]
+// GaborMaterial gabor_ripples(vec2 p, uint seed)          water under a light wind [14]
+// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)    streaks along x [5]
+// GaborMaterial gabor_scratches(vec2 p, uint seed)        hairlines in a dark lacquer [28]
+// GaborMaterial gabor_zebra(vec2 p, uint seed)            stripes that fork, and hair [5]
+// GaborMaterial gabor_bark(vec2 p, uint seed)             furrows and plates, moss [11]
+// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)     a twill of black tows [3]
+// GaborMaterial gabor_strata(vec2 p, uint seed)           layers of sandstone, seen from the side [11]
 
 // The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
 // that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
-GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
-GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed);
+// GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // ====================================================================================================================
 // Private implementation

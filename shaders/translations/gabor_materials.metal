@@ -30,33 +30,33 @@ struct GaborMaterial {
 };
 
 // The materials at p, and in brackets how many noises each evaluates.
-inline GaborMaterial gabor_wood(float2 p, uint seed);          // a board: year rings cut lengthwise, pores, fibres [6]
-inline GaborMaterial gabor_fabric(float2 p, uint seed);        // linen: a plain weave of uneven threads [5]
-inline GaborMaterial gabor_leather(float2 p, uint seed);       // pebbled grain: cells between creases [8]
-inline GaborMaterial gabor_marble(float2 p, uint seed);        // white, with veins of four sizes [12]
-inline GaborMaterial gabor_sand(float2 p, uint seed);          // wind ripples, steep on one side, and grains [7]
-inline GaborMaterial gabor_ripples(float2 p, uint seed);       // water under a light wind [14]
-inline GaborMaterial gabor_brushed_metal(float2 p, uint seed); // streaks along x [5]
-inline GaborMaterial gabor_scratches(float2 p, uint seed);     // hairlines in a dark lacquer [28]
-inline GaborMaterial gabor_zebra(float2 p, uint seed);         // stripes that fork, and hair [5]
-inline GaborMaterial gabor_bark(float2 p, uint seed);          // furrows and plates, moss [11]
-inline GaborMaterial gabor_carbon_fibre(float2 p, uint seed);  // a twill of black tows [3]
-inline GaborMaterial gabor_strata(float2 p, uint seed);        // layers of sandstone, seen from the side [11]
+// GaborMaterial gabor_wood(float2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
+// GaborMaterial gabor_fabric(float2 p, uint seed)           linen: a plain weave of uneven threads [5]
+// GaborMaterial gabor_leather(float2 p, uint seed)          pebbled grain: cells between creases [8]
+// GaborMaterial gabor_marble(float2 p, uint seed)           white, with veins of four sizes [12]
+// GaborMaterial gabor_sand(float2 p, uint seed)             wind ripples, steep on one side, and grains [7]
+// GaborMaterial gabor_ripples(float2 p, uint seed)          water under a light wind [14]
+// GaborMaterial gabor_brushed_metal(float2 p, uint seed)    streaks along x [5]
+// GaborMaterial gabor_scratches(float2 p, uint seed)        hairlines in a dark lacquer [28]
+// GaborMaterial gabor_zebra(float2 p, uint seed)            stripes that fork, and hair [5]
+// GaborMaterial gabor_bark(float2 p, uint seed)             furrows and plates, moss [11]
+// GaborMaterial gabor_carbon_fibre(float2 p, uint seed)     a twill of black tows [3]
+// GaborMaterial gabor_strata(float2 p, uint seed)           layers of sandstone, seen from the side [11]
 
 // The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
 // that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
-inline GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_scratches_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint seed);
-inline GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed);
+// GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_scratches_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint seed)
+// GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
 // ====================================================================================================================
 // Private implementation

@@ -16,38 +16,37 @@ struct GaborMaterial {
     metalness: f32,
 }
 
-// The materials at p, and in brackets how many noises each evaluates.
-// a board: year rings cut lengthwise, pores, fibres [6]
+//         a board: year rings cut lengthwise, pores, fibres [6]
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_wood(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// linen: a plain weave of uneven threads [5]
+//       linen: a plain weave of uneven threads [5]
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_fabric(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// pebbled grain: cells between creases [8]
+//      pebbled grain: cells between creases [8]
 fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_leather(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// white, with veins of four sizes [12]
+//       white, with veins of four sizes [12]
 fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_marble(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// wind ripples, steep on one side, and grains [7]
+//         wind ripples, steep on one side, and grains [7]
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_sand(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// water under a light wind [14]
+//      water under a light wind [14]
 fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_ripples(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
@@ -59,19 +58,19 @@ fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
     return _e8;
 }
 
-// hairlines in a dark lacquer [28]
+//    hairlines in a dark lacquer [28]
 fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_scratches(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// stripes that fork, and hair [5]
+//        stripes that fork, and hair [5]
 fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_zebra(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// furrows and plates, moss [11]
+//         furrows and plates, moss [11]
 fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_bark(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
@@ -83,14 +82,12 @@ fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
     return _e8;
 }
 
-// layers of sandstone, seen from the side [11]
+//       layers of sandstone, seen from the side [11]
 fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_strata(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
-// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
 fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
     return _e6;

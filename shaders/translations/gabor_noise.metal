@@ -52,46 +52,48 @@ using namespace metal;
 #error GABOR_PHASES is a power of two, from 2 to 256
 #endif
 #endif
+
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
-// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
-//                10^5 it steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of impulses
-//                are too coarse for the exact variance.
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
-//   seed         any; different seeds give independent noises
-// Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
-// GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
-inline float gabor_noise(float2 p, float frequency, float orientation, uint seed);
+// float gabor_noise(float2 p, float frequency, float orientation, uint seed)
+//     Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
+//     normal over all places together, less so at each place of a cell: README has both figures for each recipe.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                    at 10^5 it steps by 0.008
+//       frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of
+//                    impulses are too coarse for the exact variance
+//       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//       seed         any; different seeds give independent noises
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
+//     GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
 
-// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-// orientation as constant.
-inline float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed);
+// float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
+//     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+//     orientation as constant.
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines.
-// At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from
-// frequency 1.5 up.
-inline float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed);
+// float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
+//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+//     sines. At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1
+//     only from frequency 1.5 up.
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-inline float2 gabor_phasor(float2 value);
+// float2 gabor_phasor(float2 value)
+//     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+//     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the mean
-// and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells grow to fit,
-// and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for square
-// periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
-inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed);
+// float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
+//     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
+//     mean and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells
+//     grow to fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14
+//     to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is gabor_noise of
-// some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at
-// 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
-inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed);
+// float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
+//     Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is
+//     gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87
+//     at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
-inline float gabor_unorm(float noise);
+// float gabor_unorm(float noise)
+//     Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+//     clamped.
 
 // ---- By place: large worlds, periods and time together -------------------------------------------------------------
 
@@ -118,17 +120,18 @@ struct GaborField {
     float2 slope_y;
 };
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
-inline GaborKernel gabor_kernel(float frequency, float orientation);
+// GaborKernel gabor_kernel(float frequency, float orientation)
+//     The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
-inline GaborPlace gabor_place(int2 cell, float2 local);
+// GaborPlace gabor_place(int2 cell, float2 local)
+//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+//     way.
 
-// Noise, quadrature and both gradients at a place. All other functions call this one.
-inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed);
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
+//     Noise, quadrature and both gradients at a place. All other functions call this one.
 
-// The noise at gabor_place(cell, local).
-inline float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed);
+// float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
+//     The noise at gabor_place(cell, local).
 
 // ====================================================================================================================
 // Private implementation

@@ -14,10 +14,10 @@ const GABOR_NOISE_VERSION: u32 = 10100u;
 
 // Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
 // normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
-//                10^5 it steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of impulses
-//                are too coarse for the exact variance.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                at 10^5 it steps by 0.008
+//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of
+//                impulses are too coarse for the exact variance
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //   seed         any; different seeds give independent noises
 // Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
@@ -43,9 +43,9 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
 }
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines.
-// At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1 only from
-// frequency 1.5 up.
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+// sines. At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1
+// only from frequency 1.5 up.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
@@ -53,8 +53,8 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     return _e10.value;
 }
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_10: f32;
@@ -83,10 +83,10 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(_e25, _e26);
 }
 
-// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the mean
-// and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells grow to fit,
-// and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14 to 425 for square
-// periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
+// mean and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells
+// grow to fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14
+// to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
@@ -116,9 +116,9 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e39.value.y;
 }
 
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is gabor_noise of
-// some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at
-// 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is
+// gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87
+// at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
@@ -131,7 +131,8 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     return _e14.value.y;
 }
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+// clamped.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
@@ -211,7 +212,8 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+// way.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
 }

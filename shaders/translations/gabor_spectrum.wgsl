@@ -3,7 +3,7 @@
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
-//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel, variance removed
+//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
 //
 // Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise 1 less what was removed.
 // The filter needs GABOR_TAPS 3, the default.
@@ -26,15 +26,15 @@ struct GaborLobes {
 
 // A lobe of waves around one wave vector.
 //   frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, whatever the radius
-//   radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) / radius
-//                           cycles per unit of p
+//   radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
+//                           radius cycles per unit of p
 //   power                   relative to other lobes', not negative
 fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, radius, power);
 }
 
-// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At the
-// cost of gabor_noise for each lobe.
+// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At
+// the cost of gabor_noise for each lobe.
 //     #define GABOR_LOBES 2              // before the file
 //     GaborLobes lobes;
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
@@ -142,13 +142,13 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-// `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be. pi/2
-// radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at frequencies from
-// 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous where the arguments are.
-// Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
+// `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be.
+// pi/2 radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at
+// frequencies from 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous
+// where the arguments are. Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
 //     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-// directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8 frequencies, up
-// to 16. Near a change, a fifth of all arguments, both counts run.
+// directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8
+// frequencies, up to 16. Near a change, a fifth of all arguments, both counts run.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_7: GaborPlace;
@@ -250,17 +250,17 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
     }
 }
 
-// Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add what
-// was removed to a material's roughness, or treat it as the contrast that a picture lost.
-//   dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel is
-//           a normal filter of covariance (dx dx^T + dy dy^T) / 4, whose standard deviation is half a pixel.
-// Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the noise
-// differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root mean squares
-// over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone. Continuous in the
-// place and in both steps.
-// Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii, with 9 nodes, and from 0.2 on 3.1 times, with
-// 16; both in between. From 0.66 on along x or y it takes 20 nodes and 3.4 times, along both 25 and 3.8 times. Where
-// compilers run both sides of a branch, as for CPUs, 3 and 5 times.
+// Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add
+// what was removed to a material's roughness, or treat it as the contrast that a picture lost.
+//   dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The
+//           pixel is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its deviation is half a pixel.
+// Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the
+// noise differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root
+// mean squares over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone.
+// Continuous in the place and in both steps. Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii,
+// with 9 nodes, and from 0.2 on 3.1 times, with 16; both in between. From 0.66 on along x or y it takes 20 nodes
+// and 3.4 times, along both 25 and 3.8 times. Where compilers run both sides of a branch, as for CPUs, 3 and 5
+// times.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_7: vec4<f32>;
 
@@ -271,8 +271,8 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
     return vec2<f32>(_e8.x, _e10.w);
 }
 
-// With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and differ
-// by up to 7 %.
+// With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and
+// differ by up to 7 %.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_6: GaborField;
@@ -407,8 +407,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     return _e90;
 }
 
-// The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is rounded to
-// a float: within a period, or without one as p is.
+// The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
+// rounded to a float: within a period, or without one as p is.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
     var cell_3: vec2<i32>;
     var unit: vec2<f32>;
@@ -826,8 +826,9 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e138;
 }
 
-// The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed. For
-// periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius / GABOR_RADIUS.
+// The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
+// For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius /
+// GABOR_RADIUS.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_7: GaborKernel;
     var stretch_1: vec2<f32>;

@@ -103,6 +103,15 @@ Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t s
     : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
       wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
 
+Lattice::Lattice(int taps, std::array<double, 2> wave, std::uint32_t seed)
+    : taps_(taps), wave_x_(wave[0]), wave_y_(wave[1]), seed_(seed) {}
+
+std::array<double, 3> lattice_stripes(Complex value, double sharpness) {
+    const double intensity = std::abs(value);
+    const Complex stripes = sharpness * intensity > 1 ? value / intensity : sharpness * value;
+    return {stripes.real(), stripes.imag(), intensity};
+}
+
 namespace {
 
 // A column or a row of nodes whose windows reach the place.

@@ -60,6 +60,9 @@ class Lattice {
     /// `taps`: GABOR_TAPS. `frequency` in cycles per kernel radius, `orientation` in radians.
     Lattice(int taps, double frequency, double orientation, std::uint32_t seed);
 
+    /// `wave` in cycles per kernel radius.
+    Lattice(int taps, std::array<double, 2> wave, std::uint32_t seed);
+
     struct Field {
         std::complex<double> value; ///< the noise is the imaginary part
         std::complex<double> slope_x;
@@ -75,5 +78,9 @@ class Lattice {
     double wave_y_;
     std::uint32_t seed_;
 };
+
+/// Cosine, sine and intensity of a complex noise's stripes: the value over its length where that exceeds
+/// 1 / sharpness, `sharpness` times the value below.
+std::array<double, 3> lattice_stripes(std::complex<double> value, double sharpness);
 
 } // namespace gabor::noise

@@ -22,7 +22,8 @@ struct LatticeSample {
     float orientation;
     std::uint32_t seed;
     float tile[2]; ///< the periods of gabor_noise_tiled, kernel radii
-    std::uint32_t padding = 0;
+    float sharpness = 0;
+    float wave[2] = {};
 
     noise::LatticePlace place() const {
         return {cell[0],   cell[1],   local[0],  local[1],      radius[0],
@@ -32,10 +33,10 @@ struct LatticeSample {
 
 inline std::string to_string(const LatticeSample& s) {
     return fmt::format("cell ({}, {}) + ({}, {}), p ({}, {}), nodes per radius ({}, {}), period ({}, {}), "
-                       "time {} ({}), frequency {}, orientation {}, seed {}, tile ({}, {})",
+                       "time {} ({}), frequency {}, orientation {}, seed {}, tile ({}, {}), wave ({}, {}), sharpness {}",
                        s.cell[0], s.cell[1], s.local[0], s.local[1], s.p[0], s.p[1], s.radius[0], s.radius[1],
                        s.period[0], s.period[1], s.time, s.animated, s.frequency, s.orientation, s.seed,
-                       s.tile[0], s.tile[1]);
+                       s.tile[0], s.tile[1], s.wave[0], s.wave[1], s.sharpness);
 }
 
 struct LatticeAnswer {
@@ -54,6 +55,11 @@ struct LatticeAnswer {
     std::uint32_t word;
     std::uint32_t padding;
     float four[4];
+    float wave[4];
+    float wave_complex[2];
+    float wave_tiled;
+    float stripes_tiled;
+    float stripes[4];
 };
 
 struct LatticeSampler : Probe<LatticeSample, LatticeAnswer> {

@@ -41,6 +41,9 @@ LatticeSample draw_sample(Draw& draw, int taps) {
     s.frequency = draw.word() % 16 == 0 ? 0 : std::exp2(draw.uniform(-5, 6));
     s.orientation = draw.uniform(-8, 8);
     s.seed = draw.word() % 16 == 0 ? 0 : draw.word();
+    for (float& wave : s.wave)
+        wave = draw.word() % 16 == 0 ? 0 : draw.uniform(-1, 1) * std::max(s.frequency, 1.0f);
+    s.sharpness = draw.word() % 16 == 0 ? 0 : draw.uniform(0, 4);
     return s;
 }
 
@@ -82,7 +85,8 @@ TEST_CASE("the lattice noise agrees with the reference", "[lattice]") {
     for (const int taps : {2, 3, 4}) {
         Draw draw(static_cast<unsigned>(taps));
         test::LatticeSampler sampler(device, taps, per_batch);
-        Largest value, quadrature, slope, unorm, at, plain, complex, gradient, four, animated, tiled;
+        Largest value, quadrature, slope, unorm, at, plain, complex, gradient, four, animated, tiled, wave,
+            wave_gradient, stripes;
         for (int batch = 0; batch < 6; ++batch) {
             for (LatticeSample& sample : sampler.samples())
                 sample = draw_sample(draw, taps);
@@ -125,8 +129,29 @@ TEST_CASE("the lattice noise agrees with the reference", "[lattice]") {
                 const noise::LatticePlace tile = tile_at(s, taps);
                 const double cycles = s.frequency + std::max(tile.radius_x, tile.radius_y);
                 const double position = std::max(std::abs(s.p[0]), std::abs(s.p[1])) * std::exp2(-21);
-                tiled.see(answer.tiled, reference.field(tile).value.imag(),
-                          tight + 2 * std::numbers::pi * cycles * position, s);
+                const double tile_tolerance = tight + 2 * std::numbers::pi * cycles * position;
+                tiled.see(answer.tiled, reference.field(tile).value.imag(), tile_tolerance, s);
+
+                const noise::Lattice of_wave(taps, {s.wave[0], s.wave[1]}, s.seed);
+                const auto waved = of_wave.field(place_at(s, taps));
+                wave.see(answer.wave[3], waved.value.imag(), tight, s);
+                wave.see(answer.wave_complex[0], waved.value.real(), tight, s);
+                wave.see(answer.wave_complex[1], waved.value.imag(), tight, s);
+                wave.see(answer.wave_tiled, of_wave.field(tile).value.imag(), tile_tolerance, s);
+                wave_gradient.see(answer.wave[0], waved.value.imag(), tight, s);
+                wave_gradient.see(answer.wave[1], waved.slope_x.imag(), loose, s);
+                wave_gradient.see(answer.wave[2], waved.slope_y.imag(), loose, s);
+                const double steep = std::max(1.0, static_cast<double>(s.sharpness));
+                const auto packed = [](const std::array<double, 3>& v) { return v[0] + 2 * v[1] + 4 * v[2]; };
+                const auto expected = noise::lattice_stripes(waved.value, s.sharpness);
+                for (std::size_t c = 0; c < 3; ++c)
+                    stripes.see(answer.stripes[c], expected[c], steep * tight, s);
+                stripes.see(answer.stripes[3],
+                            packed(noise::lattice_stripes(of_wave.field(s.place()).value, s.sharpness)),
+                            7 * steep * tight, s);
+                stripes.see(answer.stripes_tiled,
+                            packed(noise::lattice_stripes(of_wave.field(tile).value, s.sharpness)),
+                            7 * steep * tile_tolerance, s);
             }
         }
         fmt::print("{} taps on {}; largest differences in units of the tolerance\n", taps,
@@ -142,6 +167,9 @@ TEST_CASE("the lattice noise agrees with the reference", "[lattice]") {
         four.check("gabor_noise_four");
         animated.check("gabor_noise_animated");
         tiled.check("gabor_noise_tiled");
+        wave.check("gabor_noise_wave, _complex, _tiled");
+        wave_gradient.check("gabor_noise_wave_gradient");
+        stripes.check("gabor_stripes, _at, _tiled");
     }
 }
 

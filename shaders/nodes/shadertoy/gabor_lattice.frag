@@ -35,44 +35,45 @@ precision highp int;
 #error GABOR_TAPS is 2, 3 or 4
 #endif
 
-// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large: at
-//                10^5 it steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude counts, up to 10^6
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
-//   seed         any; different seeds give independent noises
-// Frequency and orientation may vary from place to place: the noise is continuous where they are.
-float gabor_noise(vec2 p, float frequency, float orientation, uint seed);
+// float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
+//     Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                    at 10^5 it steps by 0.008
+//       frequency    cycles per kernel radius; its magnitude counts, up to 10^6
+//       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//       seed         any; different seeds give independent noises
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are.
 
-// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-// orientation as constant.
-vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed);
+// vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
+//     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+//     orientation as constant.
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has sines;
-// at one place both have variance 1 and are independent.
-vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed);
+// vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
+//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+//     sines; at one place both have variance 1 and are independent.
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-vec2 gabor_phasor(vec2 value);
+// vec2 gabor_phasor(vec2 value)
+//     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+//     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
-vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed);
+// vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
+//     Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
 
-// Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
-// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter periods
-// narrow the windows.
-float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed);
+// float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
+//     Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
+//     orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
+//     periods narrow the windows.
 
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise, at any
-// other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
-float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed);
+// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+//     Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
+//     at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are clamped.
-float gabor_unorm(float noise);
+// float gabor_unorm(float noise)
+//     Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+//     clamped.
 
-// A seed for part `index` of a sum of independent noises.
-uint gabor_lobe_seed(uint seed, int index);
+// uint gabor_lobe_seed(uint seed, int index)
+//     A seed for part `index` of a sum of independent noises.
 
 // ---- By place: large worlds, periods and time together -------------------------------------------------------------
 
@@ -100,21 +101,22 @@ struct GaborField {
     vec2 slope_y;
 };
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
-GaborKernel gabor_kernel(float frequency, float orientation);
+// GaborKernel gabor_kernel(float frequency, float orientation)
+//     The kernel of a frequency and an orientation, with the ranges of gabor_noise.
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each way.
-GaborPlace gabor_place(ivec2 cell, vec2 local);
+// GaborPlace gabor_place(ivec2 cell, vec2 local)
+//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+//     way.
 
-// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is endless
-// where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
-GaborPlace gabor_place_tiled(vec2 p, vec2 period);
+// GaborPlace gabor_place_tiled(vec2 p, vec2 period)
+//     The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
+//     endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
 
-// Noise, quadrature and both gradients at a place. All other functions call this one.
-GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed);
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
+//     Noise, quadrature and both gradients at a place. All other functions call this one.
 
-// The noise at gabor_place(cell, local).
-float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed);
+// float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
+//     The noise at gabor_place(cell, local).
 
 // ====================================================================================================================
 // Private implementation

@@ -2,7 +2,7 @@
 
 #include "gabor_lattice.glsl"
 
-// 0: all the answers, 1: only `at`, 2: `tiled` and `animated`, 3: `complex`, `gradient` and `four`
+// 0: all the answers, 1: only `at`, 2: `tiled` and `animated`, 3: `complex`, `gradient` and `four`, 4: of a wave vector
 layout(constant_id = 0) const int wanted = 0;
 
 layout(local_size_x = 64) in;
@@ -20,7 +20,8 @@ struct Sample {
     uint seed;
     float period_x; // of gabor_noise_tiled, kernel radii
     float period_y;
-    uint padding;
+    float sharpness;
+    vec2 wave;
 };
 
 struct Answer {
@@ -39,7 +40,16 @@ struct Answer {
     uint word;
     uint padding;
     vec4 four; // gabor_noise_four
+    vec4 wave; // gabor_noise_wave_gradient, and gabor_noise_wave
+    vec2 wave_complex;
+    float wave_tiled;
+    float stripes_tiled; // its cosine plus twice its sine and four times its intensity
+    vec4 stripes;        // in w as stripes_tiled that of gabor_stripes_at(place)
 };
+
+float packed(vec3 v) {
+    return dot(v, vec3(1.0, 2.0, 4.0));
+}
 
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
@@ -69,6 +79,16 @@ void main() {
         answers[i].gradient_noise = gradient.x;
         answers[i].gradient = gradient.yz;
         answers[i].four = gabor_noise_four(p, s.frequency, s.orientation, s.seed);
+    }
+    if (all || wanted == 4) {
+        vec2 period = vec2(s.period_x, s.period_y);
+        answers[i].wave = vec4(gabor_noise_wave_gradient(p, s.wave, s.seed), gabor_noise_wave(p, s.wave, s.seed));
+        answers[i].wave_complex = gabor_noise_wave_complex(p, s.wave, s.seed);
+        answers[i].wave_tiled = gabor_noise_wave_tiled(p, period, s.wave, s.seed);
+        answers[i].stripes_tiled = packed(gabor_stripes_tiled(p, period, s.wave, s.sharpness, s.seed));
+        GaborPlace place = GaborPlace(s.cell, s.local, s.radius, s.period, s.animated != 0, s.time);
+        answers[i].stripes = vec4(gabor_stripes(p, s.wave, s.sharpness, s.seed),
+                                  packed(gabor_stripes_at(place, s.wave, s.sharpness, s.seed)));
     }
     if (!all)
         return;
