@@ -297,7 +297,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, wave: vec3<f32>, stretch: vec3<f32>, am
 // With periods, whose nodes are not 1 / GABOR_RADIUS apart, everything counts in units of GABOR_RADIUS nodes.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var stretch_3: vec3<f32>;
-    var wave_12: vec3<f32>;
+    var wave_20: vec3<f32>;
     var salt_10: u32;
     var amplitude_6: f32 = 1f;
     var transmitted_2: f32 = 1f;
@@ -311,12 +311,12 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     stretch_3 = (place.radius / vec3(1.5f));
     let _e15 = gabor_impl_unit(direction);
     let _e17 = stretch_3;
-    wave_12 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
+    wave_20 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
     let _e20 = gabor_impl_salt(seed);
     salt_10 = _e20;
     if place.filtered {
         {
-            let _e35 = wave_12;
+            let _e35 = wave_20;
             let _e36 = stretch_3;
             let _e41 = gabor_impl_pixel(place, _e35, _e36, (&amplitude_6), (&transmitted_2));
             pixel_1 = _e41;
@@ -337,7 +337,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     }
     let _e76 = wide_1;
     if (_e76 < 1f) {
-        let _e80 = wave_12;
+        let _e80 = wave_20;
         let _e81 = pixel_1;
         let _e82 = salt_10;
         let _e83 = gabor_impl_sum_3d(place, _e80, _e81, _e82);
@@ -348,7 +348,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     let _e90 = wide_1;
     if (_e90 > 0f) {
         {
-            let _e100 = wave_12;
+            let _e100 = wave_20;
             let _e101 = pixel_1;
             let _e102 = wide_1;
             let _e105 = salt_10;
@@ -636,18 +636,6 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 
 // The same with its gradient: (noise, d/dx, d/dy, d/dz). For bumps take away the part of it along the normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var field_10: GaborField3d;
-
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_10 = _e12;
-    let _e14 = field_10;
-    let _e16 = field_10;
-    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
-}
-
-// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
-fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_11: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
@@ -655,6 +643,18 @@ fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, se
     field_11 = _e12;
     let _e14 = field_11;
     let _e16 = field_11;
+    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
+}
+
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_12: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_12 = _e12;
+    let _e14 = field_12;
+    let _e16 = field_12;
     return vec2<f32>(_e14.quadrature, _e16.noise);
 }
 
@@ -672,37 +672,37 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 
 // Solid noise that repeats after `period` kernel radii along each axis, exactly: see gabor_noise_tiled.
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var period_7: vec3<f32>;
+    var period_9: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_21: GaborPlace3d;
+    var place_24: GaborPlace3d;
 
-    period_7 = period;
-    let _e6 = period_7;
-    period_7 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
-    let _e12 = period_7;
+    period_9 = period;
+    let _e6 = period_9;
+    period_9 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
+    let _e12 = period_9;
     nodes_1 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
-    let _e28 = period_7;
-    let _e31 = period_7;
+    let _e28 = period_9;
+    let _e31 = period_9;
     let _e34 = nodes_1;
-    let _e35 = period_7;
+    let _e35 = period_9;
     let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_21 = _e38;
+    place_24 = _e38;
     let _e41 = nodes_1;
-    let _e42 = period_7;
-    place_21.radius = (_e41 / _e42);
+    let _e42 = period_9;
+    place_24.radius = (_e41 / _e42);
     let _e45 = nodes_1;
-    place_21.period = vec3<i32>(_e45);
-    let _e47 = place_21;
+    place_24.period = vec3<i32>(_e45);
+    let _e47 = place_24;
     let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
     return _e48.noise;
 }
 
 // Solid noise that evolves in place and is itself again whenever `time` has gone by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_22: GaborPlace3d;
+    var place_25: GaborPlace3d;
 
-    place_22 = GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), true, time, false, vec3(0f), vec3(0f));
-    let _e27 = place_22;
+    place_25 = GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), true, time, false, vec3(0f), vec3(0f));
+    let _e27 = place_25;
     let _e28 = gabor_field_3d(_e27, frequency, direction, seed);
     return _e28.noise;
 }
@@ -713,15 +713,15 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
 // longest axis, 2 % up to a whole one. Continuous in the place and in both steps. On GPUs 1.4 times gabor_noise_3d up to
 // steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var place_23: GaborPlace3d;
-    var field_12: GaborField3d;
+    var place_26: GaborPlace3d;
+    var field_13: GaborField3d;
 
-    place_23 = GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), false, 0f, true, dx, dy);
-    let _e25 = place_23;
+    place_26 = GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), false, 0f, true, dx, dy);
+    let _e25 = place_26;
     let _e26 = gabor_field_3d(_e25, frequency, direction, seed);
-    field_12 = _e26;
-    let _e28 = field_12;
-    let _e30 = field_12;
+    field_13 = _e26;
+    let _e28 = field_13;
+    let _e30 = field_13;
     return vec2<f32>(_e28.noise, _e30.removed);
 }
 

@@ -16,37 +16,37 @@ struct GaborMaterial {
     metalness: f32,
 }
 
-//         a board: year rings cut lengthwise, pores, fibres [6]
+// a board: year rings cut lengthwise, pores, fibres [6]
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_wood(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//       linen: a plain weave of uneven threads [5]
+// linen: a plain weave of uneven threads [5]
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_fabric(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//      pebbled grain: cells between creases [8]
+// pebbled grain: cells between creases [8]
 fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_leather(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//       white, with veins of four sizes [12]
+// white, with veins of four sizes [12]
 fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_marble(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//         wind ripples, steep on one side, and grains [7]
+// wind ripples, steep on one side, and grains [7]
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_sand(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//      water under a light wind [14]
+// water under a light wind [14]
 fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_ripples(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
@@ -58,19 +58,19 @@ fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
     return _e8;
 }
 
-//    hairlines in a dark lacquer [28]
+// hairlines in a dark lacquer [28]
 fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_scratches(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//        stripes that fork, and hair [5]
+// stripes that fork, and hair [5]
 fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_zebra(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
 }
 
-//         furrows and plates, moss [11]
+// furrows and plates, moss [11]
 fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_bark(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
@@ -82,7 +82,7 @@ fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
     return _e8;
 }
 
-//       layers of sandstone, seen from the side [11]
+// layers of sandstone, seen from the side [11]
 fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e8 = gabor_impl_strata(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
     return _e8;
@@ -170,30 +170,30 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_13: GaborPlace;
+    var place_16: GaborPlace;
     var kernel_8: GaborKernel;
     var removed_3: f32;
     var footprint_2: GaborFootprint;
-    var value_8: vec2<f32>;
+    var value_9: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_13 = _e14;
+    place_16 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
     kernel_8 = _e16;
     if !(pixel.filtered) {
-        let _e20 = place_13;
+        let _e20 = place_16;
         let _e21 = kernel_8;
         let _e22 = gabor_field(_e20, _e21, seed);
         return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
     }
     let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
     footprint_2 = _e33;
-    let _e35 = place_13;
+    let _e35 = place_16;
     let _e36 = kernel_8;
     let _e37 = footprint_2;
     let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
-    value_8 = _e40.value;
-    let _e43 = value_8;
+    value_9 = _e40.value;
+    let _e43 = value_9;
     let _e44 = removed_3;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
@@ -252,22 +252,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_14: GaborPlace;
-    var field_9: GaborField;
+    var place_17: GaborPlace;
+    var field_10: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_14 = _e13;
-    let _e15 = place_14;
+    place_17 = _e13;
+    let _e15 = place_17;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_9 = _e19;
-    let _e23 = field_9;
+    field_10 = _e19;
+    let _e23 = field_10;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_9;
+    let _e29 = field_10;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_9;
+    let _e34 = field_10;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;
@@ -334,7 +334,7 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var sum_13: f32 = 0.33333334f;
     var damping: f32;
     var power_4: f32 = 1f;
-    var wave_9: vec2<f32> = vec2<f32>(1f, 0f);
+    var wave_17: vec2<f32> = vec2<f32>(1f, 0f);
     var m_5: i32 = 1i;
     var x_8: f32;
     var r_2: f32;
@@ -347,9 +347,9 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
         }
         {
             let _e20 = power_4;
-            let _e21 = wave_9;
+            let _e21 = wave_17;
             let _e22 = gabor_impl_product(_e21, phase);
-            wave_9 = (_e20 * _e22);
+            wave_17 = (_e20 * _e22);
             let _e24 = power_4;
             let _e25 = damping;
             power_4 = (_e24 * _e25);
@@ -362,8 +362,8 @@ fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
             let _e40 = x_8;
             let _e42 = r_2;
             let _e44 = r_2;
-            let _e45 = wave_9;
-            let _e48 = wave_9;
+            let _e45 = wave_17;
+            let _e48 = wave_17;
             sum_13 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
         }
         continuing {
@@ -859,7 +859,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var i_7: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_10: vec3<f32>;
+    var wave_18: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
 
@@ -878,25 +878,25 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e45 = i_7;
             let _e46 = gabor_lobe_seed(seed, _e45);
             let _e47 = gabor_impl_layer(pixel, vec2((_e39 / 2.2f)), 2.2f, _e44, _e46);
-            wave_10 = _e47;
+            wave_18 = _e47;
             let _e50 = waves;
             amplitude_6 = (0.018f / pow(_e50, 1.3f));
             let _e55 = height_3;
             let _e56 = amplitude_6;
-            let _e57 = wave_10;
-            let _e60 = wave_10;
-            let _e62 = wave_10;
-            let _e65 = wave_10;
-            let _e67 = wave_10;
+            let _e57 = wave_18;
+            let _e60 = wave_18;
+            let _e62 = wave_18;
+            let _e65 = wave_18;
+            let _e67 = wave_18;
             height_3 = (_e55 + (_e56 * (_e57.x + (0.2f * ((_e60.x * _e62.x) - (_e65.y * _e67.y))))));
             let _e75 = crest_1;
             let _e76 = amplitude_6;
-            let _e77 = wave_10;
+            let _e77 = wave_18;
             crest_1 = (_e75 + (_e76 * _e77.x));
             let _e81 = removed_7;
             let _e82 = amplitude_6;
             let _e83 = amplitude_6;
-            let _e85 = wave_10;
+            let _e85 = wave_18;
             removed_7 = (_e81 + ((_e82 * _e83) * _e85.z));
             let _e89 = power_5;
             let _e90 = amplitude_6;
@@ -1030,7 +1030,7 @@ fn gabor_impl_zebra(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var stripe: vec3<f32>;
     var hair_1: vec3<f32>;
     var tone_4: vec3<f32>;
-    var intensity_1: f32;
+    var intensity_2: f32;
     var dark: f32;
     var colour_7: vec3<f32>;
 
@@ -1056,13 +1056,13 @@ fn gabor_impl_zebra(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e57 = gabor_impl_spots(pixel, vec2(1.2f), _e56);
     tone_4 = _e57;
     let _e59 = stripe;
-    intensity_1 = length(_e59.xy);
+    intensity_2 = length(_e59.xy);
     let _e63 = stripe;
-    let _e66 = intensity_1;
+    let _e66 = intensity_2;
     let _e68 = hair_1;
     let _e72 = stripe;
     let _e75 = hair_1;
-    let _e82 = intensity_1;
+    let _e82 = intensity_2;
     let _e85 = gabor_impl_above((_e63.x + ((0.1f * _e66) * _e68.x)), (_e72.z + (0.01f * _e75.z)), 0f, (0.01f + (0.09f * _e82)));
     dark = _e85;
     let _e95 = dark;

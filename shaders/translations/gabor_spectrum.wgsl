@@ -72,42 +72,42 @@ fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
 fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var lobes_5: GaborLobes;
-        var field_4: GaborField;
+        var field_5: GaborField;
 
         lobes_5 = lobes;
         let _e11 = gabor_place(vec2(0i), (p * 1f));
         let _e12 = lobes_5;
         let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_4 = _e13;
-        let _e15 = field_4;
-        let _e18 = field_4;
-        let _e21 = field_4;
+        field_5 = _e13;
+        let _e15 = field_5;
+        let _e18 = field_5;
+        let _e21 = field_5;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     } else if GABOR_TAPS == 4 {
         var lobes_5: GaborLobes;
-        var field_4: GaborField;
+        var field_5: GaborField;
 
         lobes_5 = lobes;
         let _e11 = gabor_place(vec2(0i), (p * 2f));
         let _e12 = lobes_5;
         let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_4 = _e13;
-        let _e15 = field_4;
-        let _e18 = field_4;
-        let _e21 = field_4;
+        field_5 = _e13;
+        let _e15 = field_5;
+        let _e18 = field_5;
+        let _e21 = field_5;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     } else {
         var lobes_5: GaborLobes;
-        var field_4: GaborField;
+        var field_5: GaborField;
 
         lobes_5 = lobes;
         let _e11 = gabor_place(vec2(0i), (p * 1.5f));
         let _e12 = lobes_5;
         let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_4 = _e13;
-        let _e15 = field_4;
-        let _e18 = field_4;
-        let _e21 = field_4;
+        field_5 = _e13;
+        let _e15 = field_5;
+        let _e18 = field_5;
+        let _e21 = field_5;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
     }
 }
@@ -151,27 +151,27 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // frequencies, up to 16. Near a change, a fifth of all arguments, both counts run.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
-        var place_7: GaborPlace;
+        var place_10: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_7 = _e13;
-        let _e15 = place_7;
+        place_10 = _e13;
+        let _e15 = place_10;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else if GABOR_TAPS == 4 {
-        var place_7: GaborPlace;
+        var place_10: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_7 = _e13;
-        let _e15 = place_7;
+        place_10 = _e13;
+        let _e15 = place_10;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else {
-        var place_10: GaborPlace;
+        var place_13: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_10 = _e13;
-        let _e15 = place_10;
+        place_13 = _e13;
+        let _e15 = place_13;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     }
@@ -180,43 +180,43 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
 // With its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
-        var place_8: GaborPlace;
-        var field_5: GaborField;
+        var place_11: GaborPlace;
+        var field_6: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_8 = _e13;
-        let _e15 = place_8;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_5 = _e16;
-        let _e18 = field_5;
-        let _e21 = field_5;
-        let _e24 = field_5;
-        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var place_8: GaborPlace;
-        var field_5: GaborField;
-
-        let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_8 = _e13;
-        let _e15 = place_8;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_5 = _e16;
-        let _e18 = field_5;
-        let _e21 = field_5;
-        let _e24 = field_5;
-        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-    } else {
-        var place_11: GaborPlace;
-        var field_5: GaborField;
-
-        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
         place_11 = _e13;
         let _e15 = place_11;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_5 = _e16;
-        let _e18 = field_5;
-        let _e21 = field_5;
-        let _e24 = field_5;
+        field_6 = _e16;
+        let _e18 = field_6;
+        let _e21 = field_6;
+        let _e24 = field_6;
+        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var place_11: GaborPlace;
+        var field_6: GaborField;
+
+        let _e13 = gabor_place(vec2(0i), (p * 2f));
+        place_11 = _e13;
+        let _e15 = place_11;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        field_6 = _e16;
+        let _e18 = field_6;
+        let _e21 = field_6;
+        let _e24 = field_6;
+        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+    } else {
+        var place_14: GaborPlace;
+        var field_6: GaborField;
+
+        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+        place_14 = _e13;
+        let _e15 = place_14;
+        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+        field_6 = _e16;
+        let _e18 = field_6;
+        let _e21 = field_6;
+        let _e24 = field_6;
         return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
     }
 }
@@ -224,27 +224,27 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
 // With its quadrature, as gabor_noise_complex.
 fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
-        var place_9: GaborPlace;
+        var place_12: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_9 = _e13;
-        let _e15 = place_9;
+        place_12 = _e13;
+        let _e15 = place_12;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else if GABOR_TAPS == 4 {
-        var place_9: GaborPlace;
+        var place_12: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_9 = _e13;
-        let _e15 = place_9;
+        place_12 = _e13;
+        let _e15 = place_12;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else {
-        var place_12: GaborPlace;
+        var place_15: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_12 = _e13;
-        let _e15 = place_12;
+        place_15 = _e13;
+        let _e15 = place_15;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     }
@@ -262,12 +262,12 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
 // and 3.4 times, along both 25 and 3.8 times. Where compilers run both sides of a branch, as for CPUs, 3 and 5
 // times.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    var field_7: vec4<f32>;
+    var field_8: vec4<f32>;
 
     let _e6 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
-    field_7 = _e6;
-    let _e8 = field_7;
-    let _e10 = field_7;
+    field_8 = _e6;
+    let _e8 = field_8;
+    let _e10 = field_8;
     return vec2<f32>(_e8.x, _e10.w);
 }
 
@@ -275,16 +275,16 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // differ by up to 7 %.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
-    var field_6: GaborField;
+    var field_7: GaborField;
 
     let _e14 = gabor_place(vec2(0i), (p * 1.5f));
     let _e15 = gabor_kernel(frequency, orientation);
     let _e16 = gabor_footprint(dx, dy);
     let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_1));
-    field_6 = _e19;
-    let _e21 = field_6;
-    let _e24 = field_6;
-    let _e27 = field_6;
+    field_7 = _e19;
+    let _e21 = field_7;
+    let _e24 = field_7;
+    let _e27 = field_7;
     let _e30 = removed_1;
     return vec4<f32>(_e21.value.y, _e24.slope_x.y, _e27.slope_y.y, _e30);
 }
@@ -331,14 +331,14 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
 // The noise of gabor_noise_lobes, filtered: (noise, removed).
 fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     var lobes_11: GaborLobes;
-    var field_8: vec4<f32>;
+    var field_9: vec4<f32>;
 
     lobes_11 = lobes;
     let _e6 = lobes_11;
     let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
-    field_8 = _e7;
-    let _e9 = field_8;
-    let _e11 = field_8;
+    field_9 = _e7;
+    let _e9 = field_9;
+    let _e11 = field_9;
     return vec2<f32>(_e9.x, _e11.w);
 }
 
@@ -439,7 +439,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
-        var field_2: GaborField;
+        var field_3: GaborField;
         var local_12: f32;
         var scale_1: f32;
 
@@ -467,8 +467,8 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e46 = i;
                 let _e47 = gabor_lobe_seed(seed, _e46);
                 let _e48 = gabor_field(_e44, _e45, _e47);
-                field_2 = _e48;
-                let _e51 = field_2;
+                field_3 = _e48;
+                let _e51 = field_3;
                 let _e52 = lobe;
                 let _e55 = lobe;
                 let _e58 = lobe;
@@ -506,7 +506,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
-        var field_2: GaborField;
+        var field_3: GaborField;
         var local_12: f32;
         var scale: f32;
 
@@ -534,8 +534,8 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e46 = i;
                 let _e47 = gabor_lobe_seed(seed, _e46);
                 let _e48 = gabor_field(_e44, _e45, _e47);
-                field_2 = _e48;
-                let _e51 = field_2;
+                field_3 = _e48;
+                let _e51 = field_3;
                 let _e52 = lobe;
                 let _e55 = lobe;
                 let _e58 = lobe;
@@ -573,7 +573,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe: GaborLobe;
         var scaled_1: GaborPlace;
         var kernel_4: GaborKernel;
-        var field_2: GaborField;
+        var field_3: GaborField;
         var local_12: f32;
         var scale: f32;
 
@@ -601,8 +601,8 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
                 let _e46 = i;
                 let _e47 = gabor_lobe_seed(seed, _e46);
                 let _e48 = gabor_field(_e44, _e45, _e47);
-                field_2 = _e48;
-                let _e51 = field_2;
+                field_3 = _e48;
+                let _e51 = field_3;
                 let _e52 = lobe;
                 let _e55 = lobe;
                 let _e58 = lobe;
@@ -651,7 +651,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     var i_3: i32;
     var direction: vec3<f32>;
     var kernel_5: GaborKernel;
-    var field_3: GaborField;
+    var field_4: GaborField;
     var amplitude_2: f32;
 
     frequency_8 = frequency;
@@ -712,11 +712,11 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     let _e109 = direction;
                     let _e113 = gabor_lobe_seed(seed, i32(((128f * _e106.z) + _e109.z)));
                     let _e114 = gabor_field(place, _e104, _e113);
-                    field_3 = _e114;
+                    field_4 = _e114;
                     let _e116 = shell;
                     let _e118 = direction;
                     amplitude_2 = sqrt((_e116.y * _e118.y));
-                    let _e124 = field_3;
+                    let _e124 = field_4;
                     let _e125 = amplitude_2;
                     let _e126 = amplitude_2;
                     gabor_impl_accumulate((&sum_6), _e124, _e125, _e126);
@@ -832,7 +832,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_7: GaborKernel;
     var stretch_1: vec2<f32>;
-    var wave_7: vec2<f32>;
+    var wave_15: vec2<f32>;
     var transmitted: f32;
     var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var s_4: vec3<f32>;
@@ -847,8 +847,8 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     stretch_1 = (place.radius / vec2(1.5f));
     let _e14 = kernel_7;
     let _e16 = stretch_1;
-    wave_7 = (_e14.wave / _e16);
-    let _e19 = wave_7;
+    wave_15 = (_e14.wave / _e16);
+    let _e19 = wave_15;
     let _e21 = gabor_impl_transmitted(_e19, footprint.covariance);
     transmitted = _e21;
     let _e24 = transmitted;
@@ -864,7 +864,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     if any((footprint.resolved != footprint.covariance)) {
         let _e48 = amplitude_3;
         let _e49 = transmitted;
-        let _e50 = wave_7;
+        let _e50 = wave_15;
         let _e51 = s_4;
         let _e52 = gabor_impl_transmitted(_e50, _e51);
         amplitude_3 = (_e48 * sqrt((_e49 / _e52)));
@@ -880,7 +880,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e76 = wide;
             let _e78 = amplitude_3;
             share = ((1f - _e76) * _e78);
-            let _e82 = wave_7;
+            let _e82 = wave_15;
             let _e83 = s_4;
             let _e84 = salt_7;
             let _e85 = gabor_impl_filtered_narrow(place, _e82, _e83, _e84);
@@ -895,7 +895,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
             let _e92 = wide;
             let _e93 = amplitude_3;
             share_1 = (_e92 * _e93);
-            let _e97 = wave_7;
+            let _e97 = wave_15;
             let _e98 = s_4;
             let _e99 = wide;
             let _e102 = salt_7;
@@ -1012,14 +1012,14 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
 // exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
 // 1/2 + even (h - 1/2) + i odd h' / pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
-    var wave_3: vec2<f32>;
+    var wave_11: vec2<f32>;
     var even: vec2<f32>;
     var odd: vec2<f32>;
 
-    wave_3 = vec2<f32>((value - 0.5f), slope);
-    let _e9 = wave_3;
+    wave_11 = vec2<f32>((value - 0.5f), slope);
+    let _e9 = wave_11;
     even = (part.x * _e9);
-    let _e18 = wave_3;
+    let _e18 = wave_11;
     odd = ((part.y * vec2<f32>(-3.1415927f, 0.3183099f)) * _e18);
     let _e22 = even;
     let _e25 = odd;
@@ -1037,7 +1037,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var inside: vec2<f32>;
     var fade: vec2<f32>;
     var turn_5: vec2<f32>;
-    var value_5: vec4<f32>;
+    var value_6: vec4<f32>;
     var slope_8: vec4<f32>;
 
     rise = exp((19.739208f * blurred));
@@ -1059,20 +1059,20 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e65 = gabor_impl_wave(_e63.turns);
     turn_5 = _e65;
     let _e69 = (*axis);
-    gabor_impl_windows(_e69.offset, (&value_5), (&slope_8));
-    let _e78 = value_5;
+    gabor_impl_windows(_e69.offset, (&value_6), (&slope_8));
+    let _e78 = value_6;
     let _e80 = slope_8;
     let _e82 = part_1;
     let _e83 = fade;
     let _e85 = turn_5;
     let _e87 = gabor_impl_filtered_node(_e78.x, _e80.x, _e82, (_e83.x * _e85));
     (*axis).node[0i] = _e87;
-    let _e91 = value_5;
+    let _e91 = value_6;
     let _e93 = slope_8;
     let _e95 = part_1;
     let _e99 = gabor_impl_filtered_node(_e91.y, _e93.y, _e95, vec2<f32>(1f, 0f));
     (*axis).node[1i] = _e99;
-    let _e103 = value_5;
+    let _e103 = value_6;
     let _e105 = slope_8;
     let _e107 = part_1;
     let _e108 = fade;
@@ -1161,7 +1161,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     var rise_1: f32;
     var sink: f32;
     var t_2: f32;
-    var wave_5: vec3<f32>;
+    var wave_13: vec3<f32>;
     var fall_4_: f32;
     var above: vec3<f32>;
     var below: vec3<f32>;
@@ -1217,20 +1217,20 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     t_2 = (_e89.reach - 2f);
     let _e99 = t_2;
     let _e105 = t_2;
-    wave_5 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e99 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e105 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
+    wave_13 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e99 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e105 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e116 = fall;
     let _e117 = fall;
     let _e119 = fall;
     let _e120 = fall;
     fall_4_ = ((_e116 * _e117) * (_e119 * _e120));
-    let _e124 = wave_5;
+    let _e124 = wave_13;
     let _e125 = fall;
     let _e126 = fall_4_;
     let _e127 = fall_4_;
     let _e128 = fall_4_;
     let _e130 = fall;
-    wave_5 = (_e124 * vec3<f32>(_e125, _e126, ((_e127 * _e128) * _e130)));
-    let _e134 = wave_5;
+    wave_13 = (_e124 * vec3<f32>(_e125, _e126, ((_e127 * _e128) * _e130)));
+    let _e134 = wave_13;
     let _e135 = rise_1;
     let _e136 = rise_1;
     let _e137 = rise_1;
@@ -1238,7 +1238,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     let _e140 = rise_1;
     let _e142 = rise_1;
     above = (_e134 * vec3<f32>(_e135, (_e136 * _e137), ((_e139 * _e140) * _e142)));
-    let _e147 = wave_5;
+    let _e147 = wave_13;
     let _e148 = sink;
     let _e149 = sink;
     let _e150 = sink;
@@ -1488,7 +1488,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var line_3: GaborLine;
     var local_17: i32;
     var rows_1: i32;
-    var value_6: vec2<f32> = vec2(0f);
+    var value_7: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
     var next_y: vec2<f32> = vec2(0f);
     var j_2: i32 = 0i;
@@ -1577,12 +1577,12 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
             let _e177 = line_3;
             let _e181 = gabor_impl_filtered_row(_e176, _e177.word, place.animated, place.time);
             row_3 = _e181;
-            let _e183 = value_6;
+            let _e183 = value_7;
             let _e184 = row_3;
             let _e185 = line_3;
             let _e187 = weights_1;
             let _e188 = gabor_impl_contracted(_e184, _e185.window, _e187);
-            value_6 = (_e183 + _e188);
+            value_7 = (_e183 + _e188);
             let _e190 = next_x;
             let _e191 = row_3;
             let _e192 = gabor_impl_next(_e191);
@@ -1620,13 +1620,13 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e233 = m_1;
     before = (_e230 * sqrt((_e231.yx / _e233)));
     let _e239 = mean;
-    let _e241 = value_6;
+    let _e241 = value_7;
     let _e243 = next_x;
     let _e245 = before;
     let _e247 = next_y;
     x_5 = (6.2831855f * (((_e239.x * _e241) + _e243) - (_e245.x * _e247)));
     let _e253 = mean;
-    let _e255 = value_6;
+    let _e255 = value_7;
     let _e257 = next_y;
     let _e259 = before;
     let _e261 = next_x;
@@ -1642,7 +1642,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e286 = local_18;
     scale_1 = ((sqrt((1f - (_e267 * _e268))) * exp(-(_e272))) / (1459955300000000000000000000f * _e286));
     let _e290 = scale_1;
-    let _e291 = value_6;
+    let _e291 = value_7;
     let _e293 = scale_1;
     let _e294 = x_5;
     let _e297 = x_5;
@@ -1719,7 +1719,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var rows_2: i32;
     var local_21: i32;
     var slices: i32;
-    var value_7: vec2<f32> = vec2(0f);
+    var value_8: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
     var next_y_1: vec2<f32> = vec2(0f);
     var next_z: vec2<f32> = vec2(0f);
@@ -1873,14 +1873,14 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
                     break;
                 }
             }
-            let _e270 = value_7;
+            let _e270 = value_8;
             let _e271 = y_0_2;
             let _e272 = y_1_2;
             let _e273 = y_2_2;
             let _e274 = slice_2;
             let _e276 = w_2;
             let _e277 = gabor_impl_contracted_3d(_e271, _e272, _e273, _e274.window, _e276);
-            value_7 = (_e270 + _e277);
+            value_8 = (_e270 + _e277);
             let _e279 = next_x_1;
             let _e280 = y_0_2;
             let _e281 = gabor_impl_next(_e280);
@@ -1930,7 +1930,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     quarter_1 = (vec3(0.012665148f) / _e333);
     let _e337 = real_2;
     let _e338 = c_5;
-    let _e340 = value_7;
+    let _e340 = value_8;
     let _e343 = quarter_1;
     let _e346 = w_2;
     let _e348 = real_2;
@@ -1938,7 +1938,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     real_2 = (_e337 + (((wave + _e338) * _e340.x) + (_e343 * _e349)));
     let _e353 = imaginary_2;
     let _e354 = c_5;
-    let _e356 = value_7;
+    let _e356 = value_8;
     let _e359 = quarter_1;
     let _e362 = w_2;
     let _e364 = imaginary_2;
@@ -1968,12 +1968,12 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e413 = local_23;
     scale_2 = (_e402 / (1459955300000000000000000000f * _e413));
     let _e416 = scale_2;
-    let _e417 = value_7;
+    let _e417 = value_8;
     let _e420 = real_2;
     let _e421 = (6.2831855f * _e420);
     (*noise) = (_e416 * vec4<f32>(_e417.y, _e421.x, _e421.y, _e421.z));
     let _e427 = scale_2;
-    let _e428 = value_7;
+    let _e428 = value_8;
     let _e432 = imaginary_2;
     let _e433 = (-6.2831855f * _e432);
     (*quadrature) = (_e427 * vec4<f32>(_e428.x, _e433.x, _e433.y, _e433.z));

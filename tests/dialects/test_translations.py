@@ -24,7 +24,7 @@ GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
 CALLS = [
-    "dot(gabor_stripes(p, p, 2.0, 7u), vec3(1.0, 2.0, 4.0)) + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), p, 7u)",
+    "gabor_stripes(p, 0.3 * p, 1.0, 7u).x + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), 0.3 * p, 7u)",
     "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x",
     "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)",

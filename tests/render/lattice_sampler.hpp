@@ -32,11 +32,12 @@ struct LatticeSample {
 };
 
 inline std::string to_string(const LatticeSample& s) {
-    return fmt::format("cell ({}, {}) + ({}, {}), p ({}, {}), nodes per radius ({}, {}), period ({}, {}), "
-                       "time {} ({}), frequency {}, orientation {}, seed {}, tile ({}, {}), wave ({}, {}), sharpness {}",
-                       s.cell[0], s.cell[1], s.local[0], s.local[1], s.p[0], s.p[1], s.radius[0], s.radius[1],
-                       s.period[0], s.period[1], s.time, s.animated, s.frequency, s.orientation, s.seed,
-                       s.tile[0], s.tile[1], s.wave[0], s.wave[1], s.sharpness);
+    return fmt::format(
+        "cell ({}, {}) + ({}, {}), p ({}, {}), nodes per radius ({}, {}), period ({}, {}), "
+        "time {} ({}), frequency {}, orientation {}, seed {}, tile ({}, {}), wave ({}, {}), sharpness {}",
+        s.cell[0], s.cell[1], s.local[0], s.local[1], s.p[0], s.p[1], s.radius[0], s.radius[1], s.period[0],
+        s.period[1], s.time, s.animated, s.frequency, s.orientation, s.seed, s.tile[0], s.tile[1], s.wave[0],
+        s.wave[1], s.sharpness);
 }
 
 struct LatticeAnswer {
