@@ -25,7 +25,7 @@ constexpr double sampling_budget = 0.004; // while time plays
 constexpr double rest = 0.3;              // seconds without a change, after which it is measured
 
 constexpr std::uint32_t most_samples = 1 << 21;
-constexpr double reload_interval = 0.25; // seconds
+constexpr double waking_interval = 0.25; // seconds, at least, while nothing happens
 constexpr float panel_width = 26;        // in heights of the font
 
 void drop(GLFWwindow* window, int count, const char** paths) {
@@ -63,23 +63,16 @@ vk::raii::CommandBuffer make_commands(const vulkan::Device& device, const vk::ra
 
 App::App(const Options& options)
     : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
-      device_(options.device, window_.presentation()), compiler_(options.shaders),
-      swapchain_(device_, window_.handle()),
+      device_(options.device, window_.presentation()), swapchain_(device_, window_.handle()),
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
-      pool_(make_pool(device_)), commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(document_of({})), options.device), timing_(device_),
-      remember_(!options.screenshot) {
+      painter_(device_, swapchain_.render_pass()), pool_(make_pool(device_)),
+      commands_(make_commands(device_, pool_)),
+      session_(options.document.value_or(document_of({})), options.device), remember_(!options.screenshot) {
     if (remember_)
         restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
-    session_.export_shaders = [this](const render::Request& request) { return export_shaders(request); };
-    load_shaders();
-    if (session_.shader_error.empty())
-        spirv(wanted().front().shader);
-    if (!session_.shader_error.empty())
-        throw std::runtime_error(session_.shader_error);
 }
 
 App::~App() {
@@ -108,79 +101,6 @@ void App::restore(const Options& options) {
     });
 }
 
-// What is on the screen, all or nothing: what does not compile leaves everything as it was.
-void App::load_shaders() {
-    std::vector<std::string> shown{"viewer/show.vert", "viewer/show.frag"};
-    for (const Pane& pane : panes_) {
-        shown.push_back(pane.canvas->noise().shader);
-        if (pane.sampler)
-            shown.push_back(pane.sampler->noise().shader);
-    }
-    decltype(spirv_) compiled;
-    for (const std::string& path : shown) {
-        if (compiled.contains(path))
-            continue;
-        Compiled result = compiler_.compile(path);
-        if (!result.error.empty()) {
-            session_.shader_error = result.error;
-            return;
-        }
-        compiled[path] = std::move(result.spirv);
-    }
-    session_.shader_error.clear();
-    swapchain_.wait();
-    spirv_ = std::move(compiled);
-    painter_ = std::make_unique<Painter>(device_, swapchain_.render_pass(), spirv_["viewer/show.vert"],
-                                         spirv_["viewer/show.frag"]);
-    for (Pane& pane : panes_) {
-        pane.canvas->replace(spirv_[pane.canvas->noise().shader]);
-        pane.sampler.reset();
-        pane.measured = {};
-    }
-}
-
-// Compiled when it is first wanted.
-const Spirv* App::spirv(const std::string& path) {
-    auto known = spirv_.find(path);
-    if (known == spirv_.end()) {
-        Compiled result = compiler_.compile(path);
-        if (!result.error.empty())
-            session_.shader_error = result.error;
-        // Empty where it does not compile, and not tried again until something changes.
-        known = spirv_.emplace(path, std::move(result.spirv)).first;
-    }
-    return known->second.empty() ? nullptr : &known->second;
-}
-
-const Spirv& App::required(const std::string& path) {
-    const Spirv* code = spirv(path);
-    if (!code)
-        throw std::runtime_error(session_.shader_error);
-    return *code;
-}
-
-Exporter::Shaders App::export_shaders(const render::Request& request) {
-    Exporter::Shaders shaders;
-    shaders.colours = required("viewer/show.comp");
-    const Spirv& pass = required(render::pass_of(request));
-    if (!compiler_.as_built())
-        shaders.pass = pass;
-    return shaders;
-}
-
-void App::poll_shaders() {
-    const double now = glfwGetTime();
-    if (now - shaders_polled_ < reload_interval)
-        return;
-    shaders_polled_ = now;
-    if (compiler_.changed()) {
-        load_shaders();
-        if (session_.shader_error.empty())
-            notify(session_, "the shaders have been read again");
-        busy_ = true;
-    }
-}
-
 Document App::shown() const {
     Document document = session_.history.now;
     if (session_.tiling)
@@ -188,23 +108,17 @@ Document App::shown() const {
     return document;
 }
 
-std::vector<NoisePass> App::wanted() const {
-    return noise_passes(shown(), device_.info().kind == "CPU");
+NoisePass App::wanted() const {
+    return noise_pass(shown(), device_.info().kind == "CPU");
 }
 
-std::vector<Area> App::areas(Extent window) const {
+Area App::view_area(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
     const int width = std::max(window.width - panel, 2);
-    const render::Request& request = session_.history.now.request;
-    if (shows_photograph(session_)) {
-        const int photograph = static_cast<int>(static_cast<float>(width) * session_.divider);
-        return {{photograph, 0, std::max(width - photograph, 2), window.height}};
-    }
-    if (!session_.history.now.comparison || render::in_space(request) || render::has_material(request))
-        return {{0, 0, width, window.height}};
-    const int left = std::clamp(static_cast<int>(static_cast<float>(width) * session_.divider), 1, width - 1);
-    return {{0, 0, left, window.height}, {left, 0, width - left, window.height}};
+    const int left =
+        shows_photograph(session_) ? static_cast<int>(static_cast<float>(width) * session_.divider) : 0;
+    return {left, 0, std::max(width - left, 2), window.height};
 }
 
 bool App::refine(Extent window) {
@@ -212,96 +126,63 @@ bool App::refine(Extent window) {
         photograph_.reset();
         photograph_pixels_.reset();
     }
-    const std::vector<Area> where = areas(window);
-    session_.view = {where[0].width, where[0].height};
+    const Area view = view_area(window);
+    session_.view = {view.width, view.height};
     session_.tiling.reset();
     if (session_.tiles && without_effect(session_.document(), "tiles").empty())
-        session_.tiling = tiling_of(
-            session_.document(), {std::min(where.front().width, where.back().width), where.front().height});
+        session_.tiling = tiling_of(session_.document(), session_.view);
     const Camera camera = shown().camera;
-    const std::vector<NoisePass> wanted = this->wanted();
-    for (const NoisePass& noise : wanted)
-        if (!spirv(noise.shader) || (has_law(noise) && !spirv(value_pass(noise).shader)))
-            return false; // until its error is mended the last good picture stays
-    if (panes_.size() != wanted.size() || session_.panes.size() != wanted.size()) {
-        panes_.resize(wanted.size());
-        session_.panes.resize(wanted.size());
-    }
+    const NoisePass wanted = this->wanted();
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
-    const double budget = (moving ? moving_budget : resting_budget) / static_cast<double>(wanted.size());
-    bool more = false;
-    for (std::size_t index = 0; index < wanted.size(); ++index) {
-        Pane& pane = panes_[index];
-        if (!pane.canvas || !pane.canvas->noise().same_pipeline(wanted[index]))
-            pane.canvas = std::make_unique<Canvas>(device_, wanted[index], required(wanted[index].shader));
-        const Extent extent =
-            session_.tiling ? session_.tiling->tile : Extent{where[index].width, where[index].height};
-        more |= pane.canvas->refine(wanted[index], camera, extent, budget);
-    }
-    timing_.set(wanted);
+    if (!canvas_ || !canvas_->noise().same_pipeline(wanted))
+        canvas_ = std::make_unique<Canvas>(device_, wanted);
+    bool more = canvas_->refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
+                                moving ? moving_budget : resting_budget);
     if (more || moving || wanted != shown_ || camera != shown_from_) {
         shown_ = wanted;
         shown_from_ = camera;
         changed_ = glfwGetTime();
-        for (Pane& pane : panes_)
-            pane.picture_measured = false;
+        picture_measured_ = false;
     }
     const bool rested = glfwGetTime() - changed_ >= rest && !session_.exporter.running();
-    if (rested && measuring_.idle() && !timing_.done()) {
-        timing_.run();
-        more = true;
-    } else {
-        for (std::size_t index = 0; index < wanted.size(); ++index) {
-            if (has_law(wanted[index])) {
-                measure(index, wanted[index], rested || session_.playing);
-                more |= !panes_[index].picture_measured || panes_[index].samples < most_samples;
-            } else if (std::exchange(panes_[index].sampler, nullptr)) {
-                panes_[index].measured = {};
-                measuring_.reset(index);
-            }
-        }
+    if (has_law(wanted)) {
+        measure(wanted, rested || session_.playing);
+        more |= !picture_measured_ || samples_ < most_samples;
+    } else if (std::exchange(sampler_, nullptr)) {
+        measured_ = {};
+        measuring_.reset();
     }
-    for (std::size_t index = 0; index < wanted.size(); ++index) {
-        const double nanoseconds = timing_.nanoseconds(index);
-        session_.panes[index] = {wanted[index].name,
-                                 wanted[index].visits(),
-                                 timing_.function(index),
-                                 nanoseconds,
-                                 1e-6 * nanoseconds * where[index].width * where[index].height,
-                                 measuring_.measured(index)};
-    }
-    return more || !timing_.done() || !measuring_.idle();
+    session_.measured = measuring_.measured();
+    return more || !measuring_.idle();
 }
 
 // While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
 // them with every frame.
-void App::measure(std::size_t index, const NoisePass& noise, bool rested) {
-    Pane& pane = panes_[index];
+void App::measure(const NoisePass& noise, bool rested) {
     const NoisePass values = value_pass(noise);
-    if (pane.measured != values) {
-        pane.measured = values;
-        pane.samples = 0;
-        pane.picture_measured = false;
-        measuring_.reset(index);
+    if (measured_ != values) {
+        measured_ = values;
+        samples_ = 0;
+        picture_measured_ = false;
+        measuring_.reset();
     }
     if (!rested || !measuring_.idle())
         return;
-    if (!pane.sampler || !pane.sampler->noise().same_pipeline(values))
-        pane.sampler = std::make_unique<ValueSampler>(device_, values, required(values.shader));
-    pane.sampler->set(values);
-    const Canvas& canvas = *pane.canvas;
-    if (canvas.fine() && !pane.picture_measured) {
-        pane.picture_measured = true;
+    if (!sampler_ || !sampler_->noise().same_pipeline(values))
+        sampler_ = std::make_unique<ValueSampler>(device_, values);
+    sampler_->set(values);
+    if (canvas_->fine() && !picture_measured_) {
+        picture_measured_ = true;
         if (is_flat(noise.request.view) && !noise.request.colour)
-            measuring_.add_picture(index, pane.canvas->pixels(), noise.channel_count(), canvas.grid(),
+            measuring_.add_picture(canvas_->pixels(), noise.channel_count(), canvas_->grid(),
                                    noise.request.scale * shown().camera.zoom);
-    } else if ((canvas.fine() || session_.playing) && pane.samples < most_samples) {
-        const std::span<const float> values_now =
-            pane.sampler->sample(pane.draws++, session_.playing ? sampling_budget : resting_budget);
-        const int channels = pane.sampler->noise().channel_count();
-        pane.samples += static_cast<std::uint32_t>(values_now.size()) / static_cast<std::uint32_t>(channels);
-        const bool covered = pane.sampler->noise().channels.back() == "A";
-        measuring_.add_samples(index, values_now, channels, covered ? channels - 1 : -1);
+    } else if ((canvas_->fine() || session_.playing) && samples_ < most_samples) {
+        const std::span<const float> sampled =
+            sampler_->sample(draws_++, session_.playing ? sampling_budget : resting_budget);
+        const int channels = sampler_->noise().channel_count();
+        samples_ += static_cast<std::uint32_t>(sampled.size()) / static_cast<std::uint32_t>(channels);
+        const bool covered = sampler_->noise().channels.back() == "A";
+        measuring_.add_samples(sampled, channels, covered ? channels - 1 : -1);
     }
 }
 
@@ -315,7 +196,7 @@ void App::panels() {
     if (session_.gallery) {
         gallery_window(session_, view, size.y);
     } else {
-        view_overlay(session_, view, size.y);
+        view_overlay(session_);
         photograph_overlay(session_, view, size.y);
     }
     message_overlay(session_, size.y);
@@ -329,19 +210,22 @@ void App::panels() {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
-    // Tab goes from one field to the next only while one is edited: else it splits the view.
+    // Tab goes from one field to the next only while one is edited: else it is a shortcut.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     struct Section {
         const char* title;
         void (*panel)(Session&);
+        bool open;
     };
-    constexpr std::array sections{
-        Section{"Noise", noise_panel},           Section{"Spectrum", spectrum_panel},
-        Section{"Output", output_panel},         Section{"Measurements", measurements_panel},
-        Section{"Photograph", photograph_panel}, Section{"Files and code", files_panel},
-        Section{"Export", export_panel}};
+    constexpr std::array sections{Section{"Noise", noise_panel, true},
+                                  Section{"Spectrum", spectrum_panel, true},
+                                  Section{"Output", output_panel, true},
+                                  Section{"Photograph", photograph_panel, true},
+                                  Section{"Files and code", files_panel, true},
+                                  Section{"Export", export_panel, true},
+                                  Section{"Laboratory", measurements_panel, false}};
     for (const Section& section : sections)
-        if (ImGui::CollapsingHeader(section.title, ImGuiTreeNodeFlags_DefaultOpen)) {
+        if (ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
             ImGui::PushID(section.title);
             section.panel(session_);
             ImGui::PopID();
@@ -353,19 +237,16 @@ void App::panels() {
 }
 
 bool App::fine() const {
-    return !panes_.empty() &&
-           std::ranges::all_of(panes_, [](const Pane& pane) { return pane.canvas->fine(); });
+    return canvas_ && canvas_->fine();
 }
 
-void App::paint(vk::CommandBuffer commands, const std::vector<Area>& where) {
+void App::paint(vk::CommandBuffer commands, const Area& view) {
     if (session_.gallery)
-        return paint_presets(commands, where.back());
-    for (std::size_t index = 0; index < panes_.size() && index < where.size(); ++index)
-        if (panes_[index].canvas)
-            painter_->paint(commands, *panes_[index].canvas, where[index], session_.document(), index,
-                            session_.tiling);
-    if (shows_photograph(session_) && where[0].x > 0)
-        paint_photograph(commands, {0, 0, where[0].x, where[0].height});
+        return paint_presets(commands, view);
+    if (canvas_)
+        painter_.paint(commands, *canvas_, view, session_.document(), session_.tiling);
+    if (shows_photograph(session_) && view.x > 0)
+        paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
 // Where the noise has the picture, pixel by pixel.
@@ -381,14 +262,13 @@ void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
         return static_cast<float>(first + pixels / 2.0 -
                                   (static_cast<double>(middle.whole) + middle.part) * scale);
     };
-    painter_->paint_colours(
+    painter_.paint_colours(
         commands, *photograph_pixels_, photograph_->grid,
         {corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
         static_cast<float>(photograph_->square * document.camera.zoom), area);
 }
 
-// In place of the view, which ends with its last pane.
-void App::paint_presets(vk::CommandBuffer commands, const Area& last) {
+void App::paint_presets(vk::CommandBuffer commands, const Area& view) {
     const PresetPictures& pictures = session_.preset_pictures;
     const ImGuiIO& io = ImGui::GetIO();
     const float per_unit = io.DisplayFramebufferScale.x;
@@ -400,21 +280,21 @@ void App::paint_presets(vk::CommandBuffer commands, const Area& last) {
         preset_pixels_ = render::upload(device_, pictures.colours());
     }
     const GalleryPlace place = gallery_place(view_width(), io.DisplaySize.y);
-    painter_->paint_colours(commands, *preset_pixels_, PresetPictures::extent(),
-                            {place.x * per_unit, place.y * per_unit}, place.scale * per_unit,
-                            {0, 0, last.x + last.width, last.height});
+    painter_.paint_colours(commands, *preset_pixels_, PresetPictures::extent(),
+                           {place.x * per_unit, place.y * per_unit}, place.scale * per_unit,
+                           {0, 0, view.x + view.width, view.height});
 }
 
 void App::draw(const Target& target) {
     const vk::CommandBuffer commands = *commands_;
     commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
-    painter_->prepare(commands);
+    painter_.prepare(commands);
     const vk::ClearValue dark(vk::ClearColorValue(std::array{0.05f, 0.05f, 0.055f, 1.0f}));
     const vk::Extent2D extent(static_cast<std::uint32_t>(target.extent.width),
                               static_cast<std::uint32_t>(target.extent.height));
     commands.beginRenderPass({swapchain_.render_pass(), *target.framebuffer, {{0, 0}, extent}, dark},
                              vk::SubpassContents::eInline);
-    paint(commands, areas(target.extent));
+    paint(commands, view_area(target.extent));
     gui_.draw(commands);
     commands.endRenderPass();
     commands.end();
@@ -425,34 +305,33 @@ void App::write_window_png(const std::string& path) {
     const Extent extent = window_.pixels();
     swapchain_.wait();
     save_png(
-        device_, extent, path, [&](vk::CommandBuffer commands) { painter_->prepare(commands); },
+        device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); },
         [&](vk::CommandBuffer commands) {
-            paint(commands, areas(extent));
+            paint(commands, view_area(extent));
             gui_.draw(commands);
         });
 }
 
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
-    const NoisePass noise = wanted().front();
+    const NoisePass noise = wanted();
     const Extent extent{document.request.width, document.request.height};
-    std::unique_ptr<Canvas> own; // where the window has none, for to make one takes its time
-    if (panes_.empty() || !panes_.front().canvas || !panes_.front().canvas->noise().same_pipeline(noise))
-        own = std::make_unique<Canvas>(device_, noise, required(noise.shader));
-    Canvas& canvas = own ? *own : *panes_.front().canvas;
+    std::unique_ptr<Canvas> own; // where the window has none, because making one takes time
+    if (!canvas_ || !canvas_->noise().same_pipeline(noise))
+        own = std::make_unique<Canvas>(device_, noise);
+    Canvas& canvas = own ? *own : *canvas_;
     while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
     }
     swapchain_.wait();
     save_png(
-        device_, extent, path, [&](vk::CommandBuffer commands) { painter_->prepare(commands); },
+        device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); },
         [&](vk::CommandBuffer commands) {
-            painter_->paint(commands, canvas, {0, 0, extent.width, extent.height}, document, 0);
+            painter_.paint(commands, canvas, {0, 0, extent.width, extent.height}, document);
         });
 }
 
 bool App::frame(const FrameHook& hook) {
     swapchain_.wait();
-    poll_shaders();
     gui_.begin();
     if (hook && !hook(*this))
         return false;
@@ -504,8 +383,8 @@ void App::run(const FrameHook& hook) {
             glfwPollEvents();
         else {
             const double before = glfwGetTime();
-            glfwWaitEventsTimeout(reload_interval);
-            if (glfwGetTime() - before < 0.9 * reload_interval)
+            glfwWaitEventsTimeout(waking_interval);
+            if (glfwGetTime() - before < 0.9 * waking_interval)
                 last_input_ = glfwGetTime(); // something has happened
         }
         session_.meter.read(glfwGetTime());

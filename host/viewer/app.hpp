@@ -4,9 +4,7 @@
 #include "viewer/painter.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
-#include "viewer/shader_compiler.hpp"
 #include "viewer/target.hpp"
-#include "viewer/timing.hpp"
 
 #include <functional>
 #include <memory>
@@ -18,7 +16,6 @@ struct Options {
     std::optional<Document> document;      ///< none: that of the last session
     std::string preset;                    ///< from where the document is; empty for nowhere
     std::string device;                    ///< as for vulkan::Device
-    std::filesystem::path shaders;         ///< empty for those built in
     std::optional<std::string> screenshot; ///< one picture, and no window
     std::optional<Extent> size;            ///< of the window
     std::optional<float> ui_scale;         ///< none: that of the last session
@@ -49,51 +46,38 @@ class App {
     void save_window(const std::string& path) { window_png_ = path; }
 
   private:
-    struct Pane {
-        std::unique_ptr<Canvas> canvas;
-        std::unique_ptr<ValueSampler> sampler;
-        NoisePass measured; ///< whose values are
-        std::uint32_t samples = 0;
-        std::uint32_t draws = 0;
-        bool picture_measured = false;
-    };
-
     bool frame(const FrameHook& hook); ///< whether to go on
     void restore(const Options& options);
-    void load_shaders();
-    void poll_shaders();
-    std::vector<Area> areas(Extent window) const;
-    bool refine(Extent window); ///< whether anything is left to do
-    void measure(std::size_t index, const NoisePass& noise, bool rested);
+    Area view_area(Extent window) const; ///< of the noise, in the window's pixels
+    bool refine(Extent window);          ///< whether anything is left to do
+    void measure(const NoisePass& noise, bool rested);
     float view_width() const; ///< in Dear ImGui's units
     void panels();
     void draw(const Target& target);
-    void paint(vk::CommandBuffer commands, const std::vector<Area>& areas);
+    void paint(vk::CommandBuffer commands, const Area& view);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
-    void paint_presets(vk::CommandBuffer commands, const Area& last);
+    void paint_presets(vk::CommandBuffer commands, const Area& view);
     void write_window_png(const std::string& path);
-    Document shown() const;                ///< the session's, as its camera shows it
-    std::vector<NoisePass> wanted() const; ///< of that
-    /// A shader's code; for one that does not compile none, and its error in the session.
-    const Spirv* spirv(const std::string& path);
-    const Spirv& required(const std::string& path); ///< throws then
-    Exporter::Shaders export_shaders(const render::Request& request);
+    Document shown() const;   ///< the session's, as its camera shows it
+    NoisePass wanted() const; ///< of that
 
     Settings settings_;
     Window window_;
     vulkan::Device device_;
-    ShaderCompiler compiler_;
-    std::map<std::string, Spirv, std::less<>> spirv_; ///< by path
     Swapchain swapchain_;
     Gui gui_;
-    std::unique_ptr<Painter> painter_;
+    Painter painter_;
     vk::raii::CommandPool pool_;
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
     MeasuringThread measuring_;
-    Timing timing_;
-    std::vector<Pane> panes_;
-    std::vector<NoisePass> shown_; ///< in the last frame
+    std::unique_ptr<Canvas> canvas_;
+    std::unique_ptr<ValueSampler> sampler_;
+    NoisePass measured_; ///< whose values these samples are
+    std::uint32_t samples_ = 0;
+    std::uint32_t draws_ = 0;
+    bool picture_measured_ = false;
+    NoisePass shown_; ///< in the last frame
     Camera shown_from_;
     double changed_ = 0;                           ///< when it was something else
     std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
@@ -101,7 +85,6 @@ class App {
     std::size_t presets_drawn_ = 0; ///< of those whose pixels these are
     std::optional<vulkan::Buffer> preset_pixels_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
-    double shaders_polled_ = 0;
     double last_input_ = 0;
     bool busy_ = true;
     bool remember_; ///< the window's placement, for the next time

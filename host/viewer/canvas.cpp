@@ -1,5 +1,7 @@
 #include "viewer/canvas.hpp"
 
+#include "viewer/shader_compiler.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -42,8 +44,8 @@ struct Overloaded : Functions... {
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>; // clang 14 does not guess it
 
-vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv) {
-    return {device, spirv, interface_of(noise), noise.constants};
+vulkan::Pass make_pass(const vulkan::Device& device, const NoisePass& noise) {
+    return {device, compile_shader(noise.shader), interface_of(noise), noise.constants};
 }
 
 static_assert(passes::pixels_group == passes::solid_group && passes::pixels_group == passes::material_group);
@@ -64,11 +66,6 @@ ValueGrid::ValueGrid(const vulkan::Device& device, int channels)
 std::size_t ValueGrid::count() const {
     return static_cast<std::size_t>(input_.grid.width) * static_cast<std::size_t>(input_.grid.height) *
            static_cast<std::size_t>(channels_);
-}
-
-void ValueGrid::stop() {
-    job_.reset();
-    next_row_ = -1;
 }
 
 void ValueGrid::start(const vulkan::Pass& pass, GridInput input, const vulkan::Buffer& paint) {
@@ -142,18 +139,11 @@ std::span<const float> ValueGrid::read() {
     return (staging_ ? *staging_ : values_).as<float>().first(count());
 }
 
-Canvas::Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv)
+Canvas::Canvas(const vulkan::Device& device, const NoisePass& noise)
     : noise_(noise), paint_(render::load_paint(noise.request.paint)),
       paint_samples_(render::upload(device, paint_.samples)), device_(device),
-      pass_(make_pass(device, noise, spirv)), grids_{ValueGrid(device, noise.channel_count()),
-                                                     ValueGrid(device, noise.channel_count())} {}
-
-void Canvas::replace(const Spirv& spirv) {
-    for (ValueGrid& grid : grids_)
-        grid.stop();
-    pass_ = make_pass(device_, noise_, spirv);
-    stale_ = true;
-}
+      pass_(make_pass(device, noise)), grids_{ValueGrid(device, noise.channel_count()),
+                                              ValueGrid(device, noise.channel_count())} {}
 
 void Canvas::start(ValueGrid& grid, int stride) {
     grid.start(pass_, view_grid(noise_, camera_, extent_, stride, paint_), paint_samples_);
@@ -161,7 +151,7 @@ void Canvas::start(ValueGrid& grid, int stride) {
 
 bool Canvas::refine(const NoisePass& noise, const Camera& camera, Extent extent, double seconds) {
     ValueGrid& behind = grids_[1 - front_];
-    if (stale_ || noise != noise_ || camera != camera_ || extent != extent_) {
+    if (stride_ == 0 || noise != noise_ || camera != camera_ || extent != extent_) {
         noise_ = noise;
         const double whole = cost_.per_value() * extent.width * extent.height;
         const int coarsest = coarsest_stride(noise, paint_, camera.zoom);
@@ -191,13 +181,12 @@ void Canvas::draw(const Camera& camera, Extent extent, int stride) {
     start(behind, stride);
     behind.fill(behind.extent().height, cost_);
     stride_ = stride;
-    stale_ = false;
     front_ = 1 - front_;
 }
 
-ValueSampler::ValueSampler(const vulkan::Device& device, NoisePass noise, const Spirv& spirv)
+ValueSampler::ValueSampler(const vulkan::Device& device, NoisePass noise)
     : noise_(std::move(noise)), no_paint_(render::upload(device, render::Paint().samples)),
-      pass_(make_pass(device, noise_, spirv)), grid_(device, noise_.channel_count()) {}
+      pass_(make_pass(device, noise_)), grid_(device, noise_.channel_count()) {}
 
 std::span<const float> ValueSampler::sample(std::uint32_t draw, double seconds) {
     const int rows = std::clamp(static_cast<int>(seconds / (cost_.per_value() * sample_columns)),

@@ -10,8 +10,6 @@
 
 namespace gabor::viewer {
 
-using Spirv = std::vector<std::uint32_t>;
-
 /// Seconds per value, as measured while grids are filled: a first guess that the first frames correct.
 class Cost {
   public:
@@ -31,7 +29,6 @@ class ValueGrid {
     void start(const vulkan::Pass& pass, GridInput input, const vulkan::Buffer& paint);
     /// Fills up to `rows` rows from the next one on, and adds what it took to `cost`.
     void fill(int rows, Cost& cost);
-    void stop();
 
     bool filling() const { return next_row_ >= 0; }
     Extent extent() const { return input_.grid; }
@@ -55,15 +52,13 @@ class ValueGrid {
     int next_row_ = -1; ///< -1: all are filled
 };
 
-/// One pane of the view: the values of a noise on a grid of the view's pixels, coarse while it moves, then
-/// finer and finer, in portions that leave the window alive.
+/// The values of a noise on a grid of the view's pixels: coarse while it moves, then finer and finer, in
+/// short slices that keep the window responsive.
 class Canvas {
   public:
-    Canvas(const vulkan::Device& device, const NoisePass& noise, const Spirv& spirv);
+    Canvas(const vulkan::Device& device, const NoisePass& noise);
 
     const NoisePass& noise() const { return noise_; }
-    /// The same noise by changed shaders.
-    void replace(const Spirv& spirv);
 
     /// Works for about `seconds` at what the camera shows of the noise in `extent` pixels, and returns
     /// whether there is more to do. Where that is something else than before it is answered at once, as
@@ -76,7 +71,7 @@ class Canvas {
     const vulkan::Buffer& values() const { return grids_[front_].values(); }
     Extent grid() const { return grids_[front_].extent(); }
     int stride() const { return stride_; } ///< pixels per value
-    bool fine() const { return stride_ == 1 && !stale_; }
+    bool fine() const { return stride_ == 1; }
     /// The values on the host: valid until the next work.
     std::span<const float> pixels() { return grids_[front_].read(); }
 
@@ -93,7 +88,6 @@ class Canvas {
     std::array<ValueGrid, 2> grids_; ///< the one that is shown, and a finer one that is being filled
     std::size_t front_ = 0;
     int stride_ = 0; ///< of the one shown
-    bool stale_ = true;
     Cost cost_;
 };
 
@@ -101,7 +95,7 @@ class Canvas {
 class ValueSampler {
   public:
     /// `noise`: a `value_pass`.
-    ValueSampler(const vulkan::Device& device, NoisePass noise, const Spirv& spirv);
+    ValueSampler(const vulkan::Device& device, NoisePass noise);
 
     const NoisePass& noise() const { return noise_; }
     /// Another noise of the same pipeline.

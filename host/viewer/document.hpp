@@ -1,10 +1,8 @@
 #pragma once
 
 #include "render/parameters.hpp"
-#include "study/ingredients.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gabor::viewer {
@@ -33,13 +31,8 @@ enum class Output { value, gradient, phase, intensity, variance, phasor, lit };
 /// What is shown of a material.
 enum class Look { lit, colour, height, normal, roughness, metalness };
 
-/// What stands beside the picture in the split view, on the same parameters: one of the noises that the paper
-/// compares, the seminal one by default, or the drop-in with another recipe.
-using Comparison = std::variant<study::Ingredients, noise::Recipe>;
-
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
-constexpr int most_impulses = 64; ///< of a compared noise, in each cell
 
 /// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
 struct Document {
@@ -50,7 +43,6 @@ struct Document {
     bool directx_normals = false; ///< normal maps have green for down, as DirectX, and not for up, as OpenGL
     int colours = 0;              ///< colour map, as in shaders/viewer/colours.glsl
     float contrast = 2;           ///< standard deviations from the mean to the ends
-    std::optional<Comparison> comparison;
 
     bool operator==(const Document&) const = default;
 };

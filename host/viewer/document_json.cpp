@@ -33,36 +33,6 @@ std::size_t index_of(const json& object, const char* key, const Names& names) {
     return static_cast<std::size_t>(found - names.begin());
 }
 
-template <typename Enum, std::size_t count>
-void read(const json& object, const char* key, const std::array<Enum, count>& all, Enum& into) {
-    std::array<std::string, count> names;
-    std::ranges::transform(all, names.begin(), [](Enum each) { return std::string(study::name(each)); });
-    into = all.at(index_of(object, key, names));
-}
-
-ordered_json json_of(const Comparison& comparison) {
-    if (const auto* recipe = std::get_if<noise::Recipe>(&comparison))
-        return {{"recipe", noise::spelled_out(*recipe)}};
-    const auto& ingredients = std::get<study::Ingredients>(comparison);
-    return {{"points", study::name(ingredients.points)},
-            {"weights", study::name(ingredients.weights)},
-            {"kernel", study::name(ingredients.kernel)},
-            {"envelope", study::name(ingredients.envelope)},
-            {"impulses", ingredients.impulses}};
-}
-
-Comparison comparison_of(const json& object) {
-    if (object.contains("recipe"))
-        return noise::find_recipe(object["recipe"].get<std::string>());
-    study::Ingredients ingredients;
-    read(object, "points", study::all_points, ingredients.points);
-    read(object, "weights", study::all_weights, ingredients.weights);
-    read(object, "kernel", study::all_kernels, ingredients.kernel);
-    read(object, "envelope", study::all_envelopes, ingredients.envelope);
-    ingredients.impulses = std::clamp(object.at("impulses").get<int>(), 1, most_impulses);
-    return ingredients;
-}
-
 ordered_json json_of(const Camera& camera) {
     return {{"x", {camera.x.whole, camera.x.part}},
             {"y", {camera.y.whole, camera.y.part}},
@@ -88,9 +58,6 @@ void read_view(const json& view, Document& document) {
         document.colours = static_cast<int>(index_of(view, "colours", colours));
     if (view.contains("contrast"))
         document.contrast = std::clamp(view["contrast"].get<float>(), least_contrast, most_contrast);
-    if (view.contains("compared"))
-        document.comparison =
-            view["compared"].is_null() ? std::nullopt : std::optional(comparison_of(view["compared"]));
     if (view.contains("camera"))
         document.camera = camera_of(view["camera"]);
 }
@@ -116,7 +83,6 @@ std::string to_json(const Document& document) {
                         {"normals", normal_maps.at(document.directx_normals)},
                         {"colours", colours.at(static_cast<std::size_t>(document.colours))},
                         {"contrast", document.contrast},
-                        {"compared", document.comparison ? json_of(*document.comparison) : ordered_json()},
                         {"camera", json_of(document.camera)}};
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -128,7 +94,6 @@ Document document_from_json(std::string_view text, const Document& defaults) {
     document.directx_normals = defaults.directx_normals;
     document.colours = defaults.colours;
     document.contrast = defaults.contrast;
-    document.comparison = defaults.comparison;
     const json object = json::parse(text);
     if (!object.contains("viewer"))
         return document;

@@ -29,8 +29,6 @@ std::string_view without_effect(const Document& document, std::string_view contr
         return "A photograph's noise has its colours";
     if (control == "recipe" && space)
         return "Noise in space has one recipe, the lattice's";
-    if (control == "comparison" && space)
-        return "Noise in space has one recipe: there is nothing to compare it with";
     if (control == "orientation" && space && request.lobes.size() == 1 &&
         render::is_isotropic(request.lobes.front()))
         return "These waves have all orientations: the orientation spread is 90 degrees";

@@ -46,8 +46,8 @@ Exporter::~Exporter() {
         thread_.join();
 }
 
-void Exporter::start(const Document& document, Shaders shaders, const ExportTarget& target) {
-    Work work{document, std::move(shaders), target, exported(document, target.as)};
+void Exporter::start(const Document& document, const ExportTarget& target) {
+    Work work{document, target, exported(document, target.as)};
     render::check(work.request);
     if (target.as == ExportAs::texture)
         render::check_texture(work.request, whole(work.request));
@@ -91,15 +91,14 @@ std::string Exporter::run(const Work& work) {
     const auto frames = static_cast<int>(all.size());
     for (int frame = 0; frame < frames; ++frame) {
         render::Files files = all[static_cast<std::size_t>(frame)];
-        files.code = work.shaders.pass;
         if (files.png && !shows_plainly(work.document)) {
             if (!colours)
-                colours.emplace(device, work.shaders.colours, work.document, render::channels(request));
+                colours.emplace(device, work.document, render::channels(request));
             files.colours = [&](std::span<const float> values) { return colours->of(values); };
         }
         if (work.target.as == ExportAs::texture)
             render::render_texture(device, request, whole(request), *files.exr, {.half = work.target.half},
-                                   advance, files.code);
+                                   advance);
         else
             render::render_file(device, render::frame_of(request, frame, frames), whole(request), files,
                                 advance);

@@ -37,15 +37,9 @@ class Exporter {
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
     ~Exporter();
 
-    /// SPIR-V to draw with.
-    struct Shaders {
-        std::vector<std::uint32_t> pass;    ///< of render::pass_of; empty for what was built in
-        std::vector<std::uint32_t> colours; ///< of viewer/show.comp
-    };
-
     /// The pictures of a document: the channels that its output is made of, and in PNGs what it shows of
     /// them. Throws RequestError where the request or a path will not do. Not while `running`.
-    void start(const Document& document, Shaders shaders, const ExportTarget& target);
+    void start(const Document& document, const ExportTarget& target);
     void cancel() { cancelled_ = true; }
 
     bool running() const { return running_; }
@@ -62,7 +56,6 @@ class Exporter {
   private:
     struct Work {
         Document document;
-        Shaders shaders;
         ExportTarget target;
         render::Request request;
     };

@@ -112,17 +112,10 @@ constexpr std::array shortcuts{
                      next_choice(s.document(), "recipe");
              }},
     Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
-    Shortcut{"Tab", "split view, or the photograph beside its noise; the divider can be dragged",
-             GLFW_KEY_TAB, false,
+    Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB, false,
              [](Session& s) {
-                 if (s.fitter.photograph()) {
+                 if (s.fitter.photograph())
                      s.photograph_beside = !s.photograph_beside;
-                     return;
-                 }
-                 if (!has_effect(s, "comparison"))
-                     return;
-                 std::optional<Comparison>& comparison = s.document().comparison;
-                 comparison = comparison ? std::nullopt : std::optional(Comparison());
              }},
     Shortcut{"T", "a tileable picture two by two, where seams would show", GLFW_KEY_T, false,
              [](Session& s) {
@@ -210,7 +203,7 @@ void mouse(Session& session, float width, float height) {
     if (io.WantCaptureMouse)
         return;
     const float density = pixels_per_unit();
-    const bool split = session.panes.size() > 1 || shows_photograph(session);
+    const bool split = shows_photograph(session);
     const float divider = width * session.divider;
     const bool at_divider = split && std::abs(io.MousePos.x - divider) < 6;
     if (ImGui::IsMouseClicked(0))
@@ -269,8 +262,7 @@ void help_window(Session& session) {
             "Ctrl and a click on a slider lets you type, a double click sets it back. Hold the pointer over\n"
             "anything to read what it is. In the drawing of the frequency plane a click selects a lobe, a "
             "drag\n"
-            "moves it, a double click adds one, Delete removes the selected one.\n"
-            "Shaders are read again whenever one is saved; the last good picture stays.");
+            "moves it, a double click adds one, Delete removes the selected one.");
     }
     ImGui::End();
     ImGui::PopStyleColor();

@@ -83,7 +83,7 @@ std::string material_snippet(const Document& document, Extent extent) {
 )";
     if (render::in_space(request))
         return text + of_body(request);
-    const GridInput input = view_grid(noise_passes(document).front(), document.camera, extent, 1, {});
+    const GridInput input = view_grid(noise_pass(document), document.camera, extent, 1, {});
     return text + of_plane(request, std::get<MaterialInput>(input.of).push, extent);
 }
 

@@ -69,39 +69,37 @@ MeasuringThread::~MeasuringThread() {
     thread_.join();
 }
 
-void MeasuringThread::reset(std::size_t side) {
+void MeasuringThread::reset() {
     const std::lock_guard lock(mutex_);
-    ++generation_.at(side);
-    std::erase_if(tasks_, [&](const Task& task) { return task.side == side; });
+    ++generation_;
+    tasks_.clear();
     // The spectrum stays in view until there is another.
-    std::optional<MeasuredSpectrum> spectrum = std::move(measured_[side].spectrum);
-    measured_[side] = {};
-    measured_[side].spectrum = std::move(spectrum);
-    gaussianity_[side] = statistics::Gaussianity();
+    std::optional<MeasuredSpectrum> spectrum = std::move(measured_.spectrum);
+    measured_ = {};
+    measured_.spectrum = std::move(spectrum);
+    gaussianity_ = statistics::Gaussianity();
 }
 
 void MeasuringThread::post(Task task) {
     {
         const std::lock_guard lock(mutex_);
-        task.generation = generation_.at(task.side);
+        task.generation = generation_;
         tasks_.push_back(std::move(task));
     }
     wake_.notify_one();
 }
 
-void MeasuringThread::add_samples(std::size_t side, std::span<const float> values, int channels,
-                                  int coverage) {
-    post({side, 0, first_channel(values, channels, coverage), {}, 1});
+void MeasuringThread::add_samples(std::span<const float> values, int channels, int coverage) {
+    post({0, first_channel(values, channels, coverage), {}, 1});
 }
 
-void MeasuringThread::add_picture(std::size_t side, std::span<const float> values, int channels,
-                                  Extent extent, double scale) {
-    post({side, 0, first_channel(values, channels), extent, scale});
+void MeasuringThread::add_picture(std::span<const float> values, int channels, Extent extent, double scale) {
+    post({0, first_channel(values, channels), extent, scale});
 }
 
-Measurements MeasuringThread::measured(std::size_t side) const {
+Measurements MeasuringThread::measured() const {
     const std::lock_guard lock(mutex_);
-    return measured_.at(side);
+    return measured_;
 }
 
 bool MeasuringThread::idle() const {
@@ -129,11 +127,10 @@ void MeasuringThread::measure(const Task& task) {
     if (task.extent.width > 0) {
         std::optional<MeasuredSpectrum> spectrum = spectrum_of(task.values, task.extent, task.scale);
         const std::lock_guard lock(mutex_);
-        if (task.generation == generation_[task.side])
-            measured_[task.side].spectrum = std::move(spectrum);
+        if (task.generation == generation_)
+            measured_.spectrum = std::move(spectrum);
         return;
     }
-    // Shaders that are being edited may give anything: what is not finite does not count.
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
     std::array<std::uint64_t, histogram_bars> histogram{};
@@ -147,13 +144,12 @@ void MeasuringThread::measure(const Task& task) {
             ++histogram[static_cast<std::size_t>(bar)];
     }
     const std::lock_guard lock(mutex_);
-    if (task.generation != generation_[task.side])
+    if (task.generation != generation_)
         return;
-    Measurements& known = measured_[task.side];
-    known.moments.merge(moments);
-    gaussianity_[task.side].merge(gaussianity);
-    known.cvm = gaussianity_[task.side].index();
-    std::ranges::transform(known.histogram, histogram, known.histogram.begin(), std::plus());
+    measured_.moments.merge(moments);
+    gaussianity_.merge(gaussianity);
+    measured_.cvm = gaussianity_.index();
+    std::ranges::transform(measured_.histogram, histogram, measured_.histogram.begin(), std::plus());
 }
 
 } // namespace gabor::viewer

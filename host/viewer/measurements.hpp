@@ -41,20 +41,18 @@ class MeasuringThread {
     MeasuringThread();
     ~MeasuringThread();
 
-    /// Forgets what is known of a side, and what of it is still in the queue.
-    void reset(std::size_t side);
+    /// Forgets what is known but for the spectrum, and what is still in the queue.
+    void reset();
     /// `coverage`: the channel that tells with 0 which values are none; -1 where all are.
-    void add_samples(std::size_t side, std::span<const float> values, int channels, int coverage);
+    void add_samples(std::span<const float> values, int channels, int coverage);
     /// The pixels of a flat picture. `scale`: pixels per kernel radius.
-    void add_picture(std::size_t side, std::span<const float> values, int channels, Extent extent,
-                     double scale);
+    void add_picture(std::span<const float> values, int channels, Extent extent, double scale);
 
-    Measurements measured(std::size_t side) const;
+    Measurements measured() const;
     bool idle() const;
 
   private:
     struct Task {
-        std::size_t side;
         std::uint64_t generation;
         std::vector<float> values;
         Extent extent; ///< of a picture; 0 x 0 for samples
@@ -70,9 +68,9 @@ class MeasuringThread {
     std::deque<Task> tasks_;
     bool busy_ = false;
     bool ending_ = false;
-    std::array<std::uint64_t, 2> generation_{};
-    std::array<Measurements, 2> measured_;
-    std::array<statistics::Gaussianity, 2> gaussianity_;
+    std::uint64_t generation_ = 0; ///< how often it was reset
+    Measurements measured_;
+    statistics::Gaussianity gaussianity_;
     std::thread thread_;
 };
 

@@ -14,16 +14,8 @@ namespace gabor::viewer {
 
 namespace {
 
-ImU32 pane_colour(std::size_t pane, float alpha) {
-    const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
-    const ImVec4 other{0.45f, 0.72f, 0.90f, 1};
-    ImVec4 colour = pane == 0 ? accent : other;
-    colour.w = alpha;
-    return ImGui::GetColorU32(colour);
-}
-
-// The histograms of both panes, and the normal curve that they should follow.
-void histogram(const std::vector<PaneReport>& panes) {
+// The values' histogram, and the normal curve that it should follow.
+void histogram(const Measurements& measured) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetTextLineHeight()};
     ImGui::InvisibleButton("histogram", size);
@@ -39,22 +31,14 @@ void histogram(const std::vector<PaneReport>& panes) {
                       at.y + size.y * static_cast<float>(1 - std::min(density / highest, 1.0)));
     };
     constexpr double bar = 2 * histogram_end / histogram_bars;
-    for (std::size_t pane = 0; pane < panes.size(); ++pane) {
-        const Measurements& measured = panes[pane].measured;
-        const auto count = static_cast<double>(measured.moments.count());
-        if (count == 0)
-            continue;
-        for (int i = 0; i < histogram_bars; ++i) {
-            const double density =
-                static_cast<double>(measured.histogram[static_cast<std::size_t>(i)]) / (count * bar);
-            const double left = -histogram_end + i * bar;
-            const ImVec2 top = place(left, density);
-            const ImVec2 bottom = place(left + bar, 0);
-            if (pane == 0)
-                draw.AddRectFilled(top, {bottom.x - 1, bottom.y}, pane_colour(pane, 0.45f));
-            else
-                draw.AddLine(top, {bottom.x, top.y}, pane_colour(pane, 1), 1.5f);
-        }
+    const auto count = static_cast<double>(measured.moments.count());
+    for (int i = 0; i < histogram_bars && count > 0; ++i) {
+        const double density =
+            static_cast<double>(measured.histogram[static_cast<std::size_t>(i)]) / (count * bar);
+        const double left = -histogram_end + i * bar;
+        const ImVec2 bottom = place(left + bar, 0);
+        draw.AddRectFilled(place(left, density), {bottom.x - 1, bottom.y},
+                           ImGui::GetColorU32(ImGuiCol_CheckMark, 0.45f));
     }
     std::array<ImVec2, 97> curve;
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -65,17 +49,13 @@ void histogram(const std::vector<PaneReport>& panes) {
                      1.2f);
 }
 
-void row(const char* name, const char* meaning, const std::vector<PaneReport>& panes,
-         const std::function<std::string(const PaneReport&)>& value) {
+void row(const char* name, const char* meaning, const std::string& value) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
     tooltip(meaning);
-    for (std::size_t pane = 0; pane < panes.size(); ++pane) {
-        ImGui::TableNextColumn();
-        const std::string text = value(panes[pane]);
-        ImGui::TextUnformatted(text.c_str());
-        tooltip(meaning);
-    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(value.c_str());
+    tooltip(meaning);
 }
 
 std::string samples(std::uint64_t count) {
@@ -86,51 +66,21 @@ std::string samples(std::uint64_t count) {
 } // namespace
 
 void measurements_panel(Session& session) {
-    const std::vector<PaneReport>& panes = session.panes;
-    if (panes.empty())
+    const Measurements& measured = session.measured;
+    histogram(measured);
+    if (!ImGui::BeginTable("measured", 2))
         return;
-    histogram(panes);
-    if (!ImGui::BeginTable("measured", static_cast<int>(1 + panes.size())))
-        return;
-    if (panes.size() > 1) {
-        ImGui::TableNextColumn();
-        for (std::size_t pane = 0; pane < panes.size(); ++pane) {
-            ImGui::TableNextColumn();
-            ImGui::PushStyleColor(ImGuiCol_Text, pane_colour(pane, 1));
-            ImGui::TextUnformatted(panes[pane].name.substr(0, 18).c_str());
-            ImGui::PopStyleColor();
-        }
-    }
-    const auto timed = [](double time, const char* unit) {
-        return std::isnan(time) ? std::string("-") : fmt::format("{:.1f} {}", time, unit);
-    };
-    std::string meaning = "Pasted into a shader, on the device's own clock, as gabor bench times it:";
-    for (const PaneReport& pane : panes)
-        meaning += fmt::format("\n{}", pane.function.empty() ? "- (it times no such noise)" : pane.function);
-    meaning += "\ntimes the number of waves. Not while an export runs.";
-    row("per pixel", meaning.c_str(), panes,
-        [&](const PaneReport& pane) { return timed(pane.nanoseconds, "ns"); });
-    row("frame", "That for a frame of this size", panes,
-        [&](const PaneReport& pane) { return timed(pane.milliseconds, "ms"); });
-    row("visits", "Impulses, or nodes of the lattice, that each pixel visits, of all lobes", panes,
-        [](const PaneReport& pane) { return pane.visits; });
-    const auto known = [](const PaneReport& pane) { return pane.measured.moments.count() > 0; };
-    row("mean", "Of the samples; 0 is exact", panes, [&](const PaneReport& pane) {
-        return known(pane) ? fmt::format("{:+.4f}", pane.measured.moments.mean()) : "-";
-    });
-    row("variance", "Of the samples; 1 is exact", panes, [&](const PaneReport& pane) {
-        return known(pane) ? fmt::format("{:.4f}", pane.measured.moments.variance()) : "-";
-    });
+    const statistics::Moments& moments = measured.moments;
+    const bool known = moments.count() > 0;
+    row("mean", "Exactly 0 but for chance", known ? fmt::format("{:+.4f}", moments.mean()) : "-");
+    row("variance", "Exactly 1 but for chance", known ? fmt::format("{:.4f}", moments.variance()) : "-");
+    const statistics::Estimate& cvm = measured.cvm;
     row("cvm",
-        "How far the values are from a normal distribution: the Cramer-von Mises index at 2^18 samples, with "
-        "its "
-        "95 % interval. 0.5 is where one stops to see it, 0 is perfect.",
-        panes, [&](const PaneReport& pane) {
-            const statistics::Estimate& cvm = pane.measured.cvm;
-            return known(pane) ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-";
-        });
-    row("samples", "Values measured so far, at random points of independent instances", panes,
-        [](const PaneReport& pane) { return samples(pane.measured.moments.count()); });
+        "Distance from a normal distribution: the Cramer-von Mises index at 2^18 samples, with its 95 % "
+        "interval. Below 0.5 nobody sees it.",
+        known ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-");
+    row("samples", "Values measured so far, at random points of independent instances",
+        samples(moments.count()));
     ImGui::EndTable();
     ImGui::Checkbox("frame rate and latency", &session.metered);
     tooltip("M: in the view, while the window draws without a rest");

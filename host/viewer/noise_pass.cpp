@@ -2,8 +2,6 @@
 
 #include "noise/spectrum.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,42 +11,18 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::size_t perspective = 12; ///< of those of viewer/ingredients.comp
-constexpr double least_baked_cell = 8;  ///< pixels: blocks are of one cell
-
-// Nodes of the lattice in space that a pixel visits: 27 for each of the directions that make up a noise, as
-// gabor_lattice_3d.glsl has them.
-double visited_in_space(const render::Request& request) {
-    if (!render::along_surface(request))
-        return 27.0 * static_cast<double>(noise::directed_waves_in_space(request.lobes, request.seed).size());
-    double directions = 0;
-    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed))
-        directions += wave.isotropic ? std::ceil(2 + 4.5 * std::min(wave.frequency * wave.radius, 32.0)) : 1;
-    return 27 * directions;
-}
-
-double wave_count(const render::Request& request) {
-    const std::vector<noise::Wave> waves = render::in_space(request)
-                                               ? noise::waves_in_space(request.lobes, request.seed)
-                                               : noise::waves(request.lobes, request.seed);
-    return static_cast<double>(waves.size());
-}
+constexpr double least_baked_cell = 8; // pixels: blocks are of one cell
 
 NoisePass of_drop_in(const render::Request& request) {
     NoisePass pass;
     pass.request = request;
     pass.channels = render::channels(request);
-    pass.waves = wave_count(request);
     if (render::in_space(request)) {
         pass.shader = render::solid_pass(request);
         pass.constants = render::solid_constants(request);
-        pass.name = "in space";
-        pass.visited = visited_in_space(request);
     } else {
         pass.shader = render::recipe_pass("pixels", request.recipe);
         pass.constants = render::pixels_constants(request);
-        pass.name = noise::spelled_out(request.recipe);
-        pass.visited = noise::visited_impulses(request.recipe) * pass.waves;
     }
     return pass;
 }
@@ -76,25 +50,6 @@ NoisePass of_material(const render::Request& request) {
     pass.channels = render::channels(request);
     pass.shader = render::pass_of(request);
     pass.constants = render::material_constants(request);
-    pass.name = request.material;
-    return pass;
-}
-
-NoisePass of_ingredients(const render::Request& request, const study::Ingredients& ingredients) {
-    NoisePass pass;
-    pass.shader = "viewer/ingredients.comp";
-    pass.request = request;
-    pass.ingredients = ingredients;
-    pass.waves = wave_count(request);
-    pass.channels = {"Y"};
-    pass.constants = study::constants(ingredients);
-    pass.constants.resize(perspective, 0);
-    pass.constants.push_back(render::in_perspective(request));
-    pass.name = ingredients == study::Ingredients{} ? "seminal"
-                : ingredients == study::recommended ? "the paper's advice"
-                                                    : study::key(ingredients);
-    const double across = ingredients.points == study::Points::jittered_hex ? 4 : 3;
-    pass.visited = across * across * ingredients.impulses * pass.waves;
     return pass;
 }
 
@@ -109,25 +64,12 @@ Cells cells_of(const NoisePass& noise) {
     Cells cells;
     for (const double radius : render::pixels_tables(request)) {
         const auto along = [&](int side) {
-            return (noise.ingredients ? 1 : render::axis_along(request, side, radius).radius) / radius;
+            return render::axis_along(request, side, radius).radius / radius;
         };
         cells.x.push_back(along(request.width));
         cells.y.push_back(along(request.height));
     }
     return cells;
-}
-
-// The waves of a plane.
-std::vector<passes::PixelsWave> waves_of(const NoisePass& noise, const render::Paint& paint) {
-    std::vector<passes::PixelsWave> waves =
-        render::pixels_waves(noise.request, noise.ingredients ? render::Paint() : paint);
-    if (!noise.ingredients)
-        return waves;
-    for (passes::PixelsWave& wave : waves) {
-        const study::Wave of{double{wave.frequency}, double{wave.orientation}};
-        wave.amplitude /= static_cast<float>(std::sqrt(study::variance(*noise.ingredients, of)));
-    }
-    return waves;
 }
 
 // The highest frequency in the picture, in cycles per pixel of it.
@@ -233,37 +175,21 @@ void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int
                           std::back_inserter(points));
 }
 
-std::string NoisePass::visits() const {
-    const bool nodes = !ingredients && render::drawing_recipe(request).is_lattice();
-    return visited > 0 ? fmt::format("{:.0f} {}", visited, nodes ? "nodes" : "impulses") : "";
-}
-
 void NoisePass::add_normal() {
     constants.push_back(1);
     channels.insert(channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
 }
 
-std::vector<NoisePass> noise_passes(const Document& document, bool cpu) {
+NoisePass noise_pass(const Document& document, bool cpu) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
     if (render::has_material(request))
-        return {of_material(request)};
-    request = with_output(request, document.output);
-    const double zoom = document.camera.zoom;
-    std::vector<NoisePass> passes{baked(of_drop_in(request), zoom, cpu)};
+        return of_material(request);
+    NoisePass pass = baked(of_drop_in(with_output(request, document.output)), document.camera.zoom, cpu);
     if (document.output == Output::lit && std::holds_alternative<render::Body>(request.view))
-        passes.front().add_normal();
-    if (!document.comparison || render::in_space(request)) // where there is one recipe alone
-        return passes;
-    if (const auto* ingredients = std::get_if<study::Ingredients>(&*document.comparison)) {
-        passes.push_back(of_ingredients(request, *ingredients));
-    } else {
-        request.recipe = std::get<noise::Recipe>(*document.comparison);
-        render::give_way(request, "recipe");
-        passes.push_back(baked(of_drop_in(request), zoom, cpu));
-    }
-    return passes;
+        pass.add_normal();
+    return pass;
 }
 
 int coarsest_stride(const NoisePass& noise, const render::Paint& paint, double zoom) {
@@ -291,7 +217,7 @@ NoisePass value_pass(const NoisePass& noise) {
     request.colour.reset();
     if (render::in_perspective(request))
         request.view = render::Plane();
-    return noise.ingredients ? of_ingredients(request, *noise.ingredients) : of_drop_in(request);
+    return of_drop_in(request);
 }
 
 GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent, int stride,
@@ -331,8 +257,10 @@ GridInput view_grid(const NoisePass& noise, const Camera& camera, Extent extent,
                 wave.amplitude *= left(std::hypot(wave.wave.x, wave.wave.y) * each.push.stretch);
         return {grid, std::move(tables)};
     }
-    PixelsInput input{
-        render::pixels_push(request, extent.width, extent.height), {}, {}, waves_of(noise, paint)};
+    PixelsInput input{render::pixels_push(request, extent.width, extent.height),
+                      {},
+                      {},
+                      render::pixels_waves(request, paint)};
     passes::PixelsPush& push = input.push;
     push.waves = static_cast<int>(input.waves.size());
     push.pixel /= static_cast<float>(camera.zoom);
@@ -408,10 +336,10 @@ GridInput random_grid(const NoisePass& noise, Extent grid, std::uint32_t draw) {
             }
         }
     };
-    NoisePass drawn = noise;
-    drawn.request = request;
-    PixelsInput input{
-        render::pixels_push(request, grid.width, grid.height), {}, {}, waves_of(drawn, render::Paint())};
+    PixelsInput input{render::pixels_push(request, grid.width, grid.height),
+                      {},
+                      {},
+                      render::pixels_waves(request, render::Paint())};
     input.push.waves = static_cast<int>(input.waves.size());
     fill(input.columns, grid.width, cells.x);
     fill(input.rows, grid.height, cells.y);

@@ -24,20 +24,14 @@ passes::Line axis_point(const Coordinate& coordinate, double by, double radius);
 void add_points(std::vector<passes::Line>& points, const Coordinate& middle, int pixels, double scale,
                 int stride, const std::vector<double>& radii);
 
-/// The compute pass that evaluates the noise of one pane.
+/// The compute pass that evaluates the picture in the window.
 struct NoisePass {
-    std::string shader; ///< as ShaderCompiler::compile takes it
+    std::string shader; ///< as compile_shader takes it
     std::vector<std::uint32_t> constants;
-    std::optional<Extent> block;                   ///< of passes/bake.comp, where it is that
-    render::Request request;                       ///< with the channels that the output needs
-    std::optional<study::Ingredients> ingredients; ///< where it is no noise of the drop-in
-    std::string name;
-    double waves = 1;   ///< noises that add up
-    double visited = 0; ///< impulses or nodes of all of them for each pixel; the mean where that is random
+    std::optional<Extent> block; ///< of passes/bake.comp, where it is that
+    render::Request request;     ///< with the channels that the output needs
     std::vector<std::string> channels;
 
-    /// "9 nodes": what it visits.
-    std::string visits() const;
     int channel_count() const { return static_cast<int>(channels.size()); }
     /// Whether both are evaluated by the same pipeline.
     bool same_pipeline(const NoisePass& other) const {
@@ -49,14 +43,13 @@ struct NoisePass {
     void add_normal();
 };
 
-/// The passes of a document: the picture's, and in the split view that of the compared noise. `cpu`: whether
-/// the device is one.
-std::vector<NoisePass> noise_passes(const Document& document, bool cpu = true);
+/// The pass of a document. `cpu`: whether the device is one.
+NoisePass noise_pass(const Document& document, bool cpu = true);
 
 /// The same noise, its value alone, sharp, and on a plane from above: for the statistics of its values.
 NoisePass value_pass(const NoisePass& noise);
 
-/// What passes/pixels.comp and viewer/ingredients.comp read.
+/// What passes/pixels.comp reads.
 struct PixelsInput {
     passes::PixelsPush push;
     std::vector<passes::Line> columns;

@@ -1,5 +1,7 @@
 #include "viewer/painter.hpp"
 
+#include "viewer/shader_compiler.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,8 +10,8 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::uint32_t most_canvases = 2;
-constexpr std::size_t colours_set = most_canvases; ///< of the descriptor sets, after those of canvases
+constexpr std::size_t canvas_set = 0; // of the descriptor sets
+constexpr std::size_t colours_set = 1;
 constexpr std::size_t most_pipelines = 16;
 
 Area intersection(const Area& a, const Area& b) {
@@ -35,7 +37,8 @@ vk::raii::DescriptorPool make_pool(const vk::raii::Device& device) {
                                                  colours_set + 1, size)};
 }
 
-vk::raii::ShaderModule make_module(const vk::raii::Device& device, const std::vector<std::uint32_t>& spirv) {
+vk::raii::ShaderModule make_module(const vk::raii::Device& device, std::string_view path) {
+    const std::vector<std::uint32_t> spirv = compile_shader(path);
     return {device, {{}, spirv.size() * sizeof(std::uint32_t), spirv.data()}};
 }
 
@@ -70,12 +73,11 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
 
 } // namespace
 
-Painter::Painter(const vulkan::Device& device, vk::RenderPass pass, const std::vector<std::uint32_t>& vertex,
-                 const std::vector<std::uint32_t>& fragment)
+Painter::Painter(const vulkan::Device& device, vk::RenderPass pass)
     : device_(device), set_layout_(make_set_layout(device.state().device)),
       layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
-      pass_(pass), vertex_(make_module(device.state().device, vertex)),
-      fragment_(make_module(device.state().device, fragment)) {
+      pass_(pass), vertex_(make_module(device.state().device, "viewer/show.vert")),
+      fragment_(make_module(device.state().device, "viewer/show.frag")) {
     const std::vector<vk::DescriptorSetLayout> layouts(colours_set + 1, *set_layout_);
     vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
     for (vk::raii::DescriptorSet& set : sets)
@@ -101,7 +103,7 @@ void Painter::prepare(vk::CommandBuffer commands) {
 }
 
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
-                    const Document& document, std::size_t index, const std::optional<Tiling>& tiling) {
+                    const Document& document, const std::optional<Tiling>& tiling) {
     const double zoom = tiling ? tiling->camera.zoom : document.camera.zoom;
     passes::ShowPush push = show_push(document, canvas.stride() / zoom);
     Area visible = area;
@@ -120,7 +122,8 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.stride = static_cast<float>(canvas.stride());
     const bool coarse = canvas.stride() > 1;
     draw(commands, canvas.values(),
-         show_constants(document, canvas.noise().channels, coarse, tiling.has_value()), push, visible, index);
+         show_constants(document, canvas.noise().channels, coarse, tiling.has_value()), push, visible,
+         canvas_set);
 }
 
 void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,

@@ -19,19 +19,18 @@ struct Area {
     int height = 0;
 };
 
-/// Shows canvases through a colour map: shaders/viewer/show.vert and show.frag.
+/// Shows a canvas through a colour map: shaders/viewer/show.vert and show.frag.
 class Painter {
   public:
-    Painter(const vulkan::Device& device, vk::RenderPass pass, const std::vector<std::uint32_t>& vertex,
-            const std::vector<std::uint32_t>& fragment);
+    Painter(const vulkan::Device& device, vk::RenderPass pass);
 
-    /// Makes the values of canvases visible to `paint`; outside a render pass, once what was painted before
+    /// Makes the values of a canvas visible to `paint`; outside a render pass, once what was painted before
     /// has been drawn.
     void prepare(vk::CommandBuffer commands);
-    /// Records the drawing of a canvas, inside a render pass. `index`: which of the canvases of this frame.
-    /// `tiling`: how copies of it stand in the middle of the area, where it is that of a tile.
+    /// Records the drawing of a canvas, inside a render pass. `tiling`: how copies of it stand in the middle
+    /// of the area, where it is that of a tile.
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
-               std::size_t index, const std::optional<Tiling>& tiling = {});
+               const std::optional<Tiling>& tiling = {});
 
     /// The same of red, green and blue of each cell of a grid, `stride` pixels apart, whose corner is at
     /// `origin` in the framebuffer.

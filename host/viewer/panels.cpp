@@ -180,52 +180,6 @@ bool choose(const char* label, int& number, std::span<const std::string_view> na
     return changed;
 }
 
-template <typename Enum, std::size_t count>
-bool choice(const char* label, Enum& value, const std::array<Enum, count>& all) {
-    bool changed = false;
-    if (ImGui::BeginCombo(label, std::string(study::name(value)).c_str())) {
-        for (const Enum each : all)
-            if (ImGui::Selectable(std::string(study::name(each)).c_str(), each == value)) {
-                value = each;
-                changed = true;
-            }
-        ImGui::EndCombo();
-    }
-    return changed;
-}
-
-void comparison_choice(Comparison& comparison) {
-    auto* ingredients = std::get_if<study::Ingredients>(&comparison);
-    const bool seminal = ingredients && *ingredients == study::Ingredients{};
-    const bool paper = ingredients && *ingredients == study::recommended;
-    const std::string shown = seminal       ? "seminal, N = 30"
-                              : paper       ? "the paper's advice, N = 2"
-                              : ingredients ? "ingredients"
-                                            : noise::spelled_out(std::get<noise::Recipe>(comparison));
-    if (ImGui::BeginCombo("against", shown.c_str())) {
-        if (ImGui::Selectable("seminal, N = 30", seminal))
-            comparison = study::Ingredients{};
-        if (ImGui::Selectable("the paper's advice, N = 2", paper))
-            comparison = study::recommended;
-        for (const noise::Recipe& recipe : noise::recipes())
-            if (ImGui::Selectable(std::string(recipe.name).c_str(), comparison == Comparison(recipe)))
-                comparison = recipe;
-        ImGui::EndCombo();
-    }
-    tooltip("What stands on the right, with the same parameters");
-    ingredients = std::get_if<study::Ingredients>(&comparison);
-    if (ingredients && ImGui::TreeNode("its ingredients")) {
-        choice("points", ingredients->points, study::all_points);
-        choice("weights", ingredients->weights, study::all_weights);
-        choice("kernel", ingredients->kernel, study::all_kernels);
-        choice("envelope", ingredients->envelope, study::all_envelopes);
-        slider("N", ingredients->impulses, 1, most_impulses, "%d",
-               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        tooltip("Impulses per cell; the mean for Poisson points");
-        ImGui::TreePop();
-    }
-}
-
 // Beside the field of its name.
 void paint_button(Session& session) {
     ImGui::SameLine();
@@ -304,13 +258,6 @@ void output_panel(Session& session) {
             if (reset_asked("contrast"))
                 document.contrast = Document().contrast;
         });
-    explained(without_effect(document, "comparison"), "Tab: two noises side by side, with their times", [&] {
-        bool split = document.comparison.has_value();
-        if (ImGui::Checkbox("split view", &split))
-            document.comparison = split ? std::optional(Comparison()) : std::nullopt;
-    });
-    if (document.comparison && without_effect(document, "comparison").empty())
-        comparison_choice(*document.comparison);
 }
 
 void files_panel(Session& session) {
@@ -354,36 +301,15 @@ void other_parameters(Session& session) {
             control(session, parameter.name);
 }
 
-void view_overlay(const Session& session, float width, float height) {
+void view_overlay(const Session& session) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const float line = ImGui::GetFrameHeight() + 4;
     const float margin = ImGui::GetStyle().WindowPadding.x;
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    const bool split = session.panes.size() > 1;
-    for (std::size_t i = 0; split && i < session.panes.size(); ++i) {
-        const PaneReport& pane = session.panes[i];
-        const float left = i == 0 ? 0 : width * session.divider;
-        label(draw, {left + margin, margin},
-              std::isnan(pane.nanoseconds)
-                  ? fmt::format("{}   {}", pane.name, pane.visits)
-                  : fmt::format("{}   {:.1f} ns per pixel   {}", pane.name, pane.nanoseconds, pane.visits),
-              text);
-        if (i == 1) {
-            draw.AddLine({left, 0}, {left, height}, IM_COL32(12, 13, 15, 255), 3);
-            const double times = pane.nanoseconds / session.panes[0].nanoseconds;
-            if (!std::isnan(times))
-                label(draw, {left + margin, margin + line},
-                      times >= 1 ? fmt::format("takes {:.1f} times as long", times)
-                                 : fmt::format("takes {:.2f} of the time", times),
-                      ImGui::GetColorU32(ImGuiCol_CheckMark));
-        }
-    }
-    const float below_names = margin + (split ? 2 * line : 0);
     if (session.tiling)
-        label(draw, {margin, below_names},
+        label(draw, {margin, margin},
               fmt::format("2 x 2 tiles at {:.0f} %", 100 * session.tiling->camera.zoom), text);
     else if (const double zoom = session.history.now.camera.zoom; zoom != 1)
-        label(draw, {margin, below_names}, fmt::format("view at {:.0f} %", 100 * zoom), text);
+        label(draw, {margin, margin}, fmt::format("view at {:.0f} %", 100 * zoom), text);
 }
 
 void message_overlay(const Session& session, float height) {
@@ -397,16 +323,14 @@ void message_overlay(const Session& session, float height) {
     };
     if (const Message& message = session.message; ImGui::GetTime() < message.until)
         say(1, message.text, message.error ? red : text);
-    if (!session.shader_error.empty())
-        say(2, session.shader_error, red);
     if (session.exporter.running() && session.closing == Closing::after_export)
-        say(3,
+        say(2,
             fmt::format("closing once {} is written: {:.0f} %", session.export_target.path,
                         100 * session.exporter.progress()),
             text);
     const std::optional<FrameMeter::Figures> figures = session.meter.figures();
     if (session.metered && figures)
-        say(4,
+        say(3,
             fmt::format("{:.0f} frames per second, {:.0f} ms from input to picture at most", figures->rate,
                         1e3 * figures->latency),
             text);

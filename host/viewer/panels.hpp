@@ -16,9 +16,9 @@ void files_panel(Session& session);
 void export_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
-/// On the picture itself: the names and times of the panes, and how the view differs from the picture.
-void view_overlay(const Session& session, float width, float height);
-/// At the foot of the view: messages, and what is wrong with a shader.
+/// On the picture: how the view differs from it.
+void view_overlay(const Session& session);
+/// At the foot of the view: messages.
 void message_overlay(const Session& session, float height);
 
 /// Keys, and the mouse over a picture of this size, where no panel takes them.

@@ -26,7 +26,6 @@ void take(Session& session, FittedPreset fitted) {
                        document.request.colour.has_value() == fitted.request.colour.has_value();
     Document next = document;
     next.request = fitted.request;
-    next.comparison.reset();
     next.output = Output::value;
     if (again) {
         next.request.seed = document.request.seed;
@@ -66,7 +65,7 @@ void go_on_fitting(Session& session) {
 
 bool shows_photograph(const Session& session) {
     const Document& document = session.history.now;
-    return session.photograph_beside && session.fitter.photograph() && !document.comparison &&
+    return session.photograph_beside && session.fitter.photograph() &&
            !render::has_material(document.request) &&
            std::holds_alternative<render::Plane>(document.request.view);
 }

@@ -47,11 +47,10 @@ void give_memory_back() {
 
 int run(int argc, char** argv, const App::FrameHook& hook) {
     give_memory_back();
-    CLI::App app("Shows Gabor noise in a window, to be tried out and taken home.", "gabor-viewer");
+    CLI::App app("Interactive viewer for Gabor noise", "gabor-viewer");
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
     std::string size;
-    std::string shaders;
     std::string screenshot;
     Options options;
     app.add_option("FILE,--preset", preset,
@@ -66,9 +65,6 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
                    "How much larger panels and text are than the desktop asks for [as the last time]")
         ->type_name("NUMBER")
         ->check(CLI::Range(least_ui_scale, most_ui_scale));
-    app.add_option("--shaders", shaders,
-                   "Folder of shaders, read again whenever one is saved, or `built-in` [the sources']")
-        ->type_name("FOLDER");
     app.add_option("--device", options.device,
                    "Vulkan device: its index, or a part of its name [the fastest kind]")
         ->type_name("NAME");
@@ -89,10 +85,6 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         options.size = parse_size(size);
     if (!screenshot.empty())
         options.screenshot = screenshot;
-    if (!shaders.empty() && shaders != "built-in")
-        options.shaders = shaders;
-    else if (shaders.empty() && std::filesystem::exists(GABOR_SHADER_SOURCES "/gabor_noise.glsl"))
-        options.shaders = GABOR_SHADER_SOURCES;
     {
         App viewer(options);
         if (options.screenshot)

@@ -215,10 +215,7 @@ void start_export(Session& session) {
                 paths.push_back(*path);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
-    overwrite(session, paths, [&session, target] {
-        const Document& document = session.document();
-        session.exporter.start(document, session.export_shaders(exported(document, target.as)), target);
-    });
+    overwrite(session, paths, [&session, target] { session.exporter.start(session.document(), target); });
 }
 
 void copy_glsl(Session& session) {

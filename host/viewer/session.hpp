@@ -16,16 +16,6 @@
 
 namespace gabor::viewer {
 
-/// What panels tell of one pane of the view: the picture's, or in the split view the compared noise's.
-struct PaneReport {
-    std::string name;
-    std::string visits;      ///< "27 nodes" for each pixel
-    std::string function;    ///< that was timed; empty for none
-    double nanoseconds = 0;  ///< that it takes per pixel, NaN as long as that is unknown
-    double milliseconds = 0; ///< and for a frame of the pane's size
-    Measurements measured;
-};
-
 /// A line shown in the view for some seconds.
 struct Message {
     std::string text;
@@ -54,13 +44,11 @@ struct Session {
         : history(document), exporter(device), kept(document), preset_pictures(std::move(device)) {}
 
     History history;
-    std::vector<PaneReport> panes; ///< one, or two in the split view
-    Extent view;                   ///< of the first pane, in pixels
-    bool tiles = false;            ///< whether tileable pictures are shown two by two
-    std::optional<Tiling> tiling;  ///< where they are
+    Measurements measured;
+    Extent view;                  ///< in pixels
+    bool tiles = false;           ///< whether tileable pictures are shown two by two
+    std::optional<Tiling> tiling; ///< where they are
     Exporter exporter;
-    /// The shaders on the screen, for an export of a request. Throws where one of them does not compile.
-    std::function<Exporter::Shaders(const render::Request&)> export_shaders;
     ExportTarget export_target;
     std::string preset_path = "noise.json"; ///< what is opened and saved
     Document kept;                          ///< as it was opened, saved or begun with
@@ -86,9 +74,8 @@ struct Session {
     float ui_scale = 1; ///< how much larger panels and text are than the desktop asks for
     bool help = false;
     Closing closing = Closing::no;
-    float divider = 0.5f; ///< between the panes, as a share of the width
+    float divider = 0.5f; ///< between a photograph and its noise, as a share of the width
     bool dragging_divider = false;
-    std::string shader_error;
     Message message;
 
     Document& document() { return history.now; }

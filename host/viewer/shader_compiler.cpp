@@ -1,7 +1,5 @@
 #include "viewer/shader_compiler.hpp"
 
-#include "error.hpp"
-
 #include <fmt/format.h>
 
 #include <glslang/Public/ResourceLimits.h>
@@ -10,40 +8,32 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <sstream>
+#include <stdexcept>
 
 namespace gabor::viewer {
 
-/// Finds what a shader includes, beside it or from the top of the folder.
+namespace {
+
+const EmbeddedShader* find(std::string_view path) {
+    const auto found = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
+    return found == embedded_shaders().end() ? nullptr : &*found;
+}
+
+// Finds what a shader includes, beside it or from the top of the folder.
 class Includer : public glslang::TShader::Includer {
   public:
-    explicit Includer(ShaderCompiler& shaders) : compiler_(shaders) {}
-
     IncludeResult* includeLocal(const char* name, const char* from, std::size_t) override {
         const std::filesystem::path beside = std::filesystem::path(from).parent_path() / name;
-        for (const std::string& path : {beside.lexically_normal().string(), std::string(name)}) {
-            auto text = std::make_unique<std::string>();
-            if (compiler_.read(path, *text)) {
-                const std::string& kept = *text;
-                return new IncludeResult(path, kept.data(), kept.size(), text.release());
-            }
-        }
+        for (const std::string& path : {beside.lexically_normal().string(), std::string(name)})
+            if (const EmbeddedShader* shader = find(path))
+                return new IncludeResult(path, shader->text.data(), shader->text.size(), nullptr);
         return nullptr;
     }
 
-    void releaseInclude(IncludeResult* result) override {
-        if (result)
-            delete static_cast<std::string*>(result->userData);
-        delete result;
-    }
-
-  private:
-    ShaderCompiler& compiler_;
+    void releaseInclude(IncludeResult* result) override { delete result; }
 };
-
-namespace {
 
 EShLanguage language_of(std::string_view path) {
     return path.ends_with(".vert")   ? EShLangVertex
@@ -72,58 +62,19 @@ std::string macros_of(std::string_view variant) {
 
 } // namespace
 
-ShaderCompiler::ShaderCompiler(std::filesystem::path folder) : folder_(std::move(folder)) {
-    if (!folder_.empty() && !std::filesystem::exists(folder_ / "gabor_noise.glsl"))
-        throw RequestError(fmt::format("--shaders '{}': it takes a folder with gabor_noise.glsl, such as the "
-                                       "folder shaders of the sources",
-                                       folder_.string()));
-    glslang::InitializeProcess();
-}
-
-ShaderCompiler::~ShaderCompiler() {
-    glslang::FinalizeProcess();
-}
-
-bool ShaderCompiler::read(const std::string& path, std::string& text) {
-    const auto built_in = std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path);
-    const bool known = built_in != embedded_shaders().end();
-    if (folder_.empty()) {
-        if (known)
-            text = built_in->text;
-        return known;
-    }
-    std::ifstream file(folder_ / path, std::ios::binary);
-    if (!file)
-        return false;
-    text.assign(std::istreambuf_iterator<char>(file), {});
-    read_[path] = {file_stamp(folder_ / path), known && built_in->text == text};
-    return true;
-}
-
-bool ShaderCompiler::changed() {
-    bool any = false;
-    for (auto& [path, known] : read_) {
-        const FileStamp now = file_stamp(folder_ / path);
-        any |= now != known.stamp;
-        known.stamp = now;
-    }
-    return any;
-}
-
-bool ShaderCompiler::as_built() const {
-    return std::ranges::all_of(read_, [](const auto& file) { return file.second.as_built; });
-}
-
-Compiled ShaderCompiler::compile(std::string_view path) {
+std::vector<std::uint32_t> compile_shader(std::string_view path) {
+    static const bool initialized = glslang::InitializeProcess();
+    if (!initialized)
+        throw std::runtime_error("the shader compiler does not start");
     const std::size_t at = path.find('@');
     const std::string name(path.substr(0, at));
     const std::string preamble = at == path.npos ? "" : macros_of(path.substr(at + 1));
     const EShLanguage language = language_of(name);
-    std::string text;
-    if (!read(name, text))
-        return {{}, fmt::format("{}: there is no such shader", name)};
-    const char* source = text.c_str();
-    const int length = static_cast<int>(text.size());
+    const EmbeddedShader* found = find(name);
+    if (!found)
+        throw std::runtime_error(fmt::format("there is no shader {}", name));
+    const char* source = found->text.data();
+    const int length = static_cast<int>(found->text.size());
     const char* label = name.c_str();
     glslang::TShader shader(language);
     shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
@@ -131,17 +82,17 @@ Compiled ShaderCompiler::compile(std::string_view path) {
     shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 110);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-    Includer includer(*this);
+    Includer includer;
     constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
     if (!shader.parse(GetDefaultResources(), 450, false, messages, includer))
-        return {{}, first_error(shader.getInfoLog())};
+        throw std::runtime_error(first_error(shader.getInfoLog()));
     glslang::TProgram program;
     program.addShader(&shader);
     if (!program.link(messages))
-        return {{}, fmt::format("{}: {}", name, first_error(program.getInfoLog()))};
-    Compiled result;
-    glslang::GlslangToSpv(*program.getIntermediate(language), result.spirv);
-    return result;
+        throw std::runtime_error(fmt::format("{}: {}", name, first_error(program.getInfoLog())));
+    std::vector<std::uint32_t> spirv;
+    glslang::GlslangToSpv(*program.getIntermediate(language), spirv);
+    return spirv;
 }
 
 } // namespace gabor::viewer

@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "noise/spectrum.hpp"
 #include "render/renderer.hpp"
+#include "viewer/shader_compiler.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,9 +91,9 @@ bool shows_plainly(const Document& document) {
            document.contrast == Document().contrast && !render::in_space(document.request);
 }
 
-FileColours::FileColours(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
-                         const Document& document, std::span<const std::string> channels)
-    : device_(device), pass_(device, spirv, {2, sizeof(passes::ShowPush)},
+FileColours::FileColours(const vulkan::Device& device, const Document& document,
+                         std::span<const std::string> channels)
+    : device_(device), pass_(device, compile_shader("viewer/show.comp"), {2, sizeof(passes::ShowPush)},
                              std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<ShowConstants>>>(
                                  show_constants(document, channels, false))),
       push_(show_push(document, 1)), channels_(channels.size()), values_(device, 4, vulkan::Memory::upload),

@@ -39,7 +39,7 @@ bool shows_plainly(const Document& document);
 class FileColours {
   public:
     /// `channels`: of the file's pixels. Throws RequestError where the window alone can show it.
-    FileColours(const vulkan::Device& device, std::span<const std::uint32_t> spirv, const Document& document,
+    FileColours(const vulkan::Device& device, const Document& document,
                 std::span<const std::string> channels);
 
     /// Red, green and blue of each pixel of the next rows, from 0 to 1; valid until the next call.

@@ -6,12 +6,12 @@
 
 namespace gabor::viewer {
 
-Tiling tiling_of(const Document& document, Extent pane) {
+Tiling tiling_of(const Document& document, Extent view) {
     const render::Request& request = document.request;
     const int parts = std::gcd(request.width, request.height);
     const auto fitting = [&](int side, int available) { return available / 2 / (side / parts); };
     const int kept = std::clamp(
-        std::min(fitting(request.width, pane.width), fitting(request.height, pane.height)), 1, parts);
+        std::min(fitting(request.width, view.width), fitting(request.height, view.height)), 1, parts);
     Tiling tiling;
     tiling.tile = {request.width / parts * kept, request.height / parts * kept};
     tiling.camera = default_camera(document);

@@ -15,8 +15,8 @@ struct Tiling {
     bool operator==(const Tiling&) const = default;
 };
 
-/// As large as fit a pane, in whole pixels, but no larger than the picture: one whose sides have no common
+/// As large as fit the view, in whole pixels, but no larger than the picture: one whose sides have no common
 /// divisor keeps its size. They are moved as the document's camera is.
-Tiling tiling_of(const Document& document, Extent pane);
+Tiling tiling_of(const Document& document, Extent view);
 
 } // namespace gabor::viewer

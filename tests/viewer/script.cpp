@@ -23,11 +23,11 @@ constexpr double patience = 300;    // seconds for anything to settle
 constexpr double expectation = 120; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},     {"doubleclick", 2}, {"click", 2},      {"drag", 4},   {"scroll", 3},   {"key", 1},
-    {"type", 1},     {"set", 2},         {"compare", 1},    {"resize", 2}, {"minimize", 0}, {"restore", 0},
-    {"hide", 0},     {"show", 0},        {"open", 1},       {"save", 1},   {"copy", 1},     {"export", 1},
-    {"exported", 0}, {"fine", 0},        {"screenshot", 1}, {"window", 1}, {"wait", 1},     {"settle", 0},
-    {"sleep", 1},    {"expect", 2},      {"random", 2},     {"quit", 0}};
+    {"move", 2},   {"doubleclick", 2}, {"click", 2},  {"drag", 4},     {"scroll", 3},  {"key", 1},
+    {"type", 1},   {"set", 2},         {"resize", 2}, {"minimize", 0}, {"restore", 0}, {"hide", 0},
+    {"show", 0},   {"open", 1},        {"save", 1},   {"copy", 1},     {"export", 1},  {"exported", 0},
+    {"fine", 0},   {"screenshot", 1},  {"window", 1}, {"wait", 1},     {"settle", 0},  {"sleep", 1},
+    {"expect", 2}, {"random", 2},      {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
     {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
@@ -149,16 +149,6 @@ bool Script::execute(const Command& command, App& app) {
             ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
     } else if (name == "set") {
         set(command, session);
-    } else if (name == "compare") {
-        const std::string& other = command.words[0];
-        if (other == "off")
-            session.document().comparison.reset();
-        else if (other == "seminal")
-            session.document().comparison = study::Ingredients{};
-        else if (other == "advice")
-            session.document().comparison = study::recommended;
-        else
-            session.document().comparison = noise::find_recipe(other);
     } else if (name == "resize") {
         glfwSetWindowSize(window, static_cast<int>(command.number(0)), static_cast<int>(command.number(1)));
     } else if (name == "minimize") {
@@ -247,10 +237,10 @@ void Script::set(const Command& command, Session& session) {
 }
 
 bool Script::expect(const Command& command, const Session& session) const {
-    const std::string& what = command.words[0];
-    const bool none = what == "no" && session.shader_error.empty();
-    const std::string& found = what == "message" ? session.message.text : session.shader_error;
-    if (none || (what != "no" && !found.empty() && found.find(command.rest(1)) != std::string::npos))
+    if (command.words[0] != "message")
+        throw RequestError(fmt::format("line {}: it takes expect message TEXT", command.line));
+    const std::string& found = session.message.text;
+    if (!found.empty() && found.find(command.rest(1)) != std::string::npos)
         return true;
     if (ImGui::GetTime() - started_ > expectation)
         throw std::runtime_error(fmt::format("expected {}, but there is '{}'", command.rest(), found));

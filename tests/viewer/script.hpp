@@ -15,13 +15,12 @@ namespace gabor::viewer {
 ///     key NAME | key ctrl+NAME            a letter, a digit, F1 to F12, tab, space, home, escape ...
 ///     type TEXT                           into the field that has the keyboard
 ///     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
-///     compare NAME | compare off          with a recipe, seminal or advice
 ///     resize WIDTH HEIGHT | minimize | restore | hide | show
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     exported                                       waits until the last export has ended
 ///     wait FRAMES | fine | settle | sleep SECONDS    fine: until the picture is; settle: and measured too
-///     expect error TEXT | expect no error | expect message TEXT  waits for it, for two minutes at most
+///     expect message TEXT                 waits for it, for two minutes at most
 ///     random SEED SECONDS                 anything at all
 ///     quit
 ///

@@ -1,9 +1,7 @@
-// What panes show, on the device: by the shaders that are built in, as values.
+// The values that the window shows, on the device.
 
 #include "../largest.hpp"
 #include "viewer/canvas.hpp"
-#include "viewer/shader_compiler.hpp"
-#include "viewer/timing.hpp"
 
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
@@ -25,31 +23,18 @@ const vulkan::Device& device() {
 }
 
 Canvas canvas_of(const NoisePass& noise) {
-    ShaderCompiler shaders{{}};
-    const Compiled compiled = shaders.compile(noise.shader);
-    REQUIRE(compiled.error.empty());
-    return {device(), noise, compiled.spirv};
+    return {device(), noise};
 }
 
-// All values of a pane, in full resolution or coarser.
+// All values of a view, in full resolution or coarser.
 std::vector<float> values_of(Canvas& canvas, const Camera& camera, Extent extent, int stride = 1) {
     canvas.draw(camera, extent, stride);
     const std::span<const float> values = canvas.pixels();
     return {values.begin(), values.end()};
 }
 
-std::vector<float> values_of(const NoisePass& noise, const Camera& camera, Extent extent) {
-    Canvas canvas = canvas_of(noise);
-    return values_of(canvas, camera, extent);
-}
-
 NoisePass pass_of(const Document& document) {
-    return noise_passes(document).front();
-}
-
-NoisePass compared(Document document, const Comparison& with) {
-    document.comparison = with;
-    return noise_passes(document).back();
+    return noise_pass(document);
 }
 
 // The same pixel by pixel.
@@ -166,7 +151,6 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
         const std::string name = fmt::format("frequency {}", frequency);
         REQUIRE(pass_of(document).block);
         check(name, document, pass_of(document));
-        check(name + ", seminal", document, compared(document, study::recommended));
         document.request.filter = true;
         check(name + ", filtered", document, pass_of(document));
         document.request.view = render::Slice{0.3};
@@ -184,57 +168,6 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
     CHECK(coarsest(2) == 4);
 }
 
-TEST_CASE("the noises that are compared have no seams at the axes") {
-    Document document = document_of({.scale = 64, .lobes = {{.frequency = 1}}});
-    document.camera = {};
-    const Extent extent{160, 120};
-    for (const study::Ingredients& ingredients : {study::Ingredients{}, study::recommended}) {
-        const std::vector<float> values = values_of(compared(document, ingredients), document.camera, extent);
-        const auto at = [&](int x, int y) {
-            return double{values[static_cast<std::size_t>(y * extent.width + x)]};
-        };
-        // The mean square of a step, across each line between two columns or rows.
-        const auto check = [&](int lines, int along, auto step) {
-            std::vector<double> squares;
-            for (int line = 0; line + 1 < lines; ++line) {
-                double sum = 0;
-                for (int i = 0; i < along; ++i)
-                    sum += std::pow(step(line, i), 2);
-                squares.push_back(sum / along);
-            }
-            const auto largest = std::ranges::max_element(squares) - squares.begin();
-            std::vector<double> sorted = squares;
-            std::ranges::sort(sorted);
-            INFO("step " << largest);
-            CHECK(sorted.back() < 9 * sorted[sorted.size() / 2]);
-            CHECK(sorted.back() > 0);
-        };
-        check(extent.width, extent.height, [&](int x, int y) { return at(x + 1, y) - at(x, y); });
-        check(extent.height, extent.width, [&](int y, int x) { return at(x, y + 1) - at(x, y); });
-    }
-}
-
-TEST_CASE("a spectrum is compared with a seminal noise of the same spectrum") {
-    Document document = document_of({.scale = 32, .seed = 5});
-    document.request.lobes = {{.frequency = 3, .orientation = 20, .radius = 1.6},
-                              {.frequency = 5, .orientation = 100, .power = 0.5}};
-    const Extent extent{64, 48};
-    const Comparison seminal = study::Ingredients{};
-    const NoisePass both = compared(document, seminal);
-    CHECK(both.visited == 540);
-    std::vector<float> expected(64 * 48);
-    for (const noise::Wave& wave : noise::waves(document.request.lobes, document.request.seed)) {
-        Document alone = document;
-        alone.request.seed = wave.seed;
-        alone.request.lobes = {
-            {.frequency = wave.frequency, .orientation = noise::degrees(wave.angle), .radius = wave.radius}};
-        const std::vector<float> values = values_of(compared(alone, seminal), document.camera, extent);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            expected[i] += static_cast<float>(std::sqrt(wave.share)) * values[i];
-    }
-    compare("seminal, two lobes", values_of(both, document.camera, extent), expected, 1e-4);
-}
-
 TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
     const auto body = [](const render::View& view, double spread) {
         Document document = document_of({.lobes = {{.frequency = 3, .orientation = 30}}, .seed = 2});
@@ -250,8 +183,7 @@ TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
           std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
           std::pair{"slice", body(render::Slice{}, 0)}}) {
         const NoisePass noise = value_pass(pass_of(document));
-        ShaderCompiler shaders{{}};
-        ValueSampler sampler(device(), noise, shaders.compile(noise.shader).spirv);
+        ValueSampler sampler(device(), noise);
         statistics::Moments moments;
         statistics::Gaussianity gaussianity;
         const std::uint64_t wanted = std::uint64_t{1} << 18;
@@ -272,52 +204,4 @@ TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
         // The law's own is below 0.05; the rest is chance.
         CHECK(cvm.value < 0.05 + 0.6 * statistics::cvm_scale / static_cast<double>(moments.count()));
     }
-}
-
-TEST_CASE("what is timed is what gabor bench times, once for each wave") {
-    const auto name = [](const NoisePass& noise) {
-        const std::optional<bench::Subject> subject = subject_of(noise);
-        return subject ? subject->name : "";
-    };
-    std::vector<std::string> known;
-    for (const bench::Subject& subject : bench::subjects())
-        known.push_back(subject.name);
-    Document document = document_of({});
-    const auto check = [&](const NoisePass& noise, const std::string& expected) {
-        CHECK(name(noise) == expected);
-        CHECK(std::ranges::find(known, expected) != known.end());
-    };
-    check(pass_of(document), "gabor_noise, lattice");
-    check(compared(document, study::Ingredients{}), "seminal, N = 30, hoisted");
-    check(compared(document, study::recommended), "the paper's advice, N = 2, hoisted");
-    study::Ingredients other;
-    other.points = study::Points::sobol;
-    CHECK(name(compared(document, other)).empty());
-    document.output = Output::gradient;
-    check(pass_of(document), "gabor_noise_gradient, lattice");
-    document.output = Output::value;
-    document.request.lobes.push_back({.frequency = 7});
-    document.request.recipe = noise::find_recipe("one");
-    check(pass_of(document), "gabor_noise, one");
-    document.request.view = render::Body{};
-    check(pass_of(document), "gabor_noise_surface");
-
-    document.request.view = render::Plane();
-    document.comparison = study::Ingredients{};
-    Timing timing(device());
-    timing.set(noise_passes(document));
-    CHECK(std::isnan(timing.nanoseconds(0)));
-    while (!timing.done())
-        timing.run();
-    const double two = timing.nanoseconds(0);
-    CHECK(two > 0);
-    CHECK(timing.nanoseconds(1) > 0);
-    document.request.lobes.resize(1);
-    timing.set(noise_passes(document));
-    CHECK(timing.done()); // the same code
-    CHECK(timing.nanoseconds(0) == Approx(two / 2));
-    document.request.recipe = noise::find_recipe("lattice");
-    timing.set(noise_passes(document));
-    CHECK_FALSE(timing.done());
-    CHECK(std::isnan(timing.nanoseconds(1)));
 }

@@ -43,14 +43,14 @@ class Events(EventsTest):
         self.frames(3)
         self.xdotool("windowmap", "--sync", self.window)
         self.xdotool("windowfocus", "--sync", self.window)
-        self.keys("3", "Tab", "c", "F1", "F1")
+        self.keys("3", "c", "F1", "F1")
         self.assertEqual((self.document["viewer"]["output"], self.document["viewer"]["colours"]), ("phase", "viridis"))
         self.close()
         self.assertEqual((self.remembered()["width"], self.remembered()["height"]), (600, 400))
 
     def test_changes_are_not_lost_on_closing(self):
         self.open(*WINDOW)
-        self.keys("n", "Tab", "3", "ctrl+q", "Escape")
+        self.keys("n", "3", "ctrl+q", "Escape")
         self.assertIsNone(self.state["question"])
         self.keys("n", "ctrl+q", "d")
         self.end()
@@ -61,7 +61,6 @@ class Events(EventsTest):
         self.end()
         last = json.loads(self.read("noise.json"))
         self.assertEqual((last["seed"], last["viewer"]["output"]), (3, "phase"))
-        self.assertEqual(last["viewer"]["compared"]["impulses"], 30)
         self.gabor("render", "--like", "noise.json", "--size", "16x16", "-o", "again.exr")
         self.assertEqual(self.remembered()["recent"], [str(self.folder / "noise.json")])
 

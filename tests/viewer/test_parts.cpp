@@ -10,9 +10,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-#include <fstream>
-
 using namespace gabor;
 using namespace gabor::viewer;
 
@@ -77,30 +74,28 @@ TEST_CASE("documents go through JSON") {
     document.output = Output::phase;
     document.colours = 3;
     document.contrast = 1.5f;
-    for (const std::optional<Comparison>& compared :
-         {std::optional<Comparison>(), std::optional<Comparison>(study::recommended),
-          std::optional<Comparison>(noise::find_recipe("lattice-4"))}) {
-        document.comparison = compared;
-        CHECK(document_from_json(to_json(document)) == document);
-        CHECK(render::from_json(to_json(document)) == request); // gabor render takes it too
-    }
+    CHECK(document_from_json(to_json(document)) == document);
+    CHECK(render::from_json(to_json(document)) == request); // gabor render takes it too
     CHECK(document_from_json(R"({"seed": 9})", document).colours == 3);
     CHECK_THROWS_WITH(document_from_json(R"({"viewer": {"output": "slope"}})"),
                       Catch::Contains("output \"slope\": it takes value, gradient"));
-    for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})",
-                              R"({"viewer": {"compared": {"recipe": "best"}}})"})
+    for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})"})
         CHECK_THROWS_AS(document_from_json(wrong), RequestError);
+    // What versions before 2.0 compared it with is ignored.
+    CHECK(
+        document_from_json(R"({"viewer": {"compared": {"recipe": "lattice-4"}, "contrast": 3}})").contrast ==
+        3);
 }
 
 TEST_CASE("a zoomed view shows places nearer to each other, and the same noise") {
     Document document = document_of({.width = 64, .height = 64, .filter = true}); // drawn pixel by pixel
-    const NoisePass noise = noise_passes(document).front();
+    const NoisePass noise = noise_pass(document);
     const auto columns = [&] {
         return std::get<PixelsInput>(view_grid(noise, document.camera, {64, 64}, 1, {}).of).columns;
     };
     const std::vector<passes::Line> before = columns();
     document.camera.zoom = 2;
-    CHECK(noise_passes(document).front() == noise);
+    CHECK(noise_pass(document) == noise);
     const std::vector<passes::Line> after = columns();
     REQUIRE(after.size() == before.size());
     const auto place = [](const passes::Line& line) { return line.cell + double{line.local}; };
@@ -116,11 +111,11 @@ TEST_CASE("controls without effect say why") {
         return document;
     };
     const Document plain = document_of({});
-    for (const char* control : {"recipe", "frequency", "orientation", "lobes", "paint", "filter", "colours",
-                                "contrast", "comparison", "seed"})
+    for (const char* control :
+         {"recipe", "frequency", "orientation", "lobes", "paint", "filter", "colours", "contrast", "seed"})
         CHECK(without_effect(plain, control).empty());
     Document body = with("view", std::string("sphere"));
-    for (const char* control : {"recipe", "comparison", "paint"})
+    for (const char* control : {"recipe", "paint"})
         CHECK_FALSE(without_effect(body, control).empty());
     CHECK(without_effect(body, "orientation").empty());
     body.request.lobes.front().orientation_spread = 90;
@@ -136,36 +131,12 @@ TEST_CASE("controls without effect say why") {
     CHECK(without_effect(gradient, "contrast").empty());
 }
 
-TEST_CASE("a shader's error names the file and the line") {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-viewer-shaders";
-    std::filesystem::create_directories(folder);
-    const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
-    write("gabor_noise.glsl", "float one()\n{\n    return nothing;\n}\n");
-    write("pass.comp",
-          "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
-          "#include \"gabor_noise.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { one(); }\n");
-    ShaderCompiler shaders(folder);
-    const Compiled broken = shaders.compile("pass.comp");
-    CHECK(broken.spirv.empty());
-    CHECK_THAT(broken.error, Catch::StartsWith("gabor_noise.glsl:3:") && Catch::Contains("nothing"));
-    CHECK_FALSE(shaders.changed());
-    write("gabor_noise.glsl", "float one() { return 1.0; }\n");
-    CHECK(shaders.changed());
-    const Compiled mended = shaders.compile("pass.comp");
-    CHECK(mended.error.empty());
-    CHECK_FALSE(mended.spirv.empty());
-    std::filesystem::remove_all(folder);
-}
-
 TEST_CASE("every shader that is built in compiles") {
-    ShaderCompiler shaders{{}};
     for (const char* path :
          {"passes/bake.comp", "passes/bake.comp@4", "passes/pixels.comp", "passes/pixels.comp@3",
           "passes/solid.comp", "passes/solid.comp@surface", "passes/material.comp@brushed_metal",
-          "viewer/ingredients.comp", "viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
-        const Compiled compiled = shaders.compile(path);
-        INFO(path << ": " << compiled.error);
-        CHECK_FALSE(compiled.spirv.empty());
+          "viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
+        INFO(path);
+        CHECK_FALSE(compile_shader(path).empty());
     }
-    CHECK(shaders.as_built());
 }
