@@ -1,0 +1,120 @@
+"""Fast Gabor noise with unit variance, on numpy arrays and as shader source.
+
+    import numpy as np, gabor_noise
+    y, x = np.mgrid[0:512, 0:512] / 32.0                                      # 32 pixels per kernel radius
+    n = gabor_noise.noise(x, y, frequency=4.0, orientation=np.pi / 4, seed=7)  # mean 0, variance 1, float32
+    wgsl = gabor_noise.source("lattice", "wgsl")                              # for wgpu, moderngl, vispy
+
+Positions are in kernel radii and broadcast against each other; a place far from the origin is as precise as one near it. A
+frequency is in cycles per kernel radius, an orientation in radians from +x towards +y; both may be arrays, one value for
+each point. A seed is any integer of 32 bits. Values are those of the shaders. All functions use all cores and return
+float32. They raise ValueError for shapes that do not broadcast.
+"""
+
+from __future__ import annotations
+
+import importlib.resources
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+
+__all__ = ["noise", "noise_gradient", "noise_complex", "noise_spread", "noise_filtered", "noise_3d", "source"]
+__version__ = "@VERSION@"
+
+
+def _points(*positions: ArrayLike, also: tuple[ArrayLike, ...] = ()) -> tuple[tuple[int, ...], list, list]:
+    """The common shape, flat positions in double precision, and flat parameters: one value where they are scalars."""
+    arrays = [np.asarray(position, np.float64) for position in positions]
+    others = [np.asarray(other, np.float32) for other in also]
+    shape = np.broadcast_shapes(*(array.shape for array in arrays + others))
+    flat = [np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1) for array in arrays]
+    return shape, flat, [other.reshape(1) if other.ndim == 0 else np.ascontiguousarray(np.broadcast_to(other, shape)).reshape(-1)
+                         for other in others]
+
+
+def _with_channels(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Channels as the last axis where there are several."""
+    return values.reshape(shape) if len(values) == 1 else np.moveaxis(values.reshape(-1, *shape), 0, -1)
+
+
+def _field(kind: int, x, y, frequency, orientation, seed: int, period, time) -> NDArray[np.float32]:
+    shape, flat, parameters = _points(x, y, also=(frequency, orientation))
+    period_x, period_y = np.broadcast_to(np.asarray(0.0 if period is None else period, float), 2)
+    if not (np.isfinite([period_x, period_y]).all() and min(period_x, period_y) >= 0):
+        raise ValueError(f"period is {period}: a number or a pair of them, not negative, 0 for none")
+    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, float(period_x), float(period_y), time is not None,
+                           0.0 if time is None else float(time) % 1.0, kind)
+    return _with_channels(values, shape)
+
+
+def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
+          period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
+    """Return Gabor noise at (x, y): mean 0, variance 1 at every place.
+
+    period: kernel radii after which the pattern repeats exactly, one number or a pair for x and y; 0 for no repetition.
+    time: moment of an animation that repeats when it has grown by 1.
+    """
+    return _field(1, x, y, frequency, orientation, seed, period, time)
+
+
+def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
+                   period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
+    """Return (noise, d/dx, d/dy) along a last axis of 3. Arguments are those of `noise`."""
+    return _field(3, x, y, frequency, orientation, seed, period, time)
+
+
+def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
+                  period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
+    """Return (quadrature, noise) along a last axis of 2: the same pattern with its waves a quarter period ahead, and the
+    noise. Their angle is the phase of stripes of even contrast. Arguments are those of `noise`."""
+    return _field(2, x, y, frequency, orientation, seed, period, time)
+
+
+def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: float = 4.0, orientation: float = 0.0,
+                 frequency_spread: float = 0.0, orientation_spread: float = np.pi / 2, seed: int = 0) -> NDArray[np.float32]:
+    """Return noise of waves within `orientation_spread` radians of the orientation (pi/2: all directions) and within the
+    share `frequency_spread` (0 to 1) of the frequency. Its cost grows with their number: 10 noises at frequency 2."""
+    shape, flat, _ = _points(x, y)
+    return _native.spread(*flat, frequency, orientation, frequency_spread, orientation_spread, seed & 0xFFFFFFFF).reshape(shape)
+
+
+def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
+                   seed: int = 0) -> NDArray[np.float32]:
+    """Return (noise averaged over a pixel, share of the variance that this removed) along a last axis of 2.
+
+    pixel: the pixel's sides in kernel radii, one number or a pair for x and y.
+    """
+    width_x, width_y = np.broadcast_to(np.asarray(pixel, float), 2)
+    shape, flat, parameters = _points(x, y, also=(frequency, orientation))
+    return _with_channels(_native.filtered(*flat, float(width_x), float(width_y), *parameters, seed & 0xFFFFFFFF), shape)
+
+
+def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: float = 4.0,
+             direction: tuple[float, float, float] | None = None, seed: int = 0) -> NDArray[np.float32]:
+    """Return solid noise at (x, y, z), with waves along `direction`, or along all directions where it is None."""
+    shape, flat, _ = _points(x, y, z)
+    vector = (0.0, 0.0, 0.0) if direction is None else tuple(map(float, direction))
+    if direction is not None and not any(vector):
+        raise ValueError("direction is (0, 0, 0): a vector of any other length, or None for all directions")
+    return _native.solid(*flat, frequency, *vector, direction is None, seed & 0xFFFFFFFF).reshape(shape)
+
+
+_ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "godot": "gdshaderinc", "cpp": "hpp"}
+
+
+def source(name: str = "lattice", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
+    """Return the text of a drop-in: name is "lattice", "spectrum", "materials", "lattice_3d", "erosion" or "noise".
+
+    All but "noise" go after "lattice"; "materials" and "lattice_3d" go after "spectrum" too.
+    """
+    folder = importlib.resources.files(__name__) / "source"
+    if language not in _ENDINGS:
+        raise ValueError(f"language is {language!r}: one of {', '.join(_ENDINGS)}")
+    file = folder / f"gabor_{name}.{_ENDINGS[language]}"
+    if not file.is_file():
+        names = sorted(each.name[len("gabor_"):-len(".glsl")] for each in folder.iterdir() if each.name.endswith(".glsl"))
+        raise ValueError(f"name is {name!r}: one of {', '.join(names)}")
+    return file.read_text(encoding="utf-8")

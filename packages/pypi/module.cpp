@@ -1,0 +1,210 @@
+// The C++ translations of the drop-ins on numpy arrays, on all cores. __init__.py broadcasts and documents.
+
+#include "gabor_lattice.hpp"
+
+#include "gabor_spectrum.hpp"
+
+#include "gabor_lattice_3d.hpp"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace nb = nanobind;
+
+namespace {
+
+// A flat array of as many values as there are points, or of one for all of them.
+template <typename T>
+struct Values {
+    using Array = nb::ndarray<const T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+    const T* data;
+    std::size_t step;
+
+    explicit Values(const Array& array) : data(array.data()), step(array.size() == 1 ? 0 : 1) {}
+    T operator[](std::size_t i) const { return data[i * step]; }
+};
+
+using Doubles = Values<double>::Array;
+using Floats = Values<float>::Array;
+
+// The cell and the offset in it of a coordinate in kernel radii: a float keeps its precision at any distance.
+struct Split {
+    int cell;
+    float local;
+
+    Split(double position, float nodes) { // nodes per kernel radius
+        const double at = position * double(nodes);
+        std::int64_t whole = static_cast<std::int64_t>(at);
+        whole -= at < static_cast<double>(whole); // the floor, without a call
+        cell = static_cast<int>(static_cast<std::uint32_t>(whole));
+        local = static_cast<float>(at - static_cast<double>(whole));
+    }
+};
+
+GaborPlace place_of(double x, double y) {
+    const Split across(x, GABOR_RADIUS), down(y, GABOR_RADIUS);
+    return gabor_place({across.cell, down.cell}, {across.local, down.local});
+}
+
+// An array of `channels` rows of `count` values, filled in chunks on all cores with the interpreter released.
+template <typename Fill>
+nb::ndarray<nb::numpy, float, nb::ndim<2>> evaluate(std::size_t count, std::size_t channels,
+                                                    const Fill& fill) {
+    auto* values = new float[count * channels];
+    nb::capsule owner(values, [](void* data) noexcept { delete[] static_cast<float*>(data); });
+    {
+        nb::gil_scoped_release release;
+        constexpr std::size_t least = 1 << 14; // points that are worth a thread
+        const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+        const std::size_t threads = std::clamp<std::size_t>(count / least, 1, cores);
+        std::vector<std::thread> others;
+        for (std::size_t t = 1; t < threads; ++t)
+            others.emplace_back([&, t] { fill(values, count * t / threads, count * (t + 1) / threads); });
+        fill(values, 0, count / threads);
+        for (std::thread& other : others)
+            other.join();
+    }
+    return {values, {channels, count}, owner};
+}
+
+// Cells and offsets of a block of points, apart from the noise: compilers then make vectors of the loop over
+// the noise.
+struct Block {
+    static constexpr std::size_t size = 256;
+    int cell_x[size], cell_y[size];
+    float local_x[size], local_y[size];
+
+    Block(const Values<double>& x, const Values<double>& y, std::size_t begin, std::size_t count,
+          gabor_vec2 nodes) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Split across(x[begin + i], nodes.x), down(y[begin + i], nodes.y);
+            cell_x[i] = across.cell;
+            local_x[i] = across.local;
+            cell_y[i] = down.cell;
+            local_y[i] = down.local;
+        }
+    }
+};
+
+struct Common {
+    gabor_vec2 period;
+    float time;
+    std::uint32_t seed;
+};
+
+// Choices that are made once are template parameters, so that the loop has no branches.
+template <bool tiled, bool animated, bool one_kernel, typename Store>
+void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t end, const Values<double>& x,
+                const Values<double>& y, const Values<float>& frequency, const Values<float>& orientation,
+                const Common& common, const Store& store) {
+    const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, common.period);
+    const GaborKernel first = gabor_kernel(frequency[0], orientation[0]);
+    for (std::size_t start = begin; start < end; start += Block::size) {
+        const std::size_t count = std::min(Block::size, end - start);
+        const Block block(x, y, start, count, origin.radius);
+        for (std::size_t i = 0; i < count; ++i) {
+            GaborPlace place = tiled ? origin : gabor_place({0, 0}, {0.0f, 0.0f});
+            place.cell = {block.cell_x[i], block.cell_y[i]};
+            place.local = {block.local_x[i], block.local_y[i]};
+            place.animated = animated;
+            place.time = common.time;
+            store(values + start + i, total,
+                  gabor_field(place,
+                              one_kernel ? first : gabor_kernel(frequency[start + i], orientation[start + i]),
+                              common.seed));
+        }
+    }
+}
+
+// What `store` keeps of the field at each point, for one kernel or one for each point.
+template <std::size_t channels, typename Store>
+nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& frequency,
+                          const Floats& orientation, const Common& common, bool animated,
+                          const Store& store) {
+    const Values<double> across(x), down(y);
+    const Values<float> frequencies(frequency), orientations(orientation);
+    const bool one_kernel = frequencies.step + orientations.step == 0;
+    const std::size_t count = x.size();
+    return nb::cast(evaluate(count, channels, [=](float* values, std::size_t begin, std::size_t end) {
+        const auto choose = [](bool flag, auto next) {
+            flag ? next(std::true_type()) : next(std::false_type());
+        };
+        choose(common.period.x > 0 || common.period.y > 0, [&](auto tiled) {
+            choose(animated, [&](auto moving) {
+                choose(one_kernel, [&](auto one) {
+                    fill_field<decltype(tiled)::value, decltype(moving)::value, decltype(one)::value>(
+                        values, count, begin, end, across, down, frequencies, orientations, common, store);
+                });
+            });
+        });
+    }));
+}
+
+} // namespace
+
+NB_MODULE(_native, module) {
+    module.def("field", [](const Doubles& x, const Doubles& y, const Floats& frequency,
+                           const Floats& orientation, std::uint32_t seed, float period_x, float period_y,
+                           bool animated, float time, int channels) {
+        const Common common{{period_x, period_y}, time, seed};
+        if (channels == 1)
+            return evaluate_field<1>(
+                x, y, frequency, orientation, common, animated,
+                [](float* out, std::size_t, const GaborField& field) { *out = field.value.y; });
+        if (channels == 2)
+            return evaluate_field<2>(x, y, frequency, orientation, common, animated,
+                                     [](float* out, std::size_t total, const GaborField& field) {
+                                         out[0] = field.value.x;
+                                         out[total] = field.value.y;
+                                     });
+        return evaluate_field<3>(x, y, frequency, orientation, common, animated,
+                                 [](float* out, std::size_t total, const GaborField& field) {
+                                     out[0] = field.value.y;
+                                     out[total] = field.slope_x.y;
+                                     out[2 * total] = field.slope_y.y;
+                                 });
+    });
+    module.def("spread", [](const Doubles& x, const Doubles& y, float frequency, float orientation,
+                            float frequency_spread, float orientation_spread, std::uint32_t seed) {
+        const Values<double> across(x), down(y);
+        return evaluate(x.size(), 1, [=](float* values, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                values[i] = gabor_field_spread(place_of(across[i], down[i]), frequency, orientation,
+                                               frequency_spread, orientation_spread, seed)
+                                .value.y;
+        });
+    });
+    module.def("filtered", [](const Doubles& x, const Doubles& y, float width_x, float width_y,
+                              const Floats& frequency, const Floats& orientation, std::uint32_t seed) {
+        const Values<double> across(x), down(y);
+        const Values<float> frequencies(frequency), orientations(orientation);
+        const GaborFootprint footprint = gabor_footprint({width_x, 0.0f}, {0.0f, width_y});
+        const std::size_t count = x.size();
+        return evaluate(count, 2, [=](float* values, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                values[i] = gabor_field_filtered(place_of(across[i], down[i]),
+                                                 gabor_kernel(frequencies[i], orientations[i]), footprint,
+                                                 seed, values[count + i])
+                                .value.y;
+        });
+    });
+    module.def("solid", [](const Doubles& x, const Doubles& y, const Doubles& z, float frequency, float dx,
+                           float dy, float dz, bool isotropic, std::uint32_t seed) {
+        const Values<double> xs(x), ys(y), zs(z);
+        const gabor_vec3 direction{dx, dy, dz};
+        return evaluate(x.size(), 1, [=](float* values, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const gabor_vec3 p{float(xs[i]), float(ys[i]), float(zs[i])};
+                values[i] = isotropic ? gabor_noise_3d_isotropic(p, frequency, seed)
+                                      : gabor_noise_3d(p, frequency, direction, seed);
+            }
+        });
+    });
+}
