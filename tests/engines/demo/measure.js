@@ -1,13 +1,14 @@
-// Sets the controls of docs/demo/index.html, and measures the text that it gives to copy as Shadertoy would draw it. The
-// text of every look must be what Shadertoy takes, and show something.
-const form = document.querySelector("form");
-
-async function textOf(settings) {
-    for (const [name, value] of Object.entries(settings))
-        form.elements[name].value = value;
-    form.dispatchEvent(new Event("input"));
-    await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    return form.querySelector("textarea").value;
+// Opens every tab of docs/demo/index.html with every choice that it offers, and draws the text that it gives to copy as
+// Shadertoy would: each must compile there and show something. Measures the noise of one of them.
+async function textOf(tab, settings) {
+    location.hash = new URLSearchParams({ tab, ...settings });
+    await new Promise(resolve => setTimeout(resolve, 50));
+    const language = document.getElementById("language");
+    language.value = "Shadertoy";
+    language.dispatchEvent(new Event("change"));
+    const text = document.querySelector("textarea").value;
+    // The pixels that the reference has: p = pixel / 32, y upwards.
+    return text.replace(/vec2 p = vec2\(pixel\.x, iResolution\.y - pixel\.y\) \/ [\d.]+;/, "vec2 p = pixel / 32.0;");
 }
 
 function deviation(values) {
@@ -16,17 +17,20 @@ function deviation(values) {
 }
 
 globalThis.drawn = (async () => {
-    const settings = { frequency: 4, orientation: 45, seed: 7 };
     const canvas = document.createElement("canvas");
     const gl = canvas.getContext("webgl2");
-    for (const look of form.elements.look.options) {
-        for (const taps of look.value === "noise" ? [2, 3, 4] : [3]) {
-            const shown = deviation(redOf(gl, await textOf({ look: look.value, taps, scale: 16, ...settings })));
-            if (!(shown > 0.1))
-                throw new Error(`${look.value} with ${taps} taps shows values that deviate by ${shown}`);
+    for (const [name, tab] of Object.entries(TABS)) {
+        for (const control of tab.controls.filter(each => each.options)) {
+            for (const option of control.options.filter(each => each !== "painted")) { // which needs a texture
+                const shown = deviation(redOf(gl, await textOf(name, { [control.name]: option })));
+                if (!(shown > 0.01))
+                    throw new Error(`${name} with ${control.name} ${option} shows values that deviate by ${shown}`);
+            }
         }
+        if (!tab.controls.some(each => each.options) && !(deviation(redOf(gl, await textOf(name, {}))) > 0.01))
+            throw new Error(`${name} shows nothing`);
     }
-    const text = await textOf({ look: "noise", taps: 3, scale: 32, ...settings });
-    form.style.display = "none";
+    const text = await textOf("noise", { look: "plain", frequency: 4, orientation: 45, seed: 7 });
+    panel.style.display = "none";
     return { engine: "docs/demo", dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();
