@@ -1,0 +1,66 @@
+"""README and docs: links lead somewhere, the code to paste compiles, and figures are those of the page they come from."""
+
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = [ROOT / name for name in subprocess.run(["git", "-C", str(ROOT), "ls-files", "*.md"], capture_output=True, text=True,
+                                                check=True).stdout.splitlines()]
+README = (ROOT / "README.md").read_text()
+
+
+def anchors(page):
+    """The anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"(?m)^#+ (.*)", re.sub(r"(?ms)^```.*?^```", "", page.read_text()))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+class Pages(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        seen = 0
+        for page in PAGES:
+            for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+                if re.match(r"https?:|mailto:", target):
+                    continue
+                path, _, anchor = target.partition("#")
+                file = (page.parent / path).resolve() if path else page
+                self.assertTrue(file.exists(), f"{page.relative_to(ROOT)}: no {target}")
+                if anchor and file.suffix == ".md":
+                    self.assertIn(anchor, anchors(file), f"{page.relative_to(ROOT)}: no {target}")
+                seen += 1
+        self.assertGreater(seen, 100)
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len(README.split()), 900)
+
+    def test_the_code_to_paste_compiles(self):
+        code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_lattice.glsl"',
+                                                                         (ROOT / "shaders/gabor_lattice.glsl").read_text())
+        code = re.sub(r"(?m)^(\w+ \w = .*)", r"    \1", code)
+        body = re.search(r"(?ms)^    float n = gabor_noise.*", code)[0]
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            shader = pathlib.Path(folder) / "readme.frag"
+            shader.write_text("#version 450\nlayout(location = 0) in vec2 p;\nlayout(location = 1) in vec2 wave;\n"
+                              "layout(location = 0) out vec4 colour;\n" + code.removesuffix(body)
+                              + "void main()\n{\n" + body + "    colour = vec4(v, s.x, g.yz);\n}\n")
+            result = subprocess.run(["glslangValidator", "--quiet", "-V", "-o", f"{folder}/out.spv", shader], capture_output=True,
+                                    text=True)
+            self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_costs_are_those_of_the_page_of_performance(self):
+        """Of a row that README shows, the milliseconds and cycles stand in the page's tables too."""
+        page = (ROOT / "docs" / "performance.md").read_text()
+        rows = re.findall(r"(?m)^\| `?([^|`]+)`? \| (\d+) \| (\d*) \|$", README)
+        self.assertEqual(len(rows), 3)
+        for name, milliseconds, cycles in rows:
+            times = {round(float(cell)) for cell in re.findall(r"\| ([\d.]+) (?=\|)", page)}
+            self.assertIn(int(milliseconds), times, name)
+            if cycles:
+                self.assertRegex(page, rf"\| {cycles} \|", name)
+
+
+if __name__ == "__main__":
+    unittest.main()
