@@ -18,6 +18,8 @@ INSTALLED = {
     "bin/gabor",
     "lib/cmake/gabor-noise/gabor-noise-config-version.cmake",
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
+    "lib/cmake/gabor-noise/gabor-noise-targets.cmake",
+    "share/gabor-noise/LICENSE",
     "share/gabor-noise/shaders/gabor_lattice.glsl",
     "share/gabor-noise/shaders/gabor_lattice_3d.glsl",
     "share/gabor-noise/shaders/gabor_materials.glsl",
@@ -67,6 +69,25 @@ class Install(unittest.TestCase):
     def test_a_version_that_is_too_new_is_refused(self):
         with self.assertRaisesRegex(AssertionError, "gabor-noise"):
             self.configure("-DWANTED_VERSION=99.0")
+
+    def test_targets_serve_an_installed_and_a_fetched_copy(self):
+        """The three lines of docs/engines.md: link gabor_noise::cpp, whether found or added as a subdirectory."""
+        main = "#include \"gabor_lattice.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
+        ways = {"found": "find_package(gabor-noise CONFIG REQUIRED)",
+                "fetched": f"include(FetchContent)\nset(GABOR_BUILD_HOST OFF)\n"
+                           f"FetchContent_Declare(gabor_noise SOURCE_DIR [[{pathlib.Path(__file__).parents[2]}]])\n"
+                           "FetchContent_MakeAvailable(gabor_noise)"}
+        for way, lines in ways.items():
+            with self.subTest(way):
+                folder = self.folder / way
+                folder.mkdir()
+                (folder / "main.cpp").write_text(main)
+                (folder / "CMakeLists.txt").write_text(
+                    f"cmake_minimum_required(VERSION 3.25)\nproject(user LANGUAGES C CXX)\n{lines}\nadd_executable(user main.cpp)\n"
+                    "target_link_libraries(user PRIVATE gabor_noise::cpp gabor_noise::shaders)\n")
+                run(CMAKE, "-S", folder, "-B", folder / "b", "-G", os.environ["GENERATOR"], f"-DCMAKE_PREFIX_PATH={self.prefix}")
+                run(CMAKE, "--build", folder / "b")
+                run(folder / "b" / "user")
 
     def test_a_consumer_renders_what_the_program_does(self):
         listed = subprocess.run([self.prefix / "bin/gabor", "recipes", "--json"], capture_output=True, check=True)
