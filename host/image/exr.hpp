@@ -20,11 +20,11 @@ struct Window {
     int height = 0;
 };
 
-/// The names that `ExrWriter::Description::compression` may have, in the order in which help texts list them.
+/// Lists the accepted values of `ExrWriter::Description::compression` in the order of the help texts.
 std::span<const std::string_view> compression_names();
 
-/// Writes 32-bit float scanlines from top to bottom. The file appears under its name at `commit`; a writer
-/// destroyed before that leaves nothing behind and an older file of that name untouched.
+/// Writes 32-bit float scanlines from top to bottom. The file appears under its name at `commit`; destroying
+/// the writer earlier leaves nothing behind and keeps an existing file.
 class ExrWriter {
   public:
     struct Description {
@@ -33,7 +33,7 @@ class ExrWriter {
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
         std::string parameters;    ///< stored as the string attribute `gabor`
-        std::string software = {}; ///< likewise as `software`, if there is any: what made the pixels
+        std::string software = {}; ///< stored as `software` unless empty: the program and driver
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -45,8 +45,7 @@ class ExrWriter {
     /// Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> pixels);
 
-    /// Publishes the file under its name. Every row must have been written. Throws std::runtime_error when
-    /// the disk fails.
+    /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
     void commit();
 
   private:
@@ -54,32 +53,31 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Writes a texture as renderers want it: tiles of 64 x 64 pixels, and after the picture itself every level
-/// down to a single pixel, each with half the sides of the one before, rounded down. Its attributes are those
-/// that OpenImageIO's maketx gives a texture. The file appears at `commit`, as ExrWriter's does.
+/// Writes a mip-mapped texture in tiles of 64 x 64 pixels. Each level has half the sides of the previous one,
+/// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx. The file
+/// appears at `commit`, like ExrWriter's.
 class ExrTextureWriter {
   public:
     struct Description {
         int width = 0;
         int height = 0;
         std::vector<std::string> channels;
-        bool half = false;     ///< 16-bit floats, else 32-bit ones
-        bool periodic = false; ///< repeats, else is black beyond its edges
+        bool half = false;     ///< 16-bit floats instead of 32-bit
+        bool periodic = false; ///< wraps around; otherwise black beyond its edges
         std::string_view compression = "none";
-        std::string parameters; ///< as those of ExrWriter
+        std::string parameters; ///< as for ExrWriter
         std::string software;
     };
 
-    /// Throws RequestError as ExrWriter does.
+    /// Throws RequestError like ExrWriter.
     ExrTextureWriter(const std::filesystem::path& path, const Description& description);
     ~ExrTextureWriter();
     ExrTextureWriter(ExrTextureWriter&&) noexcept;
 
-    /// Appends whole rows of the level that is next to be complete. Throws std::runtime_error when the disk
-    /// fails.
+    /// Appends whole rows of the first incomplete level. Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> pixels);
 
-    /// Publishes the file. All levels must have been written. Throws std::runtime_error when the disk fails.
+    /// Publishes the file after the last level. Throws std::runtime_error when the disk fails.
     void commit();
 
   private:
@@ -87,27 +85,26 @@ class ExrTextureWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Puts the regions that ExrWriter wrote of one picture together, into the file that it would have written of
-/// the whole at once. Regions as wide as the picture, whose compressed blocks are also those of the whole,
-/// are copied as they are; others are decoded, a few rows at a time. `advance` is called with the number of
-/// pixels that were written; what it throws ends everything, and leaves no file. Returns the picture. Throws
-/// RequestError where a file is no such region, differs from the others in anything but its place, or where
-/// they overlap or leave a gap.
+/// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
+/// Copies the compressed blocks of full-width regions unchanged and decodes other regions a few rows at a
+/// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
+/// Returns the picture's rectangle. Throws RequestError if a file is not such a region, if regions differ in
+/// more than their position, or if they overlap or leave a gap.
 Window join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                 const std::function<void(std::uint64_t)>& advance);
 
-/// Reads one channel or more of a flat EXR, scanline or tiled, band by band, half or float, as float; or of a
-/// picture that is in several files.
+/// Reads half or float channels of a flat EXR, scanline or tiled, as floats, band by band. The picture may be
+/// spread over several files.
 class ExrReader {
   public:
-    /// Without a channel name: `Y`, else `R`, else the first float or half channel.
+    /// Without a channel name, reads `Y`, else `R`, else the first float or half channel.
     /// Throws RequestError when the file is missing, truncated, not an EXR, has no such channel, or is larger
     /// than 65536 x 65536 pixels.
     explicit ExrReader(const std::filesystem::path& path, const std::optional<std::string>& channel = {});
-    /// A picture of regions as join_exr takes them, in any order, or a single file with all that it holds.
+    /// Reads regions as join_exr does, in any order, or a single file.
     explicit ExrReader(std::span<const std::filesystem::path> paths,
                        const std::optional<std::string>& channel = {});
-    /// Several channels, which `read_rows` interleaves, of regions that cover their picture.
+    /// Reads several channels, interleaved, of regions that cover their picture.
     ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels);
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
@@ -115,17 +112,17 @@ class ExrReader {
     const Window& picture() const;
     const Window& window() const;
     const std::string& channel() const;
-    /// Whether the file has one of that name too.
+    /// Tells whether the file has a channel of that name.
     bool has_channel(const std::string& name) const;
-    /// The `gabor` attribute, empty where the file has none.
+    /// Returns the `gabor` attribute; empty if there is none.
     const std::string& parameters() const;
-    /// The `software` attribute, likewise.
+    /// Returns the `software` attribute; empty if there is none.
     const std::string& software() const;
-    /// As ExrWriter's description has it; empty for one that it does not take.
+    /// Returns the compression's name; empty if ExrWriter does not offer it.
     std::string_view compression() const;
 
-    /// The next rows, at most `rows` and `window().height` in all, top to bottom; empty after the last.
-    /// The span stays valid until the next call. Throws RequestError when the data is damaged.
+    /// Returns the next rows, at most `rows`; empty after the last. The span is valid until the next call.
+    /// Throws RequestError when the data is damaged.
     std::span<const float> read_rows(int rows);
 
   private:

@@ -6,17 +6,16 @@
 
 namespace gabor::image {
 
-/// A file that OpenEXR's C library has open. It knows the file's size and holds every claim in it against
-/// that.
+/// A file opened with OpenEXR's C library, which checks sizes in the file against the file's own size.
 class ExrContext {
   public:
-    /// The path must outlive it. Throws RequestError where the file cannot be read, as `require` does.
+    /// Keeps a reference to `path`. Throws RequestError if the file cannot be read, like `require`.
     explicit ExrContext(const std::filesystem::path& path);
     ~ExrContext() { exr_finish(&context_); }
     ExrContext(const ExrContext&) = delete;
     ExrContext& operator=(const ExrContext&) = delete;
 
-    /// For the library's functions, whose results `require` takes.
+    /// Converts for calls of the library; pass their results to `require`.
     operator exr_const_context_t() const { return context_; }
     void require(exr_result_t result) const;
 

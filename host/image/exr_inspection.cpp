@@ -20,7 +20,7 @@ void refuse_exr(const std::filesystem::path& path, std::string_view what) {
 }
 
 void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how) {
-    if (const auto named = how.rfind("\". "); named != how.npos) // OpenEXR has named the file before
+    if (const auto named = how.rfind("\". "); named != how.npos) // OpenEXR names the file first
         how.remove_prefix(named + 3);
     refuse_exr(path,
                fmt::format("it is truncated or damaged ({}); accepted is a complete OpenEXR file", how));
@@ -32,8 +32,8 @@ constexpr std::int64_t widest = 65536;
 constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
-// The C++ classes, which decode in parallel, believe a file and allocate. So the C library first looks over
-// what they will read.
+// OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So check the file
+// with the C library first.
 
 std::uint64_t row_of_tiles(const ExrContext& file, std::int64_t width) {
     std::uint32_t across = 0;
@@ -60,7 +60,7 @@ void check_tiles(const ExrContext& file, std::int64_t width, std::int64_t height
             file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &tile));
 }
 
-// Returns the bytes of the largest block that has to be decoded at once.
+// Returns the size in bytes of the largest block to decode.
 std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
     file.require(exr_get_storage(file, 0, &storage));
@@ -96,7 +96,7 @@ std::uint64_t inspect(const ExrContext& file) {
 ExrContext::ExrContext(const std::filesystem::path& path) : path_(path) {
     exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
     settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    // Strict, or it would skip what the C++ classes stumble over; and an unfinished file is not made up for.
+    // Strict mode reports what the C++ classes cannot handle, and unfinished files.
     settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     require(exr_start_read(&context_, path.c_str(), &settings));
 }
@@ -115,11 +115,11 @@ int inspect_exr(const std::filesystem::path& path) {
     const auto status = std::filesystem::status(path, error);
     if (error)
         refuse_exr(path, error.message());
-    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would wait for ever
+    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would block
         refuse_exr(path, "it is not a regular file");
     const std::uint64_t block = inspect(ExrContext(path));
     const auto affordable = static_cast<int>(decoding_memory / (2 * std::max<std::uint64_t>(block, 1)));
-    return std::min(affordable, Imf::globalThreadCount()); // OpenEXR holds two blocks for each
+    return std::min(affordable, Imf::globalThreadCount()); // OpenEXR keeps two blocks per thread
 }
 
 } // namespace gabor::image

@@ -5,13 +5,13 @@
 
 namespace gabor::image {
 
-/// Throws RequestError, "cannot read PATH: WHAT". Names from a foreign file do not break its line.
+/// Throws RequestError, "cannot read PATH: WHAT", with control characters removed.
 [[noreturn]] void refuse_exr(const std::filesystem::path& path, std::string_view what);
 
-/// The same of a truncated or damaged file; `how` is what OpenEXR said.
+/// Throws RequestError for a truncated or damaged file; `how` is OpenEXR's message.
 [[noreturn]] void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how);
 
-/// How many threads may decode the file, if it is safe to open at all: throws RequestError where it is not.
+/// Returns how many threads may decode the file. Throws RequestError if the file is not safe to open.
 int inspect_exr(const std::filesystem::path& path);
 
 } // namespace gabor::image

@@ -1,4 +1,4 @@
-// Regions of a picture become the picture.
+// Joins regions of a picture.
 
 #include "image/exr.hpp"
 #include "image/exr_context.hpp"
@@ -32,7 +32,7 @@ int lines_per_block(const fs::path& path) {
     return lines;
 }
 
-// The compressed block that begins with row `y`.
+// Returns the compressed block that starts at row `y`.
 void read_block(const ExrContext& file, int y, std::vector<char>& bytes) {
     exr_chunk_info_t block;
     file.require(exr_read_scanline_chunk_info(file, 0, y, &block));
@@ -40,8 +40,8 @@ void read_block(const ExrContext& file, int y, std::vector<char>& bytes) {
     file.require(exr_read_chunk(file, 0, &block, bytes.data()));
 }
 
-// What Imf::OutputFile writes, but with blocks as they are: the header, a table of the blocks' offsets, and
-// each block after the row that it begins with and its length. (OpenEXR's C library would add an attribute.)
+// Writes what Imf::OutputFile would, with blocks copied unchanged: the header, the table of block offsets,
+// then for each block its first row, its length and its bytes. (OpenEXR's C library would add an attribute.)
 void copy_blocks(const ExrMosaic& mosaic, const Imf::Header& header, int lines, ExrStream& stream,
                  const std::function<void(std::uint64_t)>& advance) {
     using Imf::Xdr::write;

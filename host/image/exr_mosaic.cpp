@@ -1,4 +1,4 @@
-// Regions of a picture, read as the picture.
+// Reads regions of a picture as one picture.
 
 #include "image/exr_mosaic.hpp"
 
@@ -40,9 +40,9 @@ std::string described(const Region& region) {
                        size.x, size.y);
 }
 
-// ---- What the regions have in common ----
+// ---- Common attributes ----
 
-// The attributes of a header, as they stand in the file, but for the region.
+// Returns a header's attributes as serialized, without the data window.
 std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
     std::map<std::string, std::string> values;
     for (auto i = header.begin(); i != header.end(); ++i) {
@@ -100,11 +100,11 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
                                                       : "its " + name));
 }
 
-// ---- How they lie ----
+// ---- Placement ----
 
-// Regions in the order of their upper left corners. Each then has to begin at the first pixel, row by row,
-// that those before it leave open: `heights` has, from each of its columns up to the next, the row up to
-// which the picture is covered.
+// Sorts regions by their upper left corners. Each must then start at the first pixel, in row order, that the
+// earlier ones leave uncovered. `heights` maps the first column of each run of columns to the row down to
+// which that run is covered.
 void check_cover(const std::vector<Region>& regions, const Imath::Box2i& picture) {
     struct Column {
         int height;
@@ -114,7 +114,7 @@ void check_cover(const std::vector<Region>& regions, const Imath::Box2i& picture
     const auto lowest = [&] {
         return std::ranges::min_element(heights, {}, [](const auto& each) { return each.second.height; });
     };
-    const auto split = [&](int x) { // so that a column begins at x
+    const auto split = [&](int x) { // make a run start at x
         if (x <= picture.max.x)
             heights.emplace(x, std::prev(heights.upper_bound(x))->second);
     };

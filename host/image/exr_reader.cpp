@@ -49,7 +49,7 @@ struct ExrReader::State {
     void add_channel(const std::string& name);
 
     ExrMosaic image;
-    const std::filesystem::path path; ///< that messages name
+    const std::filesystem::path path;
     const Window picture;
     const Window window;
     const std::string parameters;

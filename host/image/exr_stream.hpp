@@ -10,16 +10,16 @@
 
 namespace gabor::image {
 
-/// Level of the compressions zip and zips: on noise twice as fast as the default, and no larger.
+/// Compression level for zip and zips: on noise twice as fast as the default, and no larger.
 inline constexpr int exr_zip_level = 1;
 
-/// The method of that name. Throws RequestError, listing the names, where there is none.
+/// Returns the method of that name. Throws RequestError, listing the names, if there is none.
 Imf::Compression exr_compression(std::string_view name);
-/// The name of that method, empty for one that loses bits.
+/// Returns the name of a lossless method; empty for a lossy one.
 std::string_view exr_compression_name(Imf::Compression method);
 
-/// Lets OpenEXR write into an OutputFile. Keeps a failure, because the destructor of Imf::OutputFile, which
-/// completes the table of offsets, swallows it.
+/// Lets OpenEXR write into an OutputFile. Remembers a failure, because the destructor of Imf::OutputFile,
+/// which writes the table of offsets, swallows exceptions.
 class ExrStream final : public Imf::OStream {
   public:
     explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}

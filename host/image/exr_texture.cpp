@@ -25,7 +25,7 @@ constexpr int tile_side = 64;
 constexpr std::uint64_t magic_and_version = 8; // bytes before the header
 constexpr const char* average_name = "oiio:AverageColor";
 
-// The mean of each channel, in as many characters whatever it is: the header stands before the pixels.
+// Formats the channels' means in a fixed number of characters, since the header precedes the pixels.
 std::string average_text(const std::vector<double>& sums, double pixels) {
     std::vector<std::string> means;
     for (const double sum : sums)
@@ -53,7 +53,7 @@ Imf::Header make_header(const ExrTextureWriter::Description& description) {
     return header;
 }
 
-// Where in the file the text of the average begins.
+// Returns the file position of the average's text.
 std::uint64_t average_place(const Imf::Header& header) {
     Imf::StdOSStream stream;
     header.writeTo(stream, true);
@@ -70,10 +70,10 @@ struct ExrTextureWriter::State {
 
     const Description description;
     const std::uint64_t place;
-    std::vector<double> sums; // of the first level's channels
+    std::vector<double> sums; // per channel of the first level
     int level = 0;
-    int row = 0;             // of the level, where the next row of tiles begins
-    std::vector<float> rows; // of a row of tiles that is not yet complete
+    int row = 0;             // where the next row of tiles starts in this level
+    std::vector<float> rows; // of the incomplete row of tiles
     std::vector<half> halves;
     OutputFile file;
     ExrStream stream;

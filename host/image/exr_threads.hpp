@@ -7,7 +7,7 @@
 
 namespace gabor::image {
 
-/// Gives OpenEXR's pool, which starts out empty, a thread per core.
+/// Gives OpenEXR's thread pool, which starts empty, one thread per core.
 inline void start_exr_threads() {
     static std::once_flag once;
     std::call_once(once,

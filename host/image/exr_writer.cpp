@@ -20,7 +20,7 @@ namespace gabor::image {
 
 namespace {
 
-// Only the methods that keep every bit of a 32-bit float.
+// Only lossless methods for 32-bit floats.
 constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
@@ -96,8 +96,8 @@ void ExrWriter::write_rows(std::span<const float> pixels) {
     if (rows == 0)
         return;
 
-    // OpenEXR compresses straight from `pixels`, whose first row it is told to find in row `y` of the
-    // picture.
+    // OpenEXR compresses straight from `pixels`; the base pointer is shifted so that row `y` of the picture
+    // is its first row.
     const int y = window.y + state_->rows_written;
     Imf::FrameBuffer band;
     for (std::size_t c = 0; c < x_stride; ++c)

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <jpeglib.h> // needs FILE
+#include <jpeglib.h> // must follow <cstdio>
 
 namespace gabor::image {
 
@@ -29,8 +29,8 @@ class JpegPicture : public PictureReader {
         std::jmp_buf jump;
     };
 
-    /// libjpeg's errors, and its warnings of damaged data, arrive here by a longjmp: `calls` must own nothing
-    /// that has a destructor.
+    /// Runs `calls`. libjpeg reports errors and damaged data by a longjmp to here, so `calls` must not own
+    /// objects with destructors.
     template <class Calls>
     void guarded(Calls calls) {
         if (setjmp(errors_.jump) == 0) {
@@ -46,7 +46,7 @@ class JpegPicture : public PictureReader {
     }
     static void on_error(j_common_ptr jpeg) { std::longjmp(static_cast<Errors*>(jpeg->err)->jump, 1); }
     static void on_message(j_common_ptr jpeg, int level) {
-        if (level < 0) // damaged, which libjpeg would read on from
+        if (level < 0) // a warning: the data is damaged
             on_error(jpeg);
     }
     void read_header();

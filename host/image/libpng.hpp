@@ -9,7 +9,7 @@ namespace gabor::image {
 
 constexpr png_uint_32 widest_png = 65536;
 
-/// What libpng says of an error: the error pointer of its structures must be one of these.
+/// Receives libpng's messages; pass its address as libpng's error pointer.
 struct PngErrors {
     std::string message;
 
@@ -20,8 +20,8 @@ struct PngErrors {
     static void on_warning(png_structp, png_const_charp) {}
 };
 
-/// Whether the calls, of libpng, had no error. One is reported by a longjmp to here, so that `calls` must own
-/// nothing that has a destructor.
+/// Runs `calls` and returns whether libpng reported no error. libpng reports by a longjmp to here, so `calls`
+/// must not own objects with destructors.
 template <class Calls>
 [[nodiscard]] bool succeeds(png_structp png, Calls calls) {
     if (setjmp(png_jmpbuf(png)) != 0)

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr mode_t everyone = 0666; // less the umask, as for any new file
+constexpr mode_t everyone = 0666; // the umask applies
 
 std::string reason(int error) {
     return std::generic_category().message(error);
@@ -37,21 +37,21 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// The file that a chain of symbolic links ends at, whether it exists or not.
+/// Follows symbolic links to a file that may not exist.
 fs::path resolve(fs::path path) {
     while (fs::is_symlink(fs::symlink_status(path)))
         path = path.parent_path() / fs::read_symlink(path);
     return path;
 }
 
-/// What the hidden names of `target` begin with; eight hexadecimal digits follow.
+/// Returns the prefix of hidden names for `target`; eight hexadecimal digits follow.
 std::string hidden_stem(const fs::path& target) {
     return fmt::format(".{}.gabor-",
-                       target.filename().string().substr(0, 200)); // a name holds at most 255 bytes
+                       target.filename().string().substr(0, 200)); // names are limited to 255 bytes
 }
 
-/// Offers hidden names beside `target` to `claim` until one is not taken yet. Returns that name and what
-/// `claim` made of it: negative, with errno set, when it failed for another reason.
+/// Calls `claim` with hidden names beside `target` until one is free. Returns that name and the result of
+/// `claim`: negative, with errno set, if it failed for another reason.
 template <class Claim>
 std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
     const std::string stem = hidden_stem(target);
@@ -64,15 +64,15 @@ std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
     }
 }
 
-/// A file without a name in `folder`, or negative where there is no such thing or no way to name it later.
+/// Opens an unnamed file in `folder`. Returns a negative value if the system cannot create or later name one.
 int open_nameless(const fs::path& folder) {
     if (::access("/proc/self/fd", X_OK) != 0)
         return -1;
     return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
 }
 
-/// Opens a new file under that name and locks it. A file that `remove_abandoned` took away before it was
-/// locked counts as a name that is taken.
+/// Creates and locks a file of that name. If `remove_abandoned` deletes it before the lock, the name counts
+/// as taken.
 int open_locked(const char* name) {
     const int descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
     struct stat status {};
@@ -84,8 +84,7 @@ int open_locked(const char* name) {
     return -1;
 }
 
-/// Removes what killed processes have left of earlier attempts to write `target`: hidden files of its that
-/// nobody has locked any more.
+/// Removes hidden files that killed processes left while writing `target`: those that nobody has locked.
 void remove_abandoned(const fs::path& target) {
     const std::string stem = hidden_stem(target);
     std::error_code ignored;
@@ -105,7 +104,8 @@ void remove_abandoned(const fs::path& target) {
     }
 }
 
-/// Makes a rename last through a power cut. Without it the older file may come back, but whole: no error.
+/// Syncs the folder so that a rename survives a power cut. Failure is no error: at worst the intact old file
+/// comes back.
 void sync_folder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
@@ -206,7 +206,7 @@ void OutputFile::publish() {
         };
         if (link_as(target_.c_str()) == 0)
             return sync_folder(folder_of(target_));
-        // Only a file that has a name can replace another: for an instant there are two.
+        // Only a named file can replace another, so for an instant there are two names.
         auto [name, result] = claim_name(target_, link_as);
         if (result < 0)
             fail();

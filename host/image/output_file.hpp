@@ -7,17 +7,17 @@
 
 namespace gabor::image {
 
-/// A file that appears under its name only when it is complete. Until `commit` the data has no name at all
-/// where the file system allows it (O_TMPFILE), so that even a killed process leaves nothing behind;
-/// elsewhere, and for an instant while an older file is being replaced, it is the hidden file
-/// `.NAME.gabor-` and eight digits in the same folder. The writer holds a lock (flock) on it, so that whoever
-/// replaces NAME next knows one that a killed process has left, and removes it.
+/// A file that appears under its name only when it is complete. Until `commit` the data is unnamed where the
+/// file system supports O_TMPFILE, so that even a killed process leaves nothing behind. Elsewhere, and for an
+/// instant while an existing file is replaced, it is a hidden file `.NAME.gabor-` plus eight digits in the
+/// same folder. The writer locks it (flock); the next writer of NAME removes hidden files that nobody has
+/// locked.
 ///
-/// A symbolic link stays: what it points to is replaced. What exists and is no regular file, such as
-/// /dev/null or a FIFO, is never replaced: the data goes straight into it.
+/// Symbolic links stay and their target is replaced. Existing files that are not regular, such as /dev/null
+/// or a FIFO, are written to directly.
 class OutputFile {
   public:
-    /// Throws RequestError when there can be no file of that name.
+    /// Throws RequestError if no file of that name can be created.
     explicit OutputFile(std::filesystem::path path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
@@ -26,13 +26,13 @@ class OutputFile {
     /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails.
     void write(std::span<const std::byte> bytes);
     std::uint64_t position() const { return position_; }
-    /// Throws std::runtime_error when the data goes into a pipe, which has only the current position.
+    /// Writes at a position. Throws std::runtime_error for a pipe, which has only the current position.
     void seek(std::uint64_t position);
 
-    /// Flushes to the disk and puts the file under its name, replacing an older one in a single step.
+    /// Flushes to disk and publishes the file, replacing an existing one atomically.
     void commit();
 
-    /// The path as it was given.
+    /// Returns the path as given.
     const std::filesystem::path& path() const { return path_; }
 
   private:
@@ -41,14 +41,14 @@ class OutputFile {
     [[noreturn]] void fail() const;
 
     std::filesystem::path path_;
-    std::filesystem::path target_;    ///< what to replace; empty when the data goes straight into `path_`
-    std::filesystem::path temporary_; ///< empty while the data has no name
+    std::filesystem::path target_;    ///< file to replace; empty when writing directly to `path_`
+    std::filesystem::path temporary_; ///< hidden name; empty while the data is unnamed
     int descriptor_ = -1;
     bool sequential_ = false;
     std::uint64_t position_ = 0;
 };
 
-/// The path, unless it is that of a pipe: throws RequestError. For formats that are not written in order.
+/// Returns the path. Throws RequestError for a pipe: formats not written in order need a file.
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path);
 
 } // namespace gabor::image

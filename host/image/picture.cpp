@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// One ExrReader for each channel.
+/// Reads each channel with its own ExrReader.
 class ExrPicture : public PictureReader {
   public:
     explicit ExrPicture(const std::filesystem::path& path) {
@@ -52,7 +52,7 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path) {
     const auto status = std::filesystem::status(path, error);
     if (error)
         throw RequestError(fmt::format("cannot read '{}': {}", path.string(), error.message()));
-    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would wait for ever
+    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would block
         throw RequestError(fmt::format("cannot read '{}': it is not a regular file", path.string()));
 
     std::array<char, 8> start{};

@@ -14,12 +14,12 @@ namespace gabor::image {
 
 namespace {
 
-// Measured on noise: higher levels take up to four times as long and save nothing that a preview would miss.
+// On noise, higher levels take up to four times as long and save next to nothing.
 constexpr int compression_level = 1;
 constexpr int filter = PNG_FILTER_UP;
 
 png_byte quantize(float value) {
-    const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN fails the comparison
+    const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
     return static_cast<png_byte>(clamped * 255.0f + 0.5f);
 }
 
@@ -45,8 +45,8 @@ struct PngWriter::State {
     png_infop info = nullptr;
     std::vector<png_byte> row;
     int rows_left;
-    PngErrors errors;           ///< libpng's own
-    std::exception_ptr failure; ///< or the disk's
+    PngErrors errors;           ///< libpng's errors
+    std::exception_ptr failure; ///< or the disk's error
 };
 
 PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels)

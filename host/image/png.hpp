@@ -6,11 +6,11 @@
 
 namespace gabor::image {
 
-/// Writes an 8-bit PNG, grey for one channel and RGB for three, from top to bottom, for people who look.
-/// Same promise as ExrWriter: nothing under the name before `commit`.
+/// Writes an 8-bit PNG from top to bottom, grey for one channel and RGB for three. Like ExrWriter, it shows
+/// nothing under the name before `commit`.
 class PngWriter {
   public:
-    /// At most 65536 pixels a side. Throws RequestError for a path that cannot be created.
+    /// Accepts up to 65536 pixels a side. Throws RequestError for a path that cannot be created.
     PngWriter(const std::filesystem::path& path, int width, int height, int channels);
     ~PngWriter();
     PngWriter(PngWriter&&) noexcept;
@@ -18,8 +18,7 @@ class PngWriter {
     /// Appends whole rows of values in [0, 1], clamped outside; NaN is written as 0.
     /// Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> values);
-    /// Publishes the file under its name. Every row must have been written. Throws std::runtime_error when
-    /// the disk fails.
+    /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
     void commit();
 
   private:

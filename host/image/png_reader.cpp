@@ -14,7 +14,8 @@ namespace gabor::image {
 
 namespace {
 
-constexpr std::size_t most_interlaced = std::size_t{1} << 28; ///< bytes: such a picture must be held whole
+constexpr std::size_t most_interlaced = std::size_t{1}
+                                        << 28; ///< bytes: interlaced pictures are decoded in memory
 
 class PngPicture : public PictureReader {
   public:
@@ -43,7 +44,7 @@ class PngPicture : public PictureReader {
     png_infop info_ = nullptr;
     PngErrors errors_;
     bool interlaced_ = false;
-    std::vector<png_byte> bytes_; ///< of one row, or of all where it is interlaced
+    std::vector<png_byte> bytes_; ///< one row, or all rows of an interlaced picture
     std::size_t row_ = 0;
 };
 
@@ -74,7 +75,7 @@ PngPicture::PngPicture(const std::filesystem::path& path)
     }
 }
 
-// Every format becomes 16 bits of grey or of RGB.
+// Converts every format to 16-bit grey or RGB.
 void PngPicture::read_header() {
     guarded([this] {
         png_set_user_limits(png_, widest_png, widest_png);
