@@ -50,12 +50,16 @@ class Joined(JoinTest):
             self.succeed("join", *self.regions(windows, *more), "-o", "joined.exr")
             self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), windows)
 
-    def test_more_rows_than_fit_a_band(self):
-        wide = ["--size=65536x70", "--scale=8"] # of which 64 rows fill a band
-        self.render("whole.exr", *wide)
-        halves = [self.render(f"half{x}.exr", *wide, f"--region={x},0,32768,70") for x in (0, 32768)]
-        self.succeed("join", *halves, "-o", "joined.exr")
-        self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"))
+    def test_strips_that_end_around_a_band(self):
+        for rows in (63, 64, 65):  # of so wide a picture 64 rows fill a band
+            wide = [f"--size=65536x{rows}", "--scale=8"]
+            self.render("whole.exr", *wide)
+            for tiling in ([(0, 0, 65536, 1), (0, 1, 65536, rows - 1)], [(0, 0, 65536, rows - 1), (0, rows - 1, 65536, 1)],
+                           [(0, 0, 32768, rows), (32768, 0, 32768, rows)]):
+                regions = [self.render(f"region{i}.exr", *wide, f"--region={','.join(map(str, window))}")
+                           for i, window in enumerate(tiling)]
+                self.succeed("join", *regions, "-o", "joined.exr")
+                self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), tiling)
 
     def test_it_says_what_it_made(self):
         said = self.succeed("join", *self.regions(STRIPS), "-o", "joined.exr")

@@ -40,8 +40,13 @@ class Levels(TextureTest):
                 flat = self.flat(256 >> k, 128 >> k, 16 / 2**k, *options)
                 for channel in ("Y", "removed"):
                     np.testing.assert_array_equal(texture.levels[k][channel], flat.channels[channel], f"level {k}")
-            last, before = texture.levels[8], texture.levels[7]
-            self.assertEqual(last["Y"][0, 0], (before["Y"][0, 0] + before["Y"][0, 1]) / 2)
+
+    def test_a_line_of_pixels_is_halved_in_every_channel(self):
+        texture = self.texture(256, 128, "--quadrature", "--gradient", scale=100)
+        last, before = texture.levels[8], texture.levels[7]
+        self.assertEqual(len({values[0, 0] for values in last.values()}), len(last))
+        for channel, values in last.items():
+            self.assertEqual(values[0, 0], (before[channel][0, 0] + before[channel][0, 1]) / 2, channel)
 
     def test_levels_lose_the_variance_that_is_said_to_be_removed(self):
         texture = self.texture(512, 512, scale=8)

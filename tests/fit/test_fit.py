@@ -102,8 +102,19 @@ class FitTest(ProgramTest):
         self.assertGreater(shares.min(), 0.85)
         self.assertLess(shares.max(), 1.15)
 
-    def test_glsl_is_the_preset(self):
+    def drawn(self, main, width, height):
+        """What a main function after the drop-ins and sea.glsl draws."""
         import moderngl
+        text = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_lattice", "gabor_spectrum"))
+        context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
+        program = context.program(vertex_shader="#version 330\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }",
+                                  fragment_shader="#version 330 core\n" + text + (self.folder / "sea.glsl").read_text() + main)
+        target = context.framebuffer([context.texture((width, height), 4, dtype="f4")])
+        target.use()
+        context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
+        return np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(height, width, 4)
+
+    def test_glsl_is_the_preset(self):
         write_png(self.folder / "colour.png", colour_noise(256))
         self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
         glsl = (self.folder / "sea.glsl").read_text()
@@ -122,13 +133,7 @@ void main()
             path.write_text(text if dialect != "450" else text.replace("\nout vec4", "\nlayout(location = 0) out vec4"))
             subprocess.run([os.environ["GLSLANG_VALIDATOR"], "--quiet", path], check=True)
 
-        context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
-        program = context.program(vertex_shader="#version 330\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }",
-                                  fragment_shader="#version 330 core\n" + drop_ins + glsl + main)
-        target = context.framebuffer([context.texture((128, 256), 4, dtype="f4")])
-        target.use()
-        context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
-        values = np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(256, 128, 4)
+        values = self.drawn(main, 128, 256)
 
         drawn = rgb(self.render("--size", "128x128"))
         difference = np.abs(values[:128, :, :3] - drawn)
@@ -144,6 +149,17 @@ void main()
         self.assertLess(removed.max(), 0.5)
         kept = rgb(filtered).var((0, 1)).sum() / drawn.var((0, 1)).sum()
         self.assertLess(abs(kept + removed.mean() - 1), 0.03)
+
+    def test_a_pixel_that_covers_everything_removes_all_of_the_variance(self):
+        """The shares of the variance that components and their degrees have sum to 1."""
+        write_png(self.folder / "colour.png", colour_noise(256))
+        self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
+        values = self.drawn("""
+out vec4 value;
+void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 1.0e5)); }
+""", 2, 2)
+        self.assertLess(np.abs(values[..., 3] - 1).max(), 1e-5)
+        self.assertEqual(np.ptp(values[..., :3], (0, 1)).max(), 0)
 
     def test_what_is_read(self):
         exemplar = colour_noise(192)

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 
 using namespace gabor;
 
@@ -28,17 +29,29 @@ TEST_CASE("runs cover every pixel once, within one set of cells", "[runs]") {
     }
 }
 
-TEST_CASE("a part is cut where the whole is", "[runs]") {
-    const auto whole = render::make_runs(0, 2000, 1 / 31.7, 1, 8);
-    const auto part = render::make_runs(777, 500, 1 / 31.7, 1, 8);
-    std::size_t i = 0;
-    while (whole[i].first + whole[i].count <= 777)
-        ++i;
-    for (const passes::Run& run : part) {
-        CHECK(run.first + 777 == whole[i].first);
-        CHECK(run.count == whole[i].count);
-        CHECK(run.cell == whole[i].cell);
-        CHECK(run.local == whole[i].local);
-        ++i;
+TEST_CASE("a part is cut where the whole is, at any scale", "[runs]") {
+    std::mt19937 random(5);
+    for (int round = 0; round < 20000; ++round) {
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<>(low, high)(random);
+        };
+        const double cells_per_pixel = std::exp2(uniform(-8, 0));
+        const double radius = round % 2 ? uniform(0.5, 2) : 0.5 * (1 + round % 4);
+        const int longest = 1 << round % 5;
+        const int first = static_cast<int>(uniform(0, 300));
+        const auto whole = render::make_runs(0, 330, cells_per_pixel, radius, longest);
+        const auto part = render::make_runs(first, 20, cells_per_pixel, radius, longest);
+        std::size_t i = 0;
+        while (whole[i].first + whole[i].count <= first)
+            ++i;
+        for (const passes::Run& run : part) {
+            INFO(cells_per_pixel << " cells per pixel, radius " << radius << ", at most " << longest
+                                 << ", from " << first);
+            REQUIRE(run.first + first == whole[i].first);
+            REQUIRE(run.count == whole[i].count);
+            REQUIRE(run.cell == whole[i].cell);
+            REQUIRE(run.local == whole[i].local);
+            ++i;
+        }
     }
 }

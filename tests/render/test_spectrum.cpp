@@ -124,10 +124,11 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
         for (float& coordinate : s.p)
             coordinate = draw.word() % 4 ? draw.uniform(-reach, reach)
                                          : std::round(draw.uniform(-reach, reach)) / 1.5f;
-        s.frequency = draw.uniform(0, 6);
+        const bool most = draw.word() % 64 == 0; // more waves than count
+        s.frequency = most ? 20 : draw.uniform(0, 6);
         s.orientation = draw.uniform(-8, 8);
-        s.frequency_spread = draw.word() % 2 ? draw.uniform(0, 0.5) : 0;
-        s.orientation_spread = draw.uniform(0, static_cast<float>(pi / 2));
+        s.frequency_spread = draw.word() % 2 ? draw.uniform(0, most ? 1 : 0.5f) : 0;
+        s.orientation_spread = draw.uniform(most ? 1.4f : 0, static_cast<float>(pi / 2));
         s.seed = draw.word();
         for (SampleLobe& lobe : s.lobes)
             lobe = {draw.uniform(0, 8), draw.uniform(-8, 8), std::exp2(draw.uniform(-1.5, 1.5)),
@@ -253,8 +254,11 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
     Draw draw(36);
     for (Sample& s : sampler.samples()) {
         s = {};
-        s.p[0] = draw.uniform(-50, 50);
-        s.p[1] = draw.uniform(-50, 50);
+        for (float& coordinate : s.p) // one in four where a window ends, or near it
+            coordinate =
+                draw.word() % 4
+                    ? draw.uniform(-50, 50)
+                    : (std::round(draw.uniform(-50, 50)) + 0.5f + draw.uniform(-0.04f, 0.04f)) / 1.5f;
         s.frequency = draw.word() % 4 ? draw.uniform(0, 2) : 0;
         s.orientation = draw.uniform(-3, 3);
         s.seed = draw.word();
@@ -431,6 +435,38 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
     size.check("in size");
     rotation.check("in rotation");
     CHECK(seen > 1000000);
+}
+
+// With S the footprint's covariance and d the determinant of 1 + 2/3 pi^2 S, what a lobe of variance 1/12
+// along each axis keeps is d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+TEST_CASE("the removed variance is that of the formula", "[filter][oracle]") {
+    const vulkan::Device device;
+    constexpr std::size_t count = 1 << 12;
+    Sampler sampler(device, count);
+    Draw draw(40);
+    for (Sample& s : sampler.samples()) {
+        s = {};
+        s.frequency = draw.uniform(0, 3);
+        s.orientation = draw.uniform(-3, 3);
+        draw_footprint(s, draw, 1);
+    }
+    const auto answers = sampler.answers(count, filtered_only);
+    Largest removed;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& s = sampler.samples()[i];
+        const double k = 2 * pi * pi / 3;
+        const double xx = (double{s.dx[0]} * s.dx[0] + double{s.dy[0]} * s.dy[0]) / 4;
+        const double yy = (double{s.dx[1]} * s.dx[1] + double{s.dy[1]} * s.dy[1]) / 4;
+        const double xy = (double{s.dx[0]} * s.dx[1] + double{s.dy[0]} * s.dy[1]) / 4;
+        const double d = (1 + k * xx) * (1 + k * yy) - k * xy * k * xy;
+        // S (1 + k S)^-1 = (1 - (1 + k S)^-1) / k
+        const double x = s.frequency * std::cos(double{s.orientation});
+        const double y = s.frequency * std::sin(double{s.orientation});
+        const double inverse = ((1 + k * yy) * x * x - 2 * k * xy * x * y + (1 + k * xx) * y * y) / d;
+        const double exponent = 4 * pi * pi * (x * x + y * y - inverse) / k;
+        removed.see(answers[i].filtered[1], 1 - std::exp(-exponent) / std::sqrt(d), 1e-5, s);
+    }
+    removed.check("removed variance");
 }
 
 // Across a long thin footprint the exponent is a small difference of large products.

@@ -65,6 +65,31 @@ TEST_CASE("undo goes back step by step, and looking around is no step") {
     CHECK_FALSE(history.can_redo());
 }
 
+// Every member differs from its default, and from its neighbours.
+Document unlike_any() {
+    Document document = document_of({.width = 320, .height = 200, .scale = 24, .seed = 9});
+    document.camera = document.camera.moved(-1e9 + 0.25, 3.5);
+    document.camera.zoom = 2.5;
+    document.output = Output::phase;
+    document.look = Look::roughness;
+    document.directx_normals = true;
+    document.colours = 3;
+    document.contrast = 1.5f;
+    document.request.time = 0.3;
+    return document;
+}
+
+TEST_CASE("undo changes nothing but the last step, and redo brings it back") {
+    History history(unlike_any());
+    history.now.request.seed = 10;
+    history.commit();
+    const Document edited = history.now;
+    history.undo();
+    CHECK(history.now == unlike_any());
+    history.redo();
+    CHECK(history.now == edited);
+}
+
 TEST_CASE("documents go through JSON") {
     render::Request request{.width = 320, .height = 200, .scale = 24, .seed = 9};
     request.lobes = {{.frequency = 3}, {.frequency = 5, .orientation = 70, .power = 0.5}};
