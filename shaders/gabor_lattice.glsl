@@ -34,11 +34,13 @@ precision highp int;
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
-//                    at 10^5 it steps by 0.008
-//       frequency    cycles per kernel radius; its magnitude counts, up to 10^6
-//       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
-//       seed         any; different seeds give independent noises
-//     Frequency and orientation may vary from place to place: the noise is continuous where they are.
+//                    at 10^5 it steps by 0.008.
+//       frequency    cycles per kernel radius; its magnitude counts, up to 10^6.
+//       orientation  direction of the wave vector in radians from +x towards +y. Its own rounding shows where it is
+//                    large: at frequency 4 the noise is off by 1.5e-6 for each radian.
+//       seed         any; different seeds give independent noises.
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p, frequency
+//     or orientation gives an unspecified value.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
@@ -275,7 +277,8 @@ struct GaborAxis {
 GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
     GaborAxis axis;
     float zero = floor(local + (2.0 - GABOR_RADIUS));
-    axis.offset = local - zero;
+    // Within these bounds but for a compiler that fuses the product in `local` with the difference.
+    axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
     axis.turns = wave / radius;
     vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
@@ -366,7 +369,7 @@ GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
 }
 
 GaborKernel gabor_kernel(float frequency, float orientation) {
-    return GaborKernel(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * orientation));
+    return GaborKernel(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)));
 }
 
 GaborKernel gabor_kernel_wave(vec2 wave) {

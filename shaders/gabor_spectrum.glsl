@@ -342,7 +342,7 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
     float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
-    b.offset = local - zero;
+    b.offset = b.count == 5 ? clamp(local - zero, 1.5, 2.5) : clamp(local - zero, 1.0, 2.0); // see gabor_impl_axis
     b.first = cell + int(zero);
     b.period = period;
     b.salt = salt;
@@ -705,7 +705,7 @@ GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
         float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
         float smaller = min(side / larger * side, 0.25);
         axis *= apart > 0.0 ? 0.5 * (0.25 - smaller) / apart : 0.0;
-        footprint.resolved = vec3(0.5 * (0.25 + smaller) + vec2(axis.x, -axis.x), axis.y);
+        footprint.resolved = vec3(max(0.5 * (0.25 + smaller) + vec2(axis.x, -axis.x), 0.0), axis.y);
     }
     return footprint;
 }

@@ -108,8 +108,8 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     var x_8: GaborAxis;
     var y_9: GaborAxis;
     var z_4: GaborAxis;
-    var local_28: f32;
     var local_29: f32;
+    var local_30: f32;
     var turn_9: vec2<f32>;
     var blurred_4: vec3<f32>;
     var sum_13: vec4<f32> = vec4(0f);
@@ -122,17 +122,17 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
     z_4 = _e45;
     if false {
-        local_28 = 1f;
-    } else {
-        local_28 = 1.125f;
-    }
-    let _e56 = local_28;
-    if false {
         local_29 = 1f;
     } else {
         local_29 = 1.125f;
     }
-    let _e68 = local_29;
+    let _e56 = local_29;
+    if false {
+        local_30 = 1f;
+    } else {
+        local_30 = 1.125f;
+    }
+    let _e68 = local_30;
     let _e71 = x_8;
     let _e73 = x_8;
     let _e76 = y_9;
@@ -450,15 +450,15 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_5: vec3<f32>;
-    var local_30: vec3<f32>;
+    var local_31: vec3<f32>;
     var other: vec3<f32>;
     var power_5: f32;
     var sum_18: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_31: i32;
-    var i_7: i32;
     var local_32: i32;
-    var local_33: vec3<f32>;
-    var local_34: f32;
+    var i_7: i32;
+    var local_33: i32;
+    var local_34: vec3<f32>;
+    var local_35: f32;
 
     normal_1 = normal;
     direction_5 = direction;
@@ -471,11 +471,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_5;
     let _e12 = direction_5;
     if (abs(_e12.z) < 0.7f) {
-        local_30 = vec3<f32>(0f, 0f, 1f);
+        local_31 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_30 = vec3<f32>(1f, 0f, 0f);
+        local_31 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_30;
+    let _e26 = local_31;
     other = cross(_e11, _e26);
     let _e29 = direction_5;
     let _e30 = direction_5;
@@ -493,43 +493,43 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     power_5 = _e49;
     let _e60 = power_5;
     if (_e60 > 0f) {
-        local_31 = 0i;
+        local_32 = 0i;
     } else {
-        local_31 = 1i;
+        local_32 = 1i;
     }
-    let _e66 = local_31;
+    let _e66 = local_32;
     i_7 = _e66;
     loop {
         let _e68 = i_7;
         let _e69 = power_5;
         if (_e69 < 1f) {
-            local_32 = 2i;
+            local_33 = 2i;
         } else {
-            local_32 = 1i;
+            local_33 = 1i;
         }
-        let _e75 = local_32;
+        let _e75 = local_33;
         if !((_e68 < _e75)) {
             break;
         }
         let _e82 = i_7;
         if (_e82 == 0i) {
             let _e85 = direction_5;
-            local_33 = _e85;
+            local_34 = _e85;
         } else {
             let _e86 = other;
-            local_33 = _e86;
+            local_34 = _e86;
         }
-        let _e88 = local_33;
+        let _e88 = local_34;
         let _e89 = i_7;
         let _e90 = i_7;
         if (_e90 == 0i) {
             let _e93 = power_5;
-            local_34 = _e93;
+            local_35 = _e93;
         } else {
             let _e95 = power_5;
-            local_34 = (1f - _e95);
+            local_35 = (1f - _e95);
         }
-        let _e98 = local_34;
+        let _e98 = local_35;
         gabor_impl_add_term((&sum_18), place, frequency, _e88, seed, _e89, _e98);
         continuing {
             let _e78 = i_7;
@@ -547,7 +547,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var power_6: f32;
     var sum_19: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var axis_3: i32 = 0i;
-    var local_35: vec3<f32>;
+    var local_36: vec3<f32>;
     var along_1: vec3<f32>;
     var i_8: i32;
     var part_3: vec2<f32>;
@@ -571,11 +571,11 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
         {
             let _e43 = axis_3;
             if (_e43 == 0i) {
-                local_35 = vec3<f32>(0f, 0f, 1f);
+                local_36 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_35 = vec3<f32>(1f, 0f, 0f);
+                local_36 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e55 = local_35;
+            let _e55 = local_36;
             let _e56 = normal_3;
             let _e58 = gabor_impl_unit(cross(_e55, _e56));
             along_1 = _e58;

@@ -458,21 +458,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_27: f32;
+    var local_28: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_2: bool;
     var top: f32;
-    var local_28: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_29: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_30: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_30: f32;
+    var local_31: f32;
     var share_2: f32;
     var colour_2: vec3<f32>;
 
@@ -512,11 +512,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_27 = -1f;
+        local_28 = -1f;
     } else {
-        local_27 = 1f;
+        local_28 = 1f;
     }
-    let _e89 = local_27;
+    let _e89 = local_28;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -541,22 +541,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = first_2;
     if _e166 {
         let _e167 = upright;
-        local_28 = _e167;
+        local_29 = _e167;
     } else {
         let _e168 = level;
-        local_28 = _e168;
+        local_29 = _e168;
     }
-    let _e170 = local_28;
+    let _e170 = local_29;
     tone_1 = _e170;
     let _e172 = first_2;
     if _e172 {
         let _e173 = upright_fibre;
-        local_29 = _e173;
+        local_30 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_29 = _e174;
+        local_30 = _e174;
     }
-    let _e176 = local_29;
+    let _e176 = local_30;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -573,11 +573,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_2;
     if _e216 {
-        local_30 = 1f;
+        local_31 = 1f;
     } else {
-        local_30 = 0f;
+        local_31 = 0f;
     }
-    let _e220 = local_30;
+    let _e220 = local_31;
     let _e221 = kept;
     share_2 = mix(0.5f, _e220, _e221);
     let _e232 = share_2;
@@ -1165,11 +1165,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var within_2: vec2<f32>;
     var turn_10: f32;
     var first_3: bool;
-    var local_31: vec3<f32>;
+    var local_32: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_32: vec2<f32>;
+    var local_33: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_33: f32;
+    var local_34: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1205,31 +1205,31 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e64 = first_3;
     if _e64 {
         let _e65 = upright_1;
-        local_31 = _e65;
+        local_32 = _e65;
     } else {
         let _e66 = level_1;
-        local_31 = _e66;
+        local_32 = _e66;
     }
-    let _e68 = local_31;
+    let _e68 = local_32;
     fibre_2 = _e68;
     let _e70 = first_3;
     if _e70 {
         let _e71 = within_2;
-        local_32 = _e71.yx;
+        local_33 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_32 = _e73;
+        local_33 = _e73;
     }
-    let _e75 = local_32;
+    let _e75 = local_33;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_10;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_33 = 0f;
+        local_34 = 0f;
     } else {
-        local_33 = 1f;
+        local_34 = 1f;
     }
-    let _e91 = local_33;
+    let _e91 = local_34;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

@@ -60,8 +60,9 @@
 //                    impulses are too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //       seed         any; different seeds give independent noises
-//     Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
-//     GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p,
+//     frequency or orientation gives an unspecified value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses,
+//     9 for the default recipe.
 
 // float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
 //     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
@@ -373,7 +374,7 @@ GaborKernel gabor_kernel(float frequency, float orientation) {
 GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
     float2 whole = floor(place.local);
-    float2 local = place.local - whole;
+    float2 local = clamp(place.local - whole, 0.0, 1.0); // but for a compiler that fuses the difference with a product
     float2 first = floor(local - place.radius);
     int2 cell = place.cell + (int2)(whole + first);
     first -= 1.0; // what position_plus_one adds

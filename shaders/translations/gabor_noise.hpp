@@ -357,8 +357,9 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 //                    impulses are too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //       seed         any; different seeds give independent noises
-//     Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
-//     GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p,
+//     frequency or orientation gives an unspecified value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses,
+//     9 for the default recipe.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
@@ -622,7 +623,7 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
 GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
-    gabor_vec2 local = place.local - whole;
+    gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // but for a compiler that fuses the difference with a product
     gabor_vec2 first = gabor_cpp_floor(local - place.radius);
     gabor_ivec2 cell = place.cell + gabor_ivec2(whole + first);
     first -= 1.0f; // what position_plus_one adds

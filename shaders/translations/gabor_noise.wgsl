@@ -20,8 +20,9 @@ const GABOR_NOISE_VERSION: u32 = 10100u;
 //                impulses are too coarse for the exact variance
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //   seed         any; different seeds give independent noises
-// Frequency and orientation may vary from place to place: the noise is continuous where they are. Cost: (ceil(2
-// GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 for the default recipe.
+// Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p,
+// frequency or orientation gives an unspecified value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses,
+// 9 for the default recipe.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     let _e8 = gabor_kernel(frequency, orientation);
     let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
@@ -248,143 +249,143 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     kernel_3 = kernel;
     whole = floor(place.local);
     let _e16 = whole;
-    local_8 = (place.local - _e16);
-    let _e19 = local_8;
-    first = floor((_e19 - place.radius));
-    let _e25 = whole;
-    let _e26 = first;
-    cell_2 = (place.cell + vec2<i32>((_e25 + _e26)));
+    local_8 = clamp((place.local - _e16), vec2(0f), vec2(1f));
+    let _e24 = local_8;
+    first = floor((_e24 - place.radius));
+    let _e30 = whole;
     let _e31 = first;
-    first = (_e31 - vec2(1f));
+    cell_2 = (place.cell + vec2<i32>((_e30 + _e31)));
+    let _e36 = first;
+    first = (_e36 - vec2(1f));
     cell_side = (vec2(1f) / place.radius);
     time_1 = fract(place.time);
-    let _e43 = gabor_impl_seed_word(seed);
-    seed_word_1 = _e43;
+    let _e48 = gabor_impl_seed_word(seed);
+    seed_word_1 = _e48;
     loop {
-        let _e55 = j;
-        let _e56 = visited;
-        if !((_e55 < _e56)) {
+        let _e60 = j;
+        let _e61 = visited;
+        if !((_e60 < _e61)) {
             break;
         }
         {
-            let _e62 = cell_2;
-            let _e64 = j;
-            let _e68 = gabor_impl_wrap((_e62.y + _e64), place.period.y);
-            let _e69 = seed_word_1;
-            let _e70 = gabor_impl_row_word(_e68, _e69);
-            row_word_1 = _e70;
+            let _e67 = cell_2;
+            let _e69 = j;
+            let _e73 = gabor_impl_wrap((_e67.y + _e69), place.period.y);
+            let _e74 = seed_word_1;
+            let _e75 = gabor_impl_row_word(_e73, _e74);
+            row_word_1 = _e75;
             i_1 = 0i;
             loop {
-                let _e74 = i_1;
-                let _e75 = visited;
-                if !((_e74 < _e75)) {
+                let _e79 = i_1;
+                let _e80 = visited;
+                if !((_e79 < _e80)) {
                     break;
                 }
                 {
-                    let _e81 = cell_2;
-                    let _e83 = i_1;
-                    let _e87 = gabor_impl_wrap((_e81.x + _e83), place.period.x);
-                    column_1 = _e87;
+                    let _e86 = cell_2;
+                    let _e88 = i_1;
+                    let _e92 = gabor_impl_wrap((_e86.x + _e88), place.period.x);
+                    column_1 = _e92;
                     k_1 = 0i;
                     loop {
-                        let _e91 = k_1;
-                        if !((_e91 < 1i)) {
+                        let _e96 = k_1;
+                        if !((_e96 < 1i)) {
                             break;
                         }
                         {
-                            let _e98 = column_1;
-                            let _e99 = row_word_1;
-                            let _e100 = k_1;
-                            let _e101 = gabor_impl_impulse_word(_e98, _e99, _e100);
-                            word_3 = _e101;
-                            let _e103 = word_3;
-                            let _e104 = gabor_impl_impulse(_e103);
-                            impulse = _e104;
-                            let _e106 = local_8;
-                            let _e107 = impulse;
-                            let _e109 = first;
-                            let _e110 = i_1;
-                            let _e112 = j;
-                            let _e118 = cell_side;
-                            d = ((_e106 - (_e107.position_plus_one + (_e109 + vec2<f32>(f32(_e110), f32(_e112))))) * _e118);
-                            let _e121 = d;
-                            let _e124 = d;
-                            if (max(abs(_e121.x), abs(_e124.y)) < 1f) {
+                            let _e103 = column_1;
+                            let _e104 = row_word_1;
+                            let _e105 = k_1;
+                            let _e106 = gabor_impl_impulse_word(_e103, _e104, _e105);
+                            word_3 = _e106;
+                            let _e108 = word_3;
+                            let _e109 = gabor_impl_impulse(_e108);
+                            impulse = _e109;
+                            let _e111 = local_8;
+                            let _e112 = impulse;
+                            let _e114 = first;
+                            let _e115 = i_1;
+                            let _e117 = j;
+                            let _e123 = cell_side;
+                            d = ((_e111 - (_e112.position_plus_one + (_e114 + vec2<f32>(f32(_e115), f32(_e117))))) * _e123);
+                            let _e126 = d;
+                            let _e129 = d;
+                            if (max(abs(_e126.x), abs(_e129.y)) < 1f) {
                                 {
-                                    let _e130 = kernel_3;
-                                    let _e132 = d;
-                                    let _e134 = impulse;
-                                    let _e137 = impulse;
-                                    let _e139 = time_1;
-                                    turns = ((dot(_e130.wave, _e132) + _e134.phase) + (_e137.phase_rate * _e139));
-                                    let _e143 = d;
-                                    let _e145 = gabor_impl_window(_e143.x);
-                                    x_2 = _e145;
-                                    let _e147 = d;
-                                    let _e149 = gabor_impl_window(_e147.y);
-                                    y_2 = _e149;
-                                    let _e151 = impulse;
-                                    let _e153 = turns;
-                                    let _e156 = gabor_impl_sine((_e153 + 0.25f));
-                                    let _e157 = turns;
-                                    let _e158 = gabor_impl_sine(_e157);
-                                    wave_1 = (_e151.magnitude * vec2<f32>(_e156, _e158));
-                                    let _e163 = x_2;
-                                    let _e166 = y_2;
-                                    let _e169 = wave_1;
-                                    let _e172 = wave_1;
-                                    turned = (((6.2831855f * _e163.x) * _e166.x) * vec2<f32>(-(_e169.y), _e172.x));
-                                    let _e178 = sum;
-                                    let _e180 = x_2;
-                                    let _e182 = y_2;
-                                    let _e185 = wave_1;
-                                    sum.value = (_e178.value + ((_e180.x * _e182.x) * _e185));
-                                    let _e189 = sum;
-                                    let _e191 = x_2;
-                                    let _e193 = y_2;
-                                    let _e196 = wave_1;
-                                    let _e198 = kernel_3;
-                                    let _e201 = turned;
-                                    sum.slope_x = (_e189.slope_x + (((_e191.y * _e193.x) * _e196) + (_e198.wave.x * _e201)));
-                                    let _e206 = sum;
-                                    let _e208 = y_2;
-                                    let _e210 = x_2;
-                                    let _e213 = wave_1;
-                                    let _e215 = kernel_3;
-                                    let _e218 = turned;
-                                    sum.slope_y = (_e206.slope_y + (((_e208.y * _e210.x) * _e213) + (_e215.wave.y * _e218)));
+                                    let _e135 = kernel_3;
+                                    let _e137 = d;
+                                    let _e139 = impulse;
+                                    let _e142 = impulse;
+                                    let _e144 = time_1;
+                                    turns = ((dot(_e135.wave, _e137) + _e139.phase) + (_e142.phase_rate * _e144));
+                                    let _e148 = d;
+                                    let _e150 = gabor_impl_window(_e148.x);
+                                    x_2 = _e150;
+                                    let _e152 = d;
+                                    let _e154 = gabor_impl_window(_e152.y);
+                                    y_2 = _e154;
+                                    let _e156 = impulse;
+                                    let _e158 = turns;
+                                    let _e161 = gabor_impl_sine((_e158 + 0.25f));
+                                    let _e162 = turns;
+                                    let _e163 = gabor_impl_sine(_e162);
+                                    wave_1 = (_e156.magnitude * vec2<f32>(_e161, _e163));
+                                    let _e168 = x_2;
+                                    let _e171 = y_2;
+                                    let _e174 = wave_1;
+                                    let _e177 = wave_1;
+                                    turned = (((6.2831855f * _e168.x) * _e171.x) * vec2<f32>(-(_e174.y), _e177.x));
+                                    let _e183 = sum;
+                                    let _e185 = x_2;
+                                    let _e187 = y_2;
+                                    let _e190 = wave_1;
+                                    sum.value = (_e183.value + ((_e185.x * _e187.x) * _e190));
+                                    let _e194 = sum;
+                                    let _e196 = x_2;
+                                    let _e198 = y_2;
+                                    let _e201 = wave_1;
+                                    let _e203 = kernel_3;
+                                    let _e206 = turned;
+                                    sum.slope_x = (_e194.slope_x + (((_e196.y * _e198.x) * _e201) + (_e203.wave.x * _e206)));
+                                    let _e211 = sum;
+                                    let _e213 = y_2;
+                                    let _e215 = x_2;
+                                    let _e218 = wave_1;
+                                    let _e220 = kernel_3;
+                                    let _e223 = turned;
+                                    sum.slope_y = (_e211.slope_y + (((_e213.y * _e215.x) * _e218) + (_e220.wave.y * _e223)));
                                 }
                             }
                         }
                         continuing {
-                            let _e95 = k_1;
-                            k_1 = (_e95 + 1i);
+                            let _e100 = k_1;
+                            k_1 = (_e100 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e78 = i_1;
-                    i_1 = (_e78 + 1i);
+                    let _e83 = i_1;
+                    i_1 = (_e83 + 1i);
                 }
             }
         }
         continuing {
-            let _e59 = j;
-            j = (_e59 + 1i);
+            let _e64 = j;
+            j = (_e64 + 1i);
         }
     }
-    let _e222 = kernel_3;
-    let _e233 = kernel_3;
-    let _e234 = time_1;
-    let _e235 = gabor_impl_phase_gain(_e233, _e234);
-    scale = (((_e222.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e235);
-    let _e238 = scale;
-    let _e239 = sum;
-    let _e242 = scale;
-    let _e243 = sum;
-    let _e246 = scale;
-    let _e247 = sum;
-    return GaborField((_e238 * _e239.value), (_e242 * _e243.slope_x), (_e246 * _e247.slope_y));
+    let _e227 = kernel_3;
+    let _e238 = kernel_3;
+    let _e239 = time_1;
+    let _e240 = gabor_impl_phase_gain(_e238, _e239);
+    scale = (((_e227.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e240);
+    let _e243 = scale;
+    let _e244 = sum;
+    let _e247 = scale;
+    let _e248 = sum;
+    let _e251 = scale;
+    let _e252 = sum;
+    return GaborField((_e243 * _e244.value), (_e247 * _e248.slope_x), (_e251 * _e252.slope_y));
 }
 
 // The noise at gabor_place(cell, local).

@@ -343,7 +343,7 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
     b.count = b.reach > 2.0f ? 5 : 4;
     float zero = gabor_cpp_floor(local + (b.count == 5 ? 0.5f : 1.0f)) - 2.0f;
-    b.offset = local - zero;
+    b.offset = b.count == 5 ? gabor_cpp_clamp(local - zero, 1.5f, 2.5f) : gabor_cpp_clamp(local - zero, 1.0f, 2.0f); // see gabor_impl_axis
     b.first = cell + int(zero);
     b.period = period;
     b.salt = salt;
@@ -706,7 +706,7 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
         float side = 0.25f * (dx.x * dy.y - dx.y * dy.x);
         float smaller = gabor_cpp_min(side / larger * side, 0.25f);
         axis *= apart > 0.0f ? 0.5f * (0.25f - smaller) / apart : 0.0f;
-        footprint.resolved = gabor_vec3(0.5f * (0.25f + smaller) + gabor_vec2(axis.x, -axis.x), axis.y);
+        footprint.resolved = gabor_vec3(gabor_cpp_max(0.5f * (0.25f + smaller) + gabor_vec2(axis.x, -axis.x), 0.0f), axis.y);
     }
     return footprint;
 }

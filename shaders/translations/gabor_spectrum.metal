@@ -346,7 +346,7 @@ inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, fl
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
     float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
-    b.offset = local - zero;
+    b.offset = b.count == 5 ? clamp(local - zero, 1.5, 2.5) : clamp(local - zero, 1.0, 2.0); // see gabor_impl_axis
     b.first = cell + int(zero);
     b.period = period;
     b.salt = salt;
@@ -709,7 +709,7 @@ inline GaborFootprint gabor_footprint(float2 dx, float2 dy) {
         float side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
         float smaller = min(side / larger * side, 0.25);
         axis *= apart > 0.0 ? 0.5 * (0.25 - smaller) / apart : 0.0;
-        footprint.resolved = float3(0.5 * (0.25 + smaller) + float2(axis.x, -axis.x), axis.y);
+        footprint.resolved = float3(max(0.5 * (0.25 + smaller) + float2(axis.x, -axis.x), 0.0), axis.y);
     }
     return footprint;
 }

@@ -293,7 +293,7 @@ fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fre
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four: vec4<f32>;
     var i_4: i32 = 0i;
-    var local_25: u32;
+    var local_26: u32;
     var noise_2: vec4<f32>;
 
     loop {
@@ -304,13 +304,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_4;
             if (_e17 == 0i) {
-                local_25 = seed;
+                local_26 = seed;
             } else {
                 let _e20 = i_4;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_25 = _e22;
+                local_26 = _e22;
             }
-            let _e24 = local_25;
+            let _e24 = local_26;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_2 = _e25;
             let _e27 = i_4;
@@ -351,7 +351,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var lobe_1: GaborLobe;
     var unit_2: f32;
     var noise_3: vec4<f32>;
-    var local_26: vec4<f32>;
+    var local_27: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -399,11 +399,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e76 = power_2;
         let _e78 = vec3(inverseSqrt(_e76));
         let _e80 = power_2;
-        local_26 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
+        local_27 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
     } else {
-        local_26 = vec4(0f);
+        local_27 = vec4(0f);
     }
-    let _e90 = local_26;
+    let _e90 = local_27;
     return _e90;
 }
 
@@ -753,7 +753,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side: f32;
     var smaller: f32;
-    var local_24: f32;
+    var local_25: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -808,22 +808,22 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller;
                 let _e113 = apart;
-                local_24 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_25 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_24 = 0f;
+                local_25 = 0f;
             }
-            let _e117 = local_24;
+            let _e117 = local_25;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller;
             let _e125 = axis_2;
             let _e127 = axis_2;
-            let _e132 = (vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x)));
-            let _e133 = axis_2;
-            footprint_1.resolved = vec3<f32>(_e132.x, _e132.y, _e133.y);
+            let _e135 = max((vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x))), vec2(0f));
+            let _e136 = axis_2;
+            footprint_1.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
         }
     }
-    let _e138 = footprint_1;
-    return _e138;
+    let _e141 = footprint_1;
+    return _e141;
 }
 
 // The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
@@ -1155,6 +1155,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     var local_15: i32;
     var local_16: f32;
     var zero_1: f32;
+    var local_17: f32;
     var g: f32;
     var unit_1: f32;
     var fall: f32;
@@ -1191,123 +1192,131 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     }
     let _e33 = local_16;
     zero_1 = (floor((local + _e33)) - 2f);
-    let _e40 = zero_1;
-    b_2.offset = (local - _e40);
-    let _e43 = zero_1;
-    b_2.first = (cell + i32(_e43));
+    let _e40 = b_2;
+    if (_e40.count == 5i) {
+        let _e44 = zero_1;
+        local_17 = clamp((local - _e44), 1.5f, 2.5f);
+    } else {
+        let _e49 = zero_1;
+        local_17 = clamp((local - _e49), 1f, 2f);
+    }
+    let _e55 = local_17;
+    b_2.offset = _e55;
+    let _e57 = zero_1;
+    b_2.first = (cell + i32(_e57));
     b_2.period = period;
     b_2.salt = salt;
-    let _e51 = b_2;
-    let _e54 = gabor_impl_wave((-0.5f / _e51.reach));
-    b_2.turn_back = _e54;
+    let _e65 = b_2;
+    let _e68 = gabor_impl_wave((-0.5f / _e65.reach));
+    b_2.turn_back = _e68;
     b_2.back = vec2<f32>(step.x, -(step.y));
     g = (19.739208f * m);
-    let _e64 = b_2;
-    unit_1 = (0.75f / _e64.reach);
-    let _e69 = g;
-    let _e71 = unit_1;
-    let _e73 = unit_1;
-    fall = exp((((2.5797362f - _e69) * _e71) * _e73));
-    let _e78 = g;
-    let _e81 = unit_1;
-    rise_1 = exp((((2f * _e78) * c) * _e81));
-    let _e86 = rise_1;
-    sink = (1f / _e86);
-    let _e89 = b_2;
-    t_2 = (_e89.reach - 2f);
-    let _e99 = t_2;
-    let _e105 = t_2;
-    wave_13 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e99 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e105 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
-    let _e116 = fall;
-    let _e117 = fall;
-    let _e119 = fall;
-    let _e120 = fall;
-    fall_4_ = ((_e116 * _e117) * (_e119 * _e120));
-    let _e124 = wave_13;
-    let _e125 = fall;
-    let _e126 = fall_4_;
-    let _e127 = fall_4_;
-    let _e128 = fall_4_;
+    let _e78 = b_2;
+    unit_1 = (0.75f / _e78.reach);
+    let _e83 = g;
+    let _e85 = unit_1;
+    let _e87 = unit_1;
+    fall = exp((((2.5797362f - _e83) * _e85) * _e87));
+    let _e92 = g;
+    let _e95 = unit_1;
+    rise_1 = exp((((2f * _e92) * c) * _e95));
+    let _e100 = rise_1;
+    sink = (1f / _e100);
+    let _e103 = b_2;
+    t_2 = (_e103.reach - 2f);
+    let _e113 = t_2;
+    let _e119 = t_2;
+    wave_13 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e130 = fall;
-    wave_13 = (_e124 * vec3<f32>(_e125, _e126, ((_e127 * _e128) * _e130)));
-    let _e134 = wave_13;
-    let _e135 = rise_1;
-    let _e136 = rise_1;
-    let _e137 = rise_1;
-    let _e139 = rise_1;
-    let _e140 = rise_1;
-    let _e142 = rise_1;
-    above = (_e134 * vec3<f32>(_e135, (_e136 * _e137), ((_e139 * _e140) * _e142)));
-    let _e147 = wave_13;
-    let _e148 = sink;
-    let _e149 = sink;
-    let _e150 = sink;
-    let _e152 = sink;
-    let _e153 = sink;
-    let _e155 = sink;
-    below = (_e147 * vec3<f32>(_e148, (_e149 * _e150), ((_e152 * _e153) * _e155)));
-    let _e160 = above;
-    let _e161 = below;
-    even_1 = (_e160 + _e161);
-    let _e164 = above;
-    let _e165 = below;
-    odd_1 = (_e164 - _e165);
-    let _e168 = unit_1;
-    q = (_e168 * vec3<f32>(1f, 2f, 3f));
-    let _e176 = g;
-    quarter = (0.25f / _e176);
-    let _e179 = q;
-    let _e180 = odd_1;
-    let _e182 = even_1;
-    even_1_ = ((_e179 * _e180) - (c * _e182));
-    let _e186 = q;
-    let _e187 = even_1;
-    let _e189 = odd_1;
-    odd_1_ = ((_e186 * _e187) - (c * _e189));
+    let _e131 = fall;
+    let _e133 = fall;
+    let _e134 = fall;
+    fall_4_ = ((_e130 * _e131) * (_e133 * _e134));
+    let _e138 = wave_13;
+    let _e139 = fall;
+    let _e140 = fall_4_;
+    let _e141 = fall_4_;
+    let _e142 = fall_4_;
+    let _e144 = fall;
+    wave_13 = (_e138 * vec3<f32>(_e139, _e140, ((_e141 * _e142) * _e144)));
+    let _e148 = wave_13;
+    let _e149 = rise_1;
+    let _e150 = rise_1;
+    let _e151 = rise_1;
+    let _e153 = rise_1;
+    let _e154 = rise_1;
+    let _e156 = rise_1;
+    above = (_e148 * vec3<f32>(_e149, (_e150 * _e151), ((_e153 * _e154) * _e156)));
+    let _e161 = wave_13;
+    let _e162 = sink;
+    let _e163 = sink;
+    let _e164 = sink;
+    let _e166 = sink;
+    let _e167 = sink;
+    let _e169 = sink;
+    below = (_e161 * vec3<f32>(_e162, (_e163 * _e164), ((_e166 * _e167) * _e169)));
+    let _e174 = above;
+    let _e175 = below;
+    even_1 = (_e174 + _e175);
+    let _e178 = above;
+    let _e179 = below;
+    odd_1 = (_e178 - _e179);
+    let _e182 = unit_1;
+    q = (_e182 * vec3<f32>(1f, 2f, 3f));
+    let _e190 = g;
+    quarter = (0.25f / _e190);
     let _e193 = q;
-    let _e194 = odd_1_;
-    let _e196 = even_1_;
-    let _e199 = quarter;
-    let _e200 = even_1;
-    even_2_ = (((_e193 * _e194) - (c * _e196)) - (_e199 * _e200));
-    let _e204 = q;
-    let _e205 = even_1_;
-    let _e207 = odd_1_;
-    let _e210 = quarter;
-    let _e211 = odd_1;
-    odd_2_ = (((_e204 * _e205) - (c * _e207)) - (_e210 * _e211));
-    let _e216 = even_1;
-    let _e218 = even_1_;
-    let _e220 = even_2_;
-    b_2.even_2_ = vec3<f32>(_e216.y, _e218.y, _e220.y);
-    let _e224 = even_1;
-    let _e226 = even_1_;
-    let _e228 = even_2_;
-    b_2.even_3_ = vec3<f32>(_e224.z, _e226.z, _e228.z);
-    let _e232 = odd_1;
-    let _e234 = odd_1_;
-    let _e236 = odd_2_;
-    b_2.odd_2_ = vec3<f32>(_e232.y, _e234.y, _e236.y);
-    let _e240 = odd_1;
-    let _e242 = odd_1_;
-    let _e244 = odd_2_;
-    b_2.odd_3_ = vec3<f32>(_e240.z, _e242.z, _e244.z);
-    let _e248 = unit_1;
-    let _e252 = quarter;
-    let _e257 = b_2;
-    b_2.even_0_ = ((_e248 * vec3<f32>(1f, -(c), ((c * c) - _e252))) - (0.5f * _e257.even_2_));
-    let _e262 = even_1;
-    let _e264 = even_1_;
-    let _e266 = even_2_;
-    let _e270 = b_2;
-    b_2.even_1_ = (vec3<f32>(_e262.x, _e264.x, _e266.x) - (0.75f * _e270.even_3_));
-    let _e275 = odd_1;
-    let _e277 = odd_1_;
-    let _e279 = odd_2_;
-    let _e283 = b_2;
-    b_2.odd_1_ = (vec3<f32>(_e275.x, _e277.x, _e279.x) - (0.25f * _e283.odd_3_));
-    let _e287 = b_2;
-    return _e287;
+    let _e194 = odd_1;
+    let _e196 = even_1;
+    even_1_ = ((_e193 * _e194) - (c * _e196));
+    let _e200 = q;
+    let _e201 = even_1;
+    let _e203 = odd_1;
+    odd_1_ = ((_e200 * _e201) - (c * _e203));
+    let _e207 = q;
+    let _e208 = odd_1_;
+    let _e210 = even_1_;
+    let _e213 = quarter;
+    let _e214 = even_1;
+    even_2_ = (((_e207 * _e208) - (c * _e210)) - (_e213 * _e214));
+    let _e218 = q;
+    let _e219 = even_1_;
+    let _e221 = odd_1_;
+    let _e224 = quarter;
+    let _e225 = odd_1;
+    odd_2_ = (((_e218 * _e219) - (c * _e221)) - (_e224 * _e225));
+    let _e230 = even_1;
+    let _e232 = even_1_;
+    let _e234 = even_2_;
+    b_2.even_2_ = vec3<f32>(_e230.y, _e232.y, _e234.y);
+    let _e238 = even_1;
+    let _e240 = even_1_;
+    let _e242 = even_2_;
+    b_2.even_3_ = vec3<f32>(_e238.z, _e240.z, _e242.z);
+    let _e246 = odd_1;
+    let _e248 = odd_1_;
+    let _e250 = odd_2_;
+    b_2.odd_2_ = vec3<f32>(_e246.y, _e248.y, _e250.y);
+    let _e254 = odd_1;
+    let _e256 = odd_1_;
+    let _e258 = odd_2_;
+    b_2.odd_3_ = vec3<f32>(_e254.z, _e256.z, _e258.z);
+    let _e262 = unit_1;
+    let _e266 = quarter;
+    let _e271 = b_2;
+    b_2.even_0_ = ((_e262 * vec3<f32>(1f, -(c), ((c * c) - _e266))) - (0.5f * _e271.even_2_));
+    let _e276 = even_1;
+    let _e278 = even_1_;
+    let _e280 = even_2_;
+    let _e284 = b_2;
+    b_2.even_1_ = (vec3<f32>(_e276.x, _e278.x, _e280.x) - (0.75f * _e284.even_3_));
+    let _e289 = odd_1;
+    let _e291 = odd_1_;
+    let _e293 = odd_2_;
+    let _e297 = b_2;
+    b_2.odd_1_ = (vec3<f32>(_e289.x, _e291.x, _e293.x) - (0.25f * _e297.odd_3_));
+    let _e301 = b_2;
+    return _e301;
 }
 
 // A column or a row of nodes: its word and its window for each factor, with the noise's wave.
@@ -1486,7 +1495,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var along: GaborBand;
     var columns_3: GaborColumns;
     var line_3: GaborLine;
-    var local_17: i32;
+    var local_18: i32;
     var rows_1: i32;
     var value_7: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
@@ -1498,7 +1507,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var before: vec2<f32>;
     var x_5: vec2<f32>;
     var y_5: vec2<f32>;
-    var local_18: f32;
+    var local_19: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
@@ -1557,11 +1566,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     line_3 = _e150;
     if wanted {
         let _e152 = along;
-        local_17 = _e152.count;
+        local_18 = _e152.count;
     } else {
-        local_17 = 0i;
+        local_18 = 0i;
     }
-    let _e156 = local_17;
+    let _e156 = local_18;
     rows_1 = _e156;
     loop {
         {
@@ -1635,11 +1644,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e268 = lambda;
     let _e272 = exponent_1;
     if false {
-        local_18 = 1f;
+        local_19 = 1f;
     } else {
-        local_18 = 1.125f;
+        local_19 = 1.125f;
     }
-    let _e286 = local_18;
+    let _e286 = local_19;
     scale_1 = ((sqrt((1f - (_e267 * _e268))) * exp(-(_e272))) / (1459955300000000000000000000f * _e286));
     let _e290 = scale_1;
     let _e291 = value_7;
@@ -1715,9 +1724,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var first_1: GaborLine;
     var slice_2: GaborLine;
     var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    var local_20: i32;
-    var rows_2: i32;
     var local_21: i32;
+    var rows_2: i32;
+    var local_22: i32;
     var slices: i32;
     var value_8: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
@@ -1734,9 +1743,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var imaginary_2: vec3<f32>;
     var quarter_1: vec3<f32>;
     var exponent_2: f32;
-    var local_22: f32;
-    var scale_2: f32;
     var local_23: f32;
+    var scale_2: f32;
+    var local_24: f32;
 
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e19 = m_4;
@@ -1797,19 +1806,19 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     slice_2 = _e165;
     if wanted {
         let _e173 = y_6;
-        local_20 = _e173.count;
-    } else {
-        local_20 = 0i;
-    }
-    let _e177 = local_20;
-    rows_2 = _e177;
-    if wanted {
-        let _e179 = z_2;
-        local_21 = _e179.count;
+        local_21 = _e173.count;
     } else {
         local_21 = 0i;
     }
-    let _e183 = local_21;
+    let _e177 = local_21;
+    rows_2 = _e177;
+    if wanted {
+        let _e179 = z_2;
+        local_22 = _e179.count;
+    } else {
+        local_22 = 0i;
+    }
+    let _e183 = local_22;
     slices = _e183;
     loop {
         {
@@ -1952,20 +1961,20 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     exponent_2 = (19.739208f * (dot((wave + _e370), _e372) + dot(_e374, (_e375 * _e376))));
     let _e383 = determinant_1;
     if false {
-        local_22 = 1f;
-    } else {
-        local_22 = 1.125f;
-    }
-    let _e394 = local_22;
-    let _e397 = exponent_2;
-    scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
-    let _e402 = scale_2;
-    if false {
         local_23 = 1f;
     } else {
         local_23 = 1.125f;
     }
-    let _e413 = local_23;
+    let _e394 = local_23;
+    let _e397 = exponent_2;
+    scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
+    let _e402 = scale_2;
+    if false {
+        local_24 = 1f;
+    } else {
+        local_24 = 1.125f;
+    }
+    let _e413 = local_24;
     scale_2 = (_e402 / (1459955300000000000000000000f * _e413));
     let _e416 = scale_2;
     let _e417 = value_8;

@@ -1,0 +1,239 @@
+// The translation to C++ against the double-precision reference, and its range: compiled with contraction,
+// without it, and with -ffast-math, as GPU compilers may do either.
+
+#include "largest.hpp"
+#include "reference/lattice.hpp"
+#include "reference/spectrum.hpp"
+#include "render/range.hpp"
+#include "translation.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+
+namespace gabor::test {
+
+static std::string to_string(const Arguments& a) {
+    return fmt::format("p ({}, {}), cell ({}, {}) + ({}, {}), frequency {}, orientation {}, wave ({}, {}), "
+                       "period ({}, {}), time {}, seed {}",
+                       a.x, a.y, a.column, a.row, a.local_x, a.local_y, a.frequency, a.orientation, a.wave_x,
+                       a.wave_y, a.period_x, a.period_y, a.time, a.seed);
+}
+
+static std::string to_string(const Pixel& pixel) {
+    return fmt::format("dx ({}, {}), dy ({}, {})", pixel.dx[0], pixel.dx[1], pixel.dy[0], pixel.dy[1]);
+}
+
+} // namespace gabor::test
+
+using namespace gabor;
+using test::Arguments;
+using test::Largest;
+using test::Pixel;
+
+namespace {
+
+class Random {
+  public:
+    std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
+    float uniform(double low, double high) {
+        return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
+    }
+    // Half of the numbers of a nearly exact tie are on it.
+    float at_edge(float value) {
+        const float edge = std::round(2 * value) / 2;
+        return word() % 4 ? value : word() % 2 ? edge : std::nextafter(edge, word() % 2 ? 1e9f : -1e9f);
+    }
+
+  private:
+    std::mt19937 random_{3};
+};
+
+} // namespace
+
+TEST_CASE("the translation to C++ agrees with the reference") {
+    for (const int taps : {2, 3, 4}) {
+        Random draw;
+        Largest value, gradient, stripes, at, animated;
+        for (int i = 0; i < 20000; ++i) {
+            const float reach = std::exp2(draw.uniform(0, 17));
+            Arguments a;
+            a.x = draw.at_edge(draw.uniform(-reach, reach));
+            a.y = draw.at_edge(draw.uniform(-reach, reach));
+            a.column = static_cast<std::int32_t>(draw.word());
+            a.row = static_cast<std::int32_t>(draw.word());
+            a.local_x = draw.at_edge(draw.uniform(-2, 3));
+            a.local_y = draw.at_edge(draw.uniform(-2, 3));
+            a.frequency = std::exp2(draw.uniform(-5, 6));
+            a.orientation = draw.uniform(-8, 8);
+            a.wave_x = draw.uniform(-4, 4);
+            a.wave_y = draw.uniform(-4, 4);
+            a.time = draw.uniform(-2, 2);
+            a.seed = draw.word();
+            const test::Values found = test::values(taps, a);
+
+            const double tight =
+                1.5e-5 * std::max(1.0, a.frequency / 4.0) * std::max(1.0, std::abs(a.orientation) / 2.0);
+            noise::LatticePlace place;
+            place.radius_x = place.radius_y = 0.5 * taps;
+            // Fused with a difference, the product of p is not rounded to a float.
+            place.local_x = a.x * (0.5f * static_cast<float>(taps));
+            place.local_y = a.y * (0.5f * static_cast<float>(taps));
+            const double rounding = std::max(std::abs(place.local_x), std::abs(place.local_y)) * 0x1p-24;
+            const double loose = tight + 8 * std::numbers::pi * (a.frequency + 4) * rounding;
+            const noise::Lattice reference(taps, a.frequency, a.orientation, a.seed);
+            const auto here = reference.field(place);
+            const double slope = 2 * std::numbers::pi * a.frequency + 4;
+            value.see(found.gradient[0], here.value.imag(), loose, a);
+            gradient.see(found.gradient[1], here.slope_x.imag(), slope * loose, a);
+            gradient.see(found.gradient[2], here.slope_y.imag(), slope * loose, a);
+            const noise::Lattice of_wave(taps, {a.wave_x, a.wave_y}, a.seed);
+            const auto expected = noise::lattice_stripes(of_wave.field(place).value, 2);
+            for (std::size_t c = 0; c < 3; ++c)
+                stripes.see(found.stripes[c], expected[c], 2 * tight + 100 * rounding, a);
+            place.animated = true;
+            place.time = a.time;
+            animated.see(found.animated, reference.field(place).value.imag(), loose, a);
+            place = {};
+            place.radius_x = place.radius_y = 0.5 * taps;
+            place.cell_x = a.column;
+            place.cell_y = a.row;
+            place.local_x = a.local_x;
+            place.local_y = a.local_y;
+            at.see(found.at, reference.field(place).value.imag(), tight, a);
+        }
+        fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
+        value.check("gabor_noise");
+        gradient.check("gabor_noise_gradient");
+        stripes.check("gabor_stripes");
+        animated.check("gabor_noise_animated");
+        at.check("gabor_noise_at");
+    }
+}
+
+TEST_CASE("the variance is 1 at any distance") {
+    for (const int taps : {2, 3, 4}) {
+        Random draw;
+        for (const double reach : {1.0, 1e5, 1e6, 1e7, 3e7, 1e8, 1e9, 4.29e9 / taps}) {
+            constexpr int count = 20000;
+            double sum = 0;
+            float largest = 0;
+            for (int i = 0; i < count; ++i) {
+                Arguments a;
+                a.x = draw.uniform(-reach, reach);
+                a.y = draw.uniform(-reach, reach);
+                a.seed = draw.word();
+                const float noise = test::values(taps, a).gradient[0];
+                sum += noise * noise;
+                largest = std::max(largest, std::abs(noise));
+            }
+            INFO(taps << " taps, |p| < " << reach << ": variance " << sum / count << ", largest " << largest);
+            CHECK(std::abs(sum / count - 1) < 5 * std::sqrt(2.0 / count));
+            CHECK(largest < 6);
+        }
+    }
+}
+
+TEST_CASE("any finite arguments give finite noise") {
+    constexpr float most = std::numeric_limits<float>::max();
+    for (const int taps : {2, 3, 4}) {
+        test::AnyFloat draw;
+        test::Broken noise{"noise"}, slopes{"slopes"};
+        for (int i = 0; i < 20000; ++i) {
+            Arguments a;
+            a.seed = draw.word();
+            if (i % 3 == 0) {
+                a.x = draw.within(test::world / 2);
+                a.y = draw.within(test::world / 2);
+                a.local_x = draw.within(64);
+                a.local_y = draw.within(64);
+                a.column = draw.cell();
+                a.row = draw.cell();
+                a.time = draw.within(most);
+                a.period_x = a.period_y = 1e9f;
+            } else if (i % 3 == 1) {
+                a.frequency = draw.within(most);
+                a.orientation = draw.within(most);
+                a.wave_x = draw.within(most);
+                a.wave_y = draw.within(most);
+            } else {
+                a.period_x = draw.within(most);
+                a.period_y = draw.within(most);
+                a.x = draw.within(1e4f);
+                a.y = draw.within(1e4f);
+            }
+            const test::Values found = test::values(taps, a);
+            const float one[] = {found.gradient[0], found.stripes[0], found.stripes[1], found.stripes[2],
+                                 found.at,          found.tiled,      found.animated};
+            noise.see(one, test::largest_noise, a);
+            slopes.see(found.gradient, most, a);
+        }
+        for (const test::Broken& broken : {noise, slopes}) {
+            INFO(taps << " taps, " << broken.function << ": " << broken.where);
+            CHECK(broken.times == 0);
+        }
+    }
+}
+
+TEST_CASE("pixels that are lines, points or of any size have a footprint") {
+    test::AnyFloat any;
+    Random draw;
+    test::Broken footprints{"gabor_footprint"}, values{"gabor_noise_filtered"}, removed{"removed"};
+    for (int i = 0; i < 60000; ++i) {
+        Pixel pixel;
+        if (i % 2) {
+            for (float* step : {pixel.dx, pixel.dx + 1, pixel.dy, pixel.dy + 1})
+                *step = any.within(std::numeric_limits<float>::max());
+        } else { // parallel, which makes the smaller deviation 0
+            pixel.dx[0] = draw.uniform(-3, 3);
+            pixel.dx[1] = draw.uniform(-3, 3);
+            const float along = draw.word() % 4 ? draw.uniform(-2, 2) : 0;
+            pixel.dy[0] = along * pixel.dx[0];
+            pixel.dy[1] = along * pixel.dx[1];
+        }
+        Arguments a;
+        a.x = draw.uniform(-9, 9);
+        a.y = draw.uniform(-9, 9);
+        a.frequency = draw.uniform(0, 2);
+        const test::Filtered found = test::filtered(a, pixel);
+        footprints.see(found.deviations, 0.51f, pixel);
+        values.see(std::span(found.noise).first(3), test::largest_noise, pixel);
+        removed.see(std::span(found.noise).last(1), 1.0001f, pixel);
+    }
+    for (const test::Broken& broken : {footprints, values, removed}) {
+        INFO(broken.function << ": " << broken.where);
+        CHECK(broken.times == 0);
+    }
+}
+
+TEST_CASE("the filtered translation is the filtered noise") {
+    Random draw;
+    double error = 0, power = 0;
+    constexpr int count = 150;
+    for (int i = 0; i < count; ++i) {
+        Arguments a;
+        a.frequency = draw.uniform(0, 1.5);
+        a.orientation = draw.uniform(0, 3);
+        a.x = draw.uniform(-9, 9);
+        a.y = draw.uniform(-9, 9);
+        a.seed = draw.word();
+        const Pixel pixel{{draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)},
+                          {draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)}};
+        const noise::Spectrum reference({{a.frequency, a.orientation, 1, 1, a.seed}});
+        const auto expected =
+            reference.filtered(a.x, a.y, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}).value.imag();
+        error += std::pow(test::filtered(a, pixel).noise[0] - expected, 2);
+        power += expected * expected;
+    }
+    fmt::print("gabor_noise_filtered: {:.4f} of the noise's deviation off, of {:.2f} left\n",
+               std::sqrt(error / count), std::sqrt(power / count));
+    CHECK(power > 0.1 * count);
+    CHECK(std::sqrt(error / count) < 0.015);
+}

@@ -1,0 +1,60 @@
+#include "translation.hpp"
+
+#include <cmath>
+#include <cstring>
+
+// A namespace for each number of taps, with its own vectors and functions.
+#define GABOR_TAPS 2
+namespace taps_2 {
+#include "gabor_lattice.hpp"
+}
+#undef GABOR_LATTICE_HPP
+#undef GABOR_VECTORS_HPP
+#undef GABOR_TAPS
+#define GABOR_TAPS 4
+namespace taps_4 {
+#include "gabor_lattice.hpp"
+}
+#undef GABOR_LATTICE_HPP
+#undef GABOR_VECTORS_HPP
+#undef GABOR_TAPS
+namespace taps_3 {
+#include "gabor_lattice.hpp"
+#include "gabor_spectrum.hpp"
+} // namespace taps_3
+
+namespace gabor::test {
+
+// Compiled once for each namespace.
+#define VALUES_OF(taps)                                                                                      \
+    [[gnu::noinline]] Values values_##taps(const Arguments& a) {                                             \
+        using namespace taps_##taps;                                                                         \
+        const auto gradient = gabor_noise_gradient({a.x, a.y}, a.frequency, a.orientation, a.seed);          \
+        const auto stripes = gabor_stripes({a.x, a.y}, {a.wave_x, a.wave_y}, 2.0f, a.seed);                  \
+        return {{gradient.x, gradient.y, gradient.z},                                                        \
+                {stripes.x, stripes.y, stripes.z},                                                           \
+                gabor_noise_at({a.column, a.row}, {a.local_x, a.local_y},                                    \
+                               gabor_kernel(a.frequency, a.orientation), a.seed),                            \
+                gabor_noise_tiled({a.x, a.y}, {a.period_x, a.period_y}, a.frequency, a.orientation, a.seed), \
+                gabor_noise_animated({a.x, a.y}, a.time, a.frequency, a.orientation, a.seed)};               \
+    }
+VALUES_OF(2)
+VALUES_OF(3)
+VALUES_OF(4)
+
+Values values(int taps, const Arguments& a) {
+    return taps == 2 ? values_2(a) : taps == 3 ? values_3(a) : values_4(a);
+}
+
+Filtered filtered(const Arguments& a, const Pixel& pixel) {
+    using namespace taps_3;
+    const gabor_vec2 dx(pixel.dx[0], pixel.dx[1]);
+    const gabor_vec2 dy(pixel.dy[0], pixel.dy[1]);
+    const GaborFootprint footprint = gabor_footprint(dx, dy);
+    const gabor_vec4 noise =
+        gabor_noise_filtered_gradient({a.x, a.y}, dx, dy, a.frequency, a.orientation, a.seed);
+    return {{std::sqrt(footprint.resolved.x), std::sqrt(footprint.resolved.y)},
+            {noise.x, noise.y, noise.z, noise.w}};
+}
+
+} // namespace gabor::test
