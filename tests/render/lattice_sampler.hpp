@@ -9,7 +9,7 @@
 
 namespace gabor::test {
 
-/// As in passes/sample_lattice.glsl.
+/// Same layout as in passes/sample_lattice.glsl.
 struct LatticeSample {
     std::int32_t cell[2];
     float local[2];

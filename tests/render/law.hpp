@@ -1,6 +1,6 @@
 #pragma once
 
-// The law of a noise over independent instances, against the normal one.
+// Compares a noise's distribution over independent instances with the normal law.
 
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
@@ -16,13 +16,13 @@
 
 namespace gabor::test {
 
-/// How many samples each figure has: what GABOR_LAW_SAMPLES says, 2^21 without it.
+/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set.
 inline double law_samples() {
     const char* text = std::getenv("GABOR_LAW_SAMPLES");
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// Random numbers against the normal law of mean 0 and a deviation that theory says.
+/// Checks random numbers against the normal law with mean 0 and the predicted deviation.
 class Figure {
   public:
     explicit Figure(double deviation = 1) : deviation_(deviation), gaussianity_(deviation) {}
@@ -51,7 +51,7 @@ class Figure {
     statistics::Gaussianity gaussianity_;
 };
 
-/// The offsets from a cell's corner of side^axes places in it, the first at the corner.
+/// Offsets of side^axes places in a cell from its corner; the first is the corner.
 inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::size_t axes) {
     std::vector<std::vector<float>> places{{}};
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -67,8 +67,8 @@ inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::siz
     return places;
 }
 
-/// Values where theory says that each has the normal law of mean 0 and variance 1: of each place of a cell,
-/// of each normal of a surface. As many of each.
+/// Equally many values for each place of a cell or each normal of a surface, all predicted to be standard
+/// normal.
 class Laws {
   public:
     /// `each` is described by fmt::format.
@@ -93,7 +93,7 @@ class Laws {
     void check(const std::string& title) const {
         const double n = static_cast<double>(moments_.front().count());
         const double count = static_cast<double>(laws_.size());
-        // Means and variances differ by chance alone: chi-square per degree of freedom.
+        // Means and variances differ only by chance: chi-square per degree of freedom.
         double means = 0, variances = 0, furthest = 0;
         statistics::Moments together, cvms;
         std::string worst;

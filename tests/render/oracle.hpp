@@ -18,12 +18,12 @@ inline std::string to_string(const noise::Place& p) {
                        p.time);
 }
 
-/// 1e-5 up to frequency 4, above in proportion to it: single precision carries no more of the phase.
+/// 1e-5 up to frequency 4, proportional to it above: single precision limits the phase.
 inline double tolerance(double frequency) {
     return 1e-5 * std::max(1.0, frequency / 4);
 }
 
-/// A derivative is as large as the wave turns.
+/// Derivatives scale with the frequency.
 inline double slope_tolerance(double frequency) {
     return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
 }

@@ -1,5 +1,4 @@
-// Any float at all that a parameter can be, and any cell of the world, edges and random bits; and what is
-// found broken.
+// Draws arguments over all floats and all cells, edge cases and random bits, and records broken promises.
 
 #pragma once
 
@@ -19,7 +18,7 @@ namespace gabor::test {
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr float world = 2147483520; ///< the last float below 2^31
 
-/// No noise of variance 1 made of so few impulses or nodes is as large as this.
+/// Larger than any noise of variance 1 from so few impulses or nodes.
 inline constexpr float largest_noise = 40;
 
 inline constexpr float edges[] = {0,
@@ -71,7 +70,7 @@ class AnyFloat {
   public:
     std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
 
-    /// Half of them edges of either sign, half any bits at all.
+    /// Half edge cases of either sign, half random bits.
     float any() {
         if (word() % 2)
             return std::bit_cast<float>(word());
@@ -79,7 +78,7 @@ class AnyFloat {
         return word() % 2 ? -edge : edge;
     }
 
-    /// Of those only what is within [-most, most], with infinity all but NaN.
+    /// Restricts them to [-most, most]; with infinity, excludes only NaN.
     float within(float most) {
         float value = any();
         while (!(std::abs(value) <= most))
@@ -95,7 +94,7 @@ class AnyFloat {
     std::mt19937 random_{11};
 };
 
-/// How often one function was not what it promises, and where first.
+/// Counts a function's broken promises and keeps the first place.
 struct Broken {
     std::string function;
     std::size_t times = 0;

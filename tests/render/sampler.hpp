@@ -27,13 +27,13 @@ void move_to(AnySample& sample, float local_x, float local_y) {
     sample.y = local_y / sample.place.radius_y;
 }
 
-/// Where the functions of a position evaluate: in cells, in single precision as they do.
+/// The place that functions of a position evaluate, in cells, rounded to single precision as they do.
 template <typename AnySample>
 noise::Place here(const AnySample& sample, const noise::Recipe& recipe) {
     return noise::place_at(recipe, 0, 0, sample.x * recipe.radius, sample.y * recipe.radius);
 }
 
-/// As in passes/sample.comp.
+/// Same layout as in passes/sample.comp.
 struct Sample {
     noise::Place place;
     float frequency;
@@ -68,16 +68,15 @@ struct Answer {
     std::uint32_t padding;
 };
 
-/// All the answers, or some of which millions are wanted: as in passes/sample.comp, which has no `four`, and
-/// passes/sample_lattice.glsl.
+/// All answers, or a few of which millions are needed: same values as in passes/sample.comp, which has no
+/// `four`, and in passes/sample_lattice.glsl.
 enum class Wanted : std::int32_t { all, at, moving, four };
 
-/// Asks the drop-in on the device through one of the passes above, up to `capacity` samples at a time.
+/// Evaluates the drop-in on the device through one of these passes, up to `capacity` samples at a time.
 template <typename Sample, typename Answer>
 class Probe {
   public:
-    /// `constants`: the specialization constants of the pass, but for the last one, which says what is
-    /// wanted.
+    /// `constants`: the pass's specialization constants except the last, which selects the answers.
     Probe(const vulkan::Device& device, std::size_t capacity, std::span<const std::uint32_t> spirv,
           std::span<const std::uint32_t> constants)
         : device_(device), spirv_(spirv), constants_(constants.begin(), constants.end()),
@@ -104,7 +103,7 @@ class Probe {
         vulkan::Job job;
     };
 
-    // A pipeline for each: drivers on CPUs evaluate both sides of a branch.
+    // One pipeline per selection, because CPU drivers evaluate both sides of a branch.
     vulkan::Job& job_for(Wanted wanted) {
         auto at = pipelines_.find(wanted);
         if (at == pipelines_.end()) {

@@ -9,7 +9,7 @@
 
 namespace gabor::test {
 
-/// As in passes/sample_lattice_3d.comp.
+/// Same layout as in passes/sample_lattice_3d.comp.
 struct LatticeSample3d {
     noise::Lattice3d::Place place;
     float frequency = 2;
@@ -33,7 +33,7 @@ struct LatticeAnswer3d {
     float value[9]; ///< of a field by place its value, its slopes and the variance removed
 };
 
-/// As in passes/sample_lattice_3d.comp: the functions by place and of a position.
+/// The functions by place and by position, numbered as in passes/sample_lattice_3d.comp.
 enum class Entry3d : std::int32_t {
     field,
     isotropic,
@@ -51,7 +51,7 @@ enum class Entry3d : std::int32_t {
     noise_surface_isotropic
 };
 
-/// The pass that asks it.
+/// The pass that evaluates it.
 std::span<const std::uint32_t> spirv_of(Entry3d entry);
 
 struct LatticeSampler3d : Probe<LatticeSample3d, LatticeAnswer3d> {

@@ -25,7 +25,7 @@ std::vector<float> rendered(const vulkan::Device& device, const render::Request&
     return pixels;
 }
 
-// The reference of any recipe, and its place x, y cells from the origin where cells are as axes say.
+// Evaluates the reference of any recipe at x, y cells from the origin, with the given axes.
 struct AnyReference {
     AnyReference(const noise::Recipe& recipe, const noise::Lobe& lobe, std::uint32_t seed)
         : recipe_(recipe), sparse_(noise::sparse_recipes().front(), lobe.frequency, lobe.angle(), seed),
@@ -69,12 +69,12 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
-        // A frequency, as high as the pixels carry, for each scale.
+        // For each scale a frequency as high as the pixels can show.
         for (const auto& [scale, frequency] :
              {std::pair(2.0, 0.9), std::pair(2.3, 0.001), std::pair(7.77, 2.0), std::pair(31.7, 4.0),
               std::pair(32.0, 0.1), std::pair(500.0, 64.0), std::pair(4096.0, 4.0),
               std::pair(4096.0, 1000.0)}) {
-            // The far corner of the largest picture, cut where it falls.
+            // The far corner of the largest picture.
             const render::Request request{.width = 65536,
                                           .height = 65536,
                                           .scale = scale,
@@ -90,8 +90,8 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                 for (int x = 0; x < region.width; ++x) {
                     const double px = (region.x + x + 0.5) / scale * recipe.radius;
                     const double py = (region.y + y + 0.5) / scale * recipe.radius;
-                    // In units of what single precision carries of the phase, and of the difference of a low
-                    // sine from 0, which its amplitude makes large again.
+                    // In units of the phase's rounding in single precision, and of a low sine's small values,
+                    // which normalization amplifies.
                     const double tolerance =
                         1.5e-5 * std::max({1.0, frequency / 4, recipe.phases == 2 ? 0.1 / frequency : 0});
                     largest.see(pixels[static_cast<std::size_t>(y * region.width + x)],

@@ -1,4 +1,4 @@
-// The filter in space, on the device, against quadrature of the double-precision reference.
+// Compares the filter in space on the device with quadrature of the double-precision reference.
 
 #include "reference/lattice.hpp"
 #include "sampler_lattice_3d.hpp"
@@ -34,8 +34,8 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// A pixel that faces `normal`, turned by an angle around it, of this deviation along one side and of `ratio`
-// times that along the other.
+// Returns a pixel facing `normal`, turned by an angle around it, with the given deviation along one side and
+// `ratio` times that along the other.
 void set_footprint(LatticeSample3d& sample, const Vector& normal, double angle, double deviation,
                    double ratio) {
     const Vector aside = cross(normal, std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0});
@@ -49,7 +49,7 @@ void set_footprint(LatticeSample3d& sample, const Vector& normal, double angle, 
     }
 }
 
-// Around an axis of length 1, by Rodrigues' formula.
+// Rotates around a unit axis (Rodrigues' formula).
 std::array<float, 3> rotated(const std::array<float, 3>& v, const Vector& axis, double angle) {
     const Vector aside = cross(axis, test::wide(v));
     const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
@@ -76,7 +76,7 @@ Lattice3d reference_of(const LatticeSample3d& sample) {
     return Lattice3d(scaled(sample.frequency, test::unit(sample.direction)), sample.seed);
 }
 
-// Errors in units of the unfiltered noise's deviation, and of its gradient's.
+// Errors relative to the deviations of the unfiltered noise and gradient.
 class Error {
   public:
     void see(const LatticeAnswer3d& answer, const LatticeSample3d& sample) {
@@ -262,7 +262,7 @@ TEST_CASE("functions of a position, sums and animations in space are filtered as
     });
 }
 
-// As of the filter in the plane, see test_spectrum.cpp.
+// Same method as for the filter in the plane, see test_spectrum.cpp.
 TEST_CASE("the noise filtered in space has no jumps in place, in size or in rotation of the footprint",
           "[filter]") {
     const vulkan::Device device;
@@ -289,7 +289,7 @@ TEST_CASE("the noise filtered in space has no jumps in place, in size or in rota
             if (path % 3 == 0) { // 1.5 kernel radii
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     here.p[axis] += static_cast<float>(1.5 * t * direction[axis]);
-            } else if (path % 3 == 1) { // all paths together, all sizes from 1/256 to 2
+            } else if (path % 3 == 1) { // together, the paths cover all sizes from 1/256 to 2
                 set_footprint(here, normal, angle, std::exp2(-8 + 9 * (path / 3 + t) / 20), ratio);
             } else {
                 here.dx = rotated(here.dx, direction, pi * t);

@@ -1,4 +1,4 @@
-// The law of the noise over independent instances: one value at a random place of each.
+// The distribution of the noise: one value at a random place of each of many independent instances.
 
 #include "sampler.hpp"
 #include "statistics/gaussianity.hpp"
@@ -61,9 +61,9 @@ TEST_CASE("Gaussianity of the recipes", "[instances]") {
         const char* recipe;
         double cvm;
     };
-    // `one`, `pure`: from the characteristic function by quadrature. `paper`: of the exact excess kurtosis
-    // -0.0325 (Campbell's theorem less what the stratification takes, by quadrature), 2^18 (kurtosis / 24)^2
-    // 0.1429.
+    // `one`, `pure`: from the characteristic function by quadrature. `paper`: 2^18 (kurtosis / 24)^2 0.1429
+    // with the exact excess kurtosis -0.0325 (Campbell's theorem with the effect of stratification, by
+    // quadrature).
     for (const auto& [name, expected] :
          {Expected{"one", 0.01}, Expected{"pure", 0.007}, Expected{"paper", 0.07}}) {
         const Law law = measure(device, noise::find_recipe(name), 4, 0.3f, 16);
@@ -101,7 +101,8 @@ TEST_CASE("mean 0 and variance 1 with periods, in time, and of the quadrature", 
                 }
             }
             std::vector<statistics::Moments> all{tiled, animated};
-            if (recipe.phases > 2 || frequency > 1.5f) // a sine's quadrature is larger than the sine
+            if (recipe.phases > 2 ||
+                frequency > 1.5f) // at low frequency a sine's quadrature exceeds the sine
                 all.push_back(quadrature);
             for (const statistics::Moments& moments : all) {
                 INFO(recipe.name << ", frequency " << frequency);

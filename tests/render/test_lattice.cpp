@@ -1,4 +1,4 @@
-// Every function of the lattice noise, on the device, against the double-precision reference.
+// Compares every function of the lattice noise on the device with the double-precision reference.
 
 #include "lattice_sampler.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// Near the origin, in all quadrants up to 10^5 nodes, or in any cell up to 2^31; one coordinate in four on a
-// border between cells, where a window ends, or next to it.
+// Draws places near the origin, in all quadrants up to 10^5 nodes, or in any cell up to 2^31. One coordinate
+// in four is on or next to a cell border, where a window ends.
 LatticeSample draw_sample(Draw& draw, int taps) {
     const float radius = 0.5f * static_cast<float>(taps);
     LatticeSample s{};
@@ -47,7 +47,7 @@ LatticeSample draw_sample(Draw& draw, int taps) {
     return s;
 }
 
-// 1.5e-5 for a frequency of 4 and an orientation of 2 radians, above in proportion to both, as rounding is.
+// 1.5e-5 at frequency 4 and orientation 2 radians; rounding grows in proportion to both.
 double tolerance(const LatticeSample& s) {
     return 1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
 }
@@ -56,7 +56,7 @@ double slope_tolerance(const LatticeSample& s) {
     return tolerance(s) * (2 * std::numbers::pi * s.frequency + 4);
 }
 
-// The place of a position, as the drop-in takes it: the product is rounded once.
+// Returns the place that the drop-in computes from a position: the product is rounded once.
 noise::LatticePlace place_at(const LatticeSample& s, int taps) {
     const float radius = 0.5f * static_cast<float>(taps);
     noise::LatticePlace place;
@@ -206,7 +206,7 @@ TEST_CASE("tiles of the lattice noise close, and time does", "[lattice]") {
         std::vector<LatticeSample> samples(per_batch / 2);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             LatticeSample s = draw_sample(draw, taps);
-            for (int axis = 0; axis < 2; ++axis) { // short numbers, whose sums are exact
+            for (int axis = 0; axis < 2; ++axis) { // few bits, so that sums are exact
                 s.tile[axis] = std::round(s.tile[axis] * 16) / 16 + 0.25f;
                 s.p[axis] = std::round(draw.uniform(-40, 40) * 1024) / 1024;
             }

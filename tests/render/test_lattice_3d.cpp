@@ -1,4 +1,4 @@
-// Every function of gabor_lattice_3d.glsl, on the device, against the double-precision reference.
+// Compares every function of gabor_lattice_3d.glsl on the device with the double-precision reference.
 
 #include "reference/lattice.hpp"
 #include "sampler_lattice_3d.hpp"
@@ -33,8 +33,8 @@ std::array<float, 3> vector(test::Draw& draw, float reach) {
     return {draw.uniform(-reach, reach), draw.uniform(-reach, reach), draw.uniform(-reach, reach)};
 }
 
-// In all octants up to 10^6, or in any cell; one coordinate in four on or next to where the nodes change, and
-// one in eight next to a node.
+// Draws places in all octants up to 10^6, or in any cell. One coordinate in four is on or next to a change of
+// nodes, one in eight next to a node.
 Lattice3d::Place draw_place(test::Draw& draw) {
     const float reach = std::exp2(draw.uniform(0, 20));
     Lattice3d::Place place;
@@ -53,7 +53,7 @@ Lattice3d::Place draw_place(test::Draw& draw) {
     return place;
 }
 
-// A position in all octants, and the place that the functions of a position see: p * 1.5 in single precision.
+// Draws a position in any octant, and the place its functions see: p * 1.5 in single precision.
 Lattice3d::Place draw_position(test::Draw& draw, std::array<float, 3>& p) {
     const float reach = std::exp2(draw.uniform(0, 18));
     p = vector(draw, reach);
@@ -63,7 +63,7 @@ Lattice3d::Place draw_position(test::Draw& draw, std::array<float, 3>& p) {
     return place;
 }
 
-// Waves turn by up to 2 pi F per radius, and the shader's phases are single precision.
+// Waves turn by up to 2 pi F per radius, in single precision.
 double tolerance(double frequency) {
     return 2e-5 * std::max(1.0, frequency / 4);
 }
@@ -74,7 +74,7 @@ double slope_tolerance(double frequency) {
 
 enum class Period { none, any };
 
-// Samples anywhere, at a frequency; `here` is the place of each position.
+// Draws samples at a frequency; `here` receives the place of each position.
 struct Samples {
     std::vector<LatticeSample3d> all;
     std::vector<Lattice3d::Place> here;
@@ -85,7 +85,7 @@ struct Samples {
             here.push_back(draw_position(draw, sample.p));
             sample.seed = draw.word();
             sample.place.time = here.back().time = draw.uniform(-2, 2);
-            if (draw.word() % 4 == 0) // near where the projection to a tangent plane ends
+            if (draw.word() % 4 == 0) // near the limit of the projection to the tangent plane
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     sample.direction[axis] = sample.normal[axis] + draw.uniform(-0.3f, 0.3f);
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,10 +103,10 @@ struct Samples {
 // Values and their tolerances, in the order of an answer.
 using Numbers = std::vector<std::array<double, 2>>;
 
-// Of a field by place.
+// For a field by place.
 Numbers numbers_of(const Lattice3d::Field& field, const LatticeSample3d& sample, double looser = 1) {
     const double tight = looser * tolerance(sample.frequency);
-    // Where a node's window ends its slope's derivative jumps by pi^2 / 2, as far off as `local` rounds.
+    // Where a window ends, the derivative of its slope jumps by pi^2 / 2 within the rounding of `local`.
     double loose = looser * slope_tolerance(sample.frequency);
     for (const float local : sample.place.local)
         loose = std::max(loose, 5 * 0x1p-23 * std::abs(double{local}));
@@ -196,8 +196,7 @@ TEST_CASE("noise on the lattice in space agrees with the reference", "[oracle]")
           });
     check("gabor_noise_3d_tiled", Entry3d::tiled, false, Period::none,
           [&](const LatticeSample3d& sample, const Lattice3d::Place&) {
-              // Where a float still holds it: p rounds on its way by 10^-6, and the wave turns by 2 pi F in a
-              // radius.
+              // Only where a float resolves it: p rounds by 10^-6, and the wave turns by 2 pi F per radius.
               Lattice3d::Place tile;
               for (std::size_t axis = 0; axis < 3; ++axis) {
                   const double period = sample.tile[axis];
@@ -225,7 +224,7 @@ TEST_CASE("sums of directions and surface noise on the lattice agree with the re
         for (int batch = 0; batch < 10; ++batch) {
             const float frequency = 0.2f * static_cast<float>(batch);
             const Samples samples(draw, few, frequency, Period::none);
-            // Of a direction near the normal a quarter of its length is left, at least; and it has turned.
+            // A direction near the normal keeps at least a quarter of its length, and it has turned.
             const double looser = 5;
             const auto sum_of = [&](const LatticeSample3d& sample, const Lattice3d::Place& at) {
                 Lattice3d::Field sum{};
@@ -296,7 +295,7 @@ TEST_CASE("the gradient on the lattice is what differences of the reference say"
         const Lattice3d reference({draw.uniform(-3, 3), draw.uniform(-3, 3), draw.uniform(-3, 3)},
                                   draw.word());
         Lattice3d::Place place;
-        for (float& coordinate : place.local) // a float holds them, and those next to them
+        for (float& coordinate : place.local) // exact in a float, like their neighbours
             coordinate = std::floor(draw.uniform(-8, 8) * 256) / 256;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             constexpr float h = 0x1p-12f;

@@ -1,4 +1,4 @@
-// The law of gabor_lattice_3d.glsl: over independent instances, GABOR_LAW_SAMPLES of them for a figure, and
+// The distribution of gabor_lattice_3d.glsl over independent instances (GABOR_LAW_SAMPLES per statistic), and
 // of its sums by their parts.
 
 #include "law.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 17;
 
-// Batches for a share of a figure's samples.
+// Returns the number of batches for a share of the samples.
 int batches(double share) {
     return static_cast<int>(std::ceil(share * test::law_samples() / per_batch));
 }
@@ -36,7 +36,7 @@ double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The sample in another instance.
+// Returns the sample in another instance.
 LatticeSample3d elsewhere(LatticeSample3d sample, test::Draw& draw) {
     sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
     sample.seed = draw.word();
@@ -93,7 +93,7 @@ TEST_CASE("noise on the lattice in space has its law at each of 4 x 4 x 4 places
 
 namespace {
 
-// A sum of numbers of the answers to a group of samples, the first nine those of the first.
+// A sum of numbers from the answers to a group of samples; the first nine belong to the first sample.
 struct Combination {
     std::string name;
     struct Term {
@@ -104,7 +104,7 @@ struct Combination {
     double deviation; // that theory predicts
 };
 
-// The laws of combinations over instances of a sample; `group_of` makes an array of samples of each.
+// Tests the distributions of combinations over instances; `group_of` makes a group of samples from each.
 template <typename GroupOf>
 void check(LatticeSampler3d& sampler, const LatticeSample3d& one, const GroupOf& group_of, double share,
            const std::vector<Combination>& combinations) {
@@ -130,7 +130,7 @@ void check(LatticeSampler3d& sampler, const LatticeSample3d& one, const GroupOf&
         figures[k].check(combinations[k].name);
 }
 
-// Both parts of the noise, those of its gradient, and sums of them: jointly normal.
+// Both parts of the noise, both of its gradient, and sums of them are jointly normal.
 // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance pi^2 / 3 + (2 pi
 // F)^2.
 std::vector<Combination> of_field(const LatticeSample3d& sample) {
@@ -153,7 +153,7 @@ std::vector<Combination> of_field(const LatticeSample3d& sample) {
             {"quadrature + d/dx", {{0, 1}, {3, 1 / slope(0)}}, mixed}};
 }
 
-// The covariance of two places along the lattice's axes, from the windows: of the nodes that reach both.
+// Covariance of two places along the lattice's axes, from the windows of the nodes that reach both.
 double covariance(const LatticeSample3d& sample, const std::array<float, 3>& lag) {
     double product = 1;
     double turns = 0;
@@ -227,7 +227,7 @@ TEST_CASE("surface noise on the lattice has its law for every normal", "[law]") 
                 LatticeSample3d sample = at({draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
                 sample.normal = normals[i % normals.size()];
                 sample.direction = narrow(random_unit(draw));
-                // Every other direction near the normal, where another one takes over.
+                // Every other direction is near the normal, where another one takes over.
                 for (std::size_t axis = 0; i / normals.size() % 2 && axis < 3; ++axis)
                     sample.direction[axis] = sample.normal[axis] + 0.45f * sample.direction[axis];
                 sampler.samples()[i] = elsewhere(sample, draw);
@@ -249,7 +249,7 @@ TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance
     for (int i = 0; i < 20000; ++i) {
         const Vector normal = random_unit(draw);
         Vector direction = random_unit(draw);
-        if (i % 4 == 0) { // near the normal, and the normal itself
+        if (i % 4 == 0) { // near and along the normal
             for (std::size_t axis = 0; axis < 3; ++axis)
                 direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
             const double length = std::sqrt(dot(direction, direction));
@@ -275,11 +275,11 @@ TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance
     CHECK(longest < 1 + 1e-9);
 }
 
-// The power of Hann's window as a lobe falls off as a normal law with a deviation of 1/sqrt(12) cycles would.
+// The lobe of Hann's window falls off like a normal law with deviation 1/sqrt(12) cycles.
 TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
     test::Draw draw(34);
     for (const double frequency : {0.5, 1.0, 1.5, 2.0, 2.9, 4.0, 5.1}) {
-        // On the surface: the power by angle, from the lobes' parts across the angle.
+        // On surfaces: power by angle, from the components of the lobes across the angle.
         test::Largest angular, moments;
         for (int i = 0; i < 50; ++i) {
             const Vector normal = random_unit(draw);
@@ -305,7 +305,7 @@ TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
             for (std::size_t k = 0; k < powers.size(); ++k)
                 angular.see(powers[k] / mean, 1, 0.08, [&] { return fmt::format("{} degrees", 2 * k); });
         }
-        // In space: the second moments of the directions are those of the sphere.
+        // In space: the directions have the second moments of the sphere.
         for (std::size_t a = 0; a < 3; ++a) {
             for (std::size_t b = 0; b < 3; ++b) {
                 double moment = 0;

@@ -1,5 +1,5 @@
-// The law of the lattice noise on the device: normal at places and together, over independent instances.
-// GABOR_LAW_SAMPLES says how many samples each figure has.
+// The distribution of the lattice noise on the device over independent instances: normal at each place and
+// jointly. GABOR_LAW_SAMPLES sets the number of samples per statistic.
 
 #include "lattice_sampler.hpp"
 #include "law.hpp"
@@ -35,8 +35,8 @@ float uniform(std::mt19937& random) {
     return static_cast<float>(random() >> 8) * 0x1p-24f;
 }
 
-// The mean over places of the sum along an axis of h(x - x_i) h(x + lag - x_i), over that without a lag: lag
-// in kernel radii.
+// Mean over places of sum_i h(x - x_i) h(x + lag - x_i) along an axis, relative to lag 0. Lag in kernel
+// radii.
 double window_correlation(int taps, double lag) {
     constexpr int steps = 1000;
     double with_lag = 0, without = 0;

@@ -1,7 +1,6 @@
-// Whether the lattice shows in power spectra. The noise is stationary in its mean, and where it is normal
-// with variance 1 at every place, so is every function of one value: E[f(n)] has no structure that repeats
-// from node to node, which would be a peak at the lattice's frequencies, whole numbers of cycles per node
-// spacing. GABOR_LAW_SAMPLES says how many pixels there are.
+// Checks that the lattice does not show in power spectra. If the noise is standard normal at every place,
+// E[f(n)] is the same everywhere for every f. Otherwise it repeats from node to node and makes peaks at whole
+// numbers of cycles per node spacing. GABOR_LAW_SAMPLES sets the number of pixels.
 
 #include "law.hpp"
 #include "render/parameters.hpp"
@@ -22,7 +21,7 @@ using namespace gabor;
 
 namespace {
 
-constexpr int pictures = 12; // of other nodes, and so independent
+constexpr int pictures = 12; // from other nodes, hence independent
 
 // The side of each, in pixels.
 int picture_side() {
@@ -33,11 +32,11 @@ int picture_side() {
 using statistics::NoiseLines;
 using Peaks = std::array<double, NoiseLines::count>;
 
-// Of 12 pictures: one of the six frequencies has that much in one case of 2500.
+// With 12 pictures, one of the six frequencies exceeds this by chance in one of 2500 runs.
 constexpr double beyond_chance = 2.5;
 
-// The largest peak at the lattice's frequencies of each function. `modulation`: of the noise's amplitude
-// along x, with one cycle per cell.
+// Largest peak of each function at the lattice's frequencies. `modulation`: of the amplitude along x, one
+// cycle per cell.
 Peaks peaks(const vulkan::Device& device, const char* recipe, double frequency, double modulation = 0) {
     const int side = picture_side();
     render::Request request;
@@ -87,13 +86,13 @@ TEST_CASE("the lattice does not show in power spectra", "[law]") {
                 CHECK(peak < beyond_chance);
             }
         }
-        // With two taps a node's own place has one amplitude alone, whose law is only nearly normal: it shows
-        // in the tails.
+        // With two taps a single amplitude determines the value at a node; its law is only nearly normal,
+        // which shows in the tails.
         const Peaks two = peaks(device, "lattice-2", frequency);
         CHECK(two[NoiseLines::value] < beyond_chance);
         CHECK(two[NoiseLines::square] < beyond_chance);
-        // The test sees what is there: the kurtosis of `one`, which depends on the place, and 2 % of the
-        // amplitude.
+        // The test detects the kurtosis of `one`, which depends on the place, and 2 % of amplitude
+        // modulation.
         const Peaks one = peaks(device, "one", frequency);
         for (const std::size_t f : {NoiseLines::magnitude, NoiseLines::fourth_power, NoiseLines::tails})
             CHECK(one[f] > 20);

@@ -1,5 +1,4 @@
-// The lattice's functions over every float that a parameter can be: what docs/gallery.md says of arguments
-// outside the ranges, on any driver.
+// Evaluates the lattice's functions over all floats, as docs/gallery.md promises for arguments out of range.
 
 #include "lattice_sampler.hpp"
 #include "range.hpp"
@@ -21,7 +20,7 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// Asks each number of taps for samples made by `make` and checks all answers.
+// Evaluates samples from `make` with each number of taps and checks all answers.
 template <typename Make>
 void check_finite(Make make) {
     const vulkan::Device device;
@@ -85,7 +84,7 @@ TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
         for (int axis = 0; axis < 2; ++axis) {
             s.tile[axis] = draw.within(test::infinity);
-            // As far as positions in nodes do not overflow: see docs/gallery.md.
+            // As long as positions in nodes do not overflow: see docs/gallery.md.
             s.p[axis] =
                 draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / (2 * nodes)));
         }
@@ -114,7 +113,7 @@ TEST_CASE("any float gives a finite noise in space", "[range]") {
                 s.dy = drawn(test::infinity);
             } else if (i % 4 == 2) {
                 s.tile = drawn(test::infinity);
-                for (std::size_t axis = 0; axis < 3; ++axis) // as far as periods do not overflow
+                for (std::size_t axis = 0; axis < 3; ++axis) // as long as periods do not overflow
                     s.p[axis] =
                         draw.within(std::min(7e8f * std::max(s.tile[axis], 1.0f / 1024), test::world / 3));
             } else {

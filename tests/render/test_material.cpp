@@ -1,4 +1,4 @@
-// Pictures of materials: what a pixel's filter shows of each against the average of many sharp samples.
+// Compares each material's filtered form with the average of many sharp samples.
 
 #include "error.hpp"
 #include "render/load.hpp"
@@ -27,7 +27,7 @@ class Drawing {
         : device_(device), request_{.seed = 7, .material = std::string(material), .filter = filter},
           pass_(render::Material::make_pass(device, request_)) {}
 
-    // A square picture with `side` pixels that show `units` of it.
+    // Draws a square of `units` with `side` pixels.
     std::vector<float> operator()(int side, double units) const {
         Request request = request_;
         request.width = request.height = side;
@@ -47,7 +47,7 @@ class Drawing {
     std::shared_ptr<const vulkan::Pass> pass_;
 };
 
-// One channel of a picture blurred by a normal filter of half a pixel, for pixels `block` times as large.
+// Blurs one channel with a normal filter of half a pixel, for pixels `block` times as large.
 class Blurred {
   public:
     Blurred(const std::vector<float>& picture, int side, int block, std::size_t channel)
@@ -60,7 +60,7 @@ class Blurred {
                 rows_[at(x, y)] = weighted([&](int i) { return values[at(x + i, y)]; });
     }
 
-    // At the middle of large pixel (x, y), between samples.
+    // At the middle of large pixel (x, y).
     double operator()(int x, int y) const {
         const auto column = [&](int i) {
             return weighted([&](int j) { return rows_[at(i, y * block_ + block_ / 2 + j)]; });
@@ -104,7 +104,7 @@ double deviation_of(const std::vector<float>& picture, std::size_t channel) {
 
 void compare(const vulkan::Device& device, std::string_view material) {
     INFO(material);
-    // Pixels of 1/64 unit, each from 16 x 16 samples to a side.
+    // Pixels of 1/64 unit, each from 16 x 16 samples.
     constexpr int side = 256;
     constexpr int block = 16;
     constexpr int large = side / block;
@@ -120,7 +120,7 @@ void compare(const vulkan::Device& device, std::string_view material) {
                 REQUIRE((picture[i + k] >= 0 && picture[i + k] <= 1));
         }
 
-    // Far away: pixels of half a unit against sharp samples over as much, out of step with the weaves.
+    // Far away: pixels of half a unit against sharp samples over the same area, out of step with the weaves.
     constexpr double units = 15.7;
     const std::vector<float> samples = draw_sharp(side, units);
     const std::vector<float> far = draw_filtered(32, units);

@@ -1,4 +1,4 @@
-// Every function of the drop-in, on the device, against the double-precision reference.
+// Compares every function of the drop-in on the device with the double-precision reference.
 
 #include "oracle.hpp"
 #include "sampler.hpp"
@@ -35,7 +35,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
         Largest value, quadrature, slope, quadrature_slope, at, unorm, plain, plain_quadrature, plain_slope;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
-            // The frequencies cover 0.1 to 64 evenly in octaves, both ends and the series' end included.
+            // Frequencies from 0.1 to 64, evenly in octaves, with both ends and the end of the series.
             const float frequency =
                 batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
             const float orientation =
@@ -47,7 +47,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
             const auto answers = sampler.answers(per_batch);
             const double tight = tolerance(frequency);
             const double loose = slope_tolerance(frequency);
-            // Where the frequency is low a sine is small, and its quadrature larger by as much.
+            // At low frequency a sine is small and its quadrature correspondingly large.
             const double quadrature_tight = tight * (recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1);
             const double quadrature_loose = loose * quadrature_tight / tight;
             for (std::size_t i = 0; i < per_batch; ++i) {
@@ -105,13 +105,13 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
                 p.period_y = static_cast<std::int32_t>(2 + draw.word() % 5);
                 p.radius_x = recipe.radius * draw.uniform(0.5, 1);
                 p.radius_y = recipe.radius * draw.uniform(0.5, 1);
-                sample.period_x = draw.uniform(1, 20); // shorter than 2 is 2
+                sample.period_x = draw.uniform(1, 20); // clamped to 2
                 sample.period_y = draw.uniform(1, 3);
             }
             const noise::Reference reference(recipe, frequency, orientation, seed);
             const auto answers = sampler.answers(per_batch);
             const double tight =
-                2 * tolerance(frequency); // fewer cells per radius: fewer and so larger impulses
+                2 * tolerance(frequency); // fewer cells per radius give fewer, larger impulses
             for (std::size_t i = 0; i < per_batch; ++i) {
                 const test::Sample& sample = sampler.samples()[i];
                 const noise::Reference::Field field = reference.field(sample.place);
@@ -121,8 +121,8 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
                 slope.see(answers[i].slope_y[1], field.slope_y.imag(), 2 * slope_tolerance(frequency),
                           sample);
 
-                // The functions of a position, where a float still holds it: it rounds on its way by 10^-6,
-                // and the wave turns by 2 pi F in a radius.
+                // Functions of a position, where a float resolves it: it rounds by 10^-6, and the wave turns
+                // by 2 pi F per radius.
                 const double rounded = 3e-5 * (1 + frequency);
                 const double x = sample.x;
                 const double y = sample.y;
@@ -158,7 +158,7 @@ TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         const noise::Reference reference(recipe, 3, 0.7, 9);
         for (int i = 0; i < 2000; ++i) {
-            // Places that a float holds, on and across the edges of cells and windows.
+            // Places exact in a float, on and across the edges of cells and windows.
             const auto coordinate = [&] { return std::floor(draw.uniform(-8, 8) * 256) / 256; };
             const float x = coordinate();
             const float y = coordinate();
@@ -244,7 +244,7 @@ TEST_CASE("painted frequency and orientation leave no seam", "[oracle]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);
         const std::span<test::Sample> samples = sampler.samples();
-        constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells, and their edges
+        constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells
         for (std::size_t i = 0; i < per_batch; ++i) {
             const double x = static_cast<double>(i) * step;
             samples[i] = {noise::place_at(recipe, 0, 0, static_cast<float>(x * recipe.radius), 0.37f),
@@ -252,7 +252,8 @@ TEST_CASE("painted frequency and orientation leave no seam", "[oracle]") {
         }
         const auto answers = sampler.answers(per_batch);
         Largest bend;
-        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would add its whole height.
+        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would exceed that by its
+        // height.
         const double bound = std::pow(2 * std::numbers::pi * 5 * step, 2) * 5;
         for (std::size_t i = 1; i + 1 < per_batch; ++i)
             bend.see(double{answers[i - 1].at} + answers[i + 1].at, 2 * double{answers[i].at}, bound,

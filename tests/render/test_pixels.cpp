@@ -1,4 +1,4 @@
-// Whole blocks and single pixels are two ways to the same picture: passes/bake.comp and passes/pixels.comp.
+// passes/bake.comp, block by block, and passes/pixels.comp, pixel by pixel, draw the same picture.
 
 #include "largest.hpp"
 #include "render/bake.hpp"
@@ -26,13 +26,13 @@ std::vector<float> filled(const vulkan::Device& device, const render::RegionRend
     return values;
 }
 
-// The same with its phasor, which only single pixels have.
+// The request with its phasor, which only passes/pixels.comp draws.
 render::Request with_phasor(render::Request request) {
     request.phasor = true;
     return request;
 }
 
-// Compares a region, and the phasor of its pixels with their values. `pass`: of the request with its phasor.
+// Compares a region, and its phasor with its values. `pass`: for the request with its phasor.
 void check_blocks_are_pixels(const vulkan::Device& device, const render::Request& request,
                              const image::Window& region, std::shared_ptr<const vulkan::Pass> pass) {
     render::check(request);

@@ -1,5 +1,5 @@
-// Every function of the drop-in over every float that a parameter can be, and over the whole world of cells:
-// what the drop-in promises to be finite is, on any driver.
+// Evaluates every function of the drop-in over all floats and all cells: what it promises to be finite is
+// finite.
 
 #include "range.hpp"
 #include "sampler.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t per_batch = 1 << 14;
 
-// Asks for samples made by `make` and checks all answers.
+// Evaluates samples from `make` and checks all answers.
 template <typename Make>
 void check_finite(const noise::Recipe& recipe, Make make) {
     const vulkan::Device device;
@@ -37,8 +37,8 @@ void check_finite(const noise::Recipe& recipe, Make make) {
         for (std::size_t i = 0; i < per_batch; ++i) {
             const test::Sample& sample = sampler.samples()[i];
             const test::Answer& a = answers[i];
-            // A slope is as large as the wave turns, 10^6 times at most. What is not the noise itself is only
-            // promised to be finite: with sines for a kernel its quadrature grows where the frequency falls.
+            // Slopes are at most 10^6 times the noise. Other results are only promised to be finite: the
+            // quadrature of a sine kernel grows as the frequency falls.
             const float any = std::numeric_limits<float>::max();
             broken[0].see({&a.value[1], 1}, test::largest_noise, sample);
             broken[1].see(a.value, any, sample);

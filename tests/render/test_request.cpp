@@ -13,7 +13,7 @@ using render::Value;
 
 namespace {
 
-// Another value than by default, within the range.
+// A value within the range that is not the default.
 Value another(const Parameter& parameter, const Value& value) {
     switch (parameter.kind) {
     case Parameter::Kind::flag:
@@ -67,10 +67,10 @@ TEST_CASE("every parameter survives JSON and text exactly, and makes another req
                 CHECK(by_text == changed);
                 try {
                     render::check(changed);
-                } catch (const RequestError&) { // excluded beside what it began with
+                } catch (const RequestError&) { // conflicts with the initial request
                     continue;
                 }
-                Request drawn = changed; // as what it is drawn with
+                Request drawn = changed; // normalized to what draws it
                 drawn.recipe = render::drawing_recipe(changed);
                 CHECK(render::from_json(render::to_json(changed)) == drawn);
                 ++seen[parameter.name];
@@ -85,7 +85,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and makes another req
 }
 
 TEST_CASE("files of earlier versions load", "[request]") {
-    // Every value whatever the view, and lobes beside the values of one.
+    // Every value in every view, and lobes beside the values of one lobe.
     const Request plain = render::from_json(
         R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
             "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
@@ -191,7 +191,7 @@ TEST_CASE("a request has what its view and lobes have", "[request]") {
     CHECK(render::is_set(request, "lobes"));
     CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("2, each with its own"));
 
-    // A body keeps its pose as it changes its shape.
+    // A body keeps its pose when its shape changes.
     Request body = of_view("sphere");
     render::set_text(body, "yaw", "30");
     render::set_text(body, "view", "torus");

@@ -41,7 +41,7 @@ std::vector<float> rendered(const vulkan::Device& device, const Request& request
     return pixels;
 }
 
-// Where a pixel is, for messages.
+// Formats a pixel's position for messages.
 auto pixel_name(auto x, auto y) {
     return [=] { return fmt::format("pixel {}, {}", x, y); };
 }
@@ -62,7 +62,7 @@ Vector3 scaled(double s, const Vector3& v) {
 struct Camera {
     explicit Camera(const Request& of) : request(of), body(std::get<Body>(of.view)) {}
 
-    // By the angles of the eye around the axis and above the equator.
+    // From the eye's angles around the axis and above the equator.
     Vector3 turned(const Vector3& right_forward_up) const {
         const auto& [x, y, z] = right_forward_up;
         const double yaw = noise::radians(body.yaw);
@@ -86,7 +86,7 @@ struct Camera {
         return along(plane, -0.25, eye());
     }
 
-    // Implicit function of the body: 0 on it, and its gradient.
+    // Implicit function of the body, 0 on its surface, and its gradient.
     double value(const Vector3& p) const {
         if (body.shape == Shape::sphere)
             return dot(p, p) - 1;
@@ -102,8 +102,7 @@ struct Camera {
         return scaled(1 / std::sqrt(dot(gradient, gradient)), gradient);
     }
 
-    // The first zero along a ray: by steps too small to miss more than the thinnest of grazes, then
-    // bisection.
+    // First zero along a ray: small steps, which miss only the thinnest grazes, then bisection.
     std::optional<Vector3> hit(const Vector3& ray) const {
         double t = 2.9;
         for (; t < 5.5 && value(along(eye(), t, ray)) > 0; t += 0.005) {
@@ -118,7 +117,7 @@ struct Camera {
         return along(eye(), t, ray);
     }
 
-    // Where the ray meets the plane that touches the body.
+    // Intersection of the ray with the tangent plane.
     static Vector3 meet(const Vector3& from, const Vector3& ray, const Vector3& p, const Vector3& normal) {
         return along(from, dot(along(p, -1, from), normal) / dot(ray, normal), ray);
     }
@@ -127,7 +126,7 @@ struct Camera {
     Body body;
 };
 
-// The noise at p on a surface, or in space, and how much it changes where p is off by a kernel radius.
+// The noise at p on a surface or in space, and its sensitivity to an error of p, per kernel radius.
 struct Expected {
     double value;
     double slope;
@@ -165,7 +164,7 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     return {value, std::sqrt(dot(slope, slope))};
 }
 
-// By which a filtered pixel may differ from quadrature: see test_filter_3d.cpp.
+// Largest difference of a filtered pixel from quadrature: see test_filter_3d.cpp.
 constexpr double filter_error = 0.04;
 
 } // namespace
@@ -184,7 +183,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
                                   .filter = filtered};
             const auto pixels = rendered(device, request, {0, 0, 150, 70}, 70);
             test::Largest largest;
-            for (int y = 0; y < request.height; y += filtered ? 9 : 1) { // for quadrature takes its time
+            for (int y = 0; y < request.height; y += filtered ? 9 : 1) { // quadrature is slow
                 for (int x = 0; x < request.width; x += filtered ? 7 : 1) {
                     const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
                     const Vector3 p{(x + 0.5) / request.scale, (y + 0.5) / request.scale, 7.3};
@@ -202,7 +201,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
 
 TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
     const vulkan::Device device;
-    // From where gabor render looks by default, and from another place at another time.
+    // The default camera of gabor render, and another one at another time.
     const Body turned{.yaw = -70, .pitch = -55, .zoom = 1.4};
     for (const Body& pose : {Body(), turned})
         for (const Shape shape : {Shape::sphere, Shape::torus}) {
@@ -224,7 +223,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                 const double unit = render::sphere_radius(request);
                 test::Largest largest;
                 int compared = 0;
-                const int stride = request.filter ? 21 : 2; // for quadrature takes its time
+                const int stride = request.filter ? 21 : 2; // quadrature is slow
                 for (int y = 0; y < request.height; y += stride) {
                     for (int x = 0; x < request.width; x += stride) {
                         const std::size_t at = 2 * static_cast<std::size_t>(y * request.width + x);
@@ -233,8 +232,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                         const auto p = camera.hit(ray);
                         const Vector3 normal = p ? camera.normal(*p) : Vector3{};
                         const double facing = p ? -dot(normal, ray) / std::sqrt(dot(ray, ray)) : 0;
-                        if (facing <
-                            (request.filter ? 0.25 : 0.1)) // where grazing rays end is for coverage to blur
+                        if (facing < (request.filter ? 0.25 : 0.1)) // coverage blurs grazing rays
                             continue;
                         REQUIRE(pixels[at + 1] > 0);
                         Vector3 dx{};
@@ -250,8 +248,8 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                             dy = moved(0, step);
                         }
                         const Expected here = expected(request, normal, scaled(unit, *p), dx, dy);
-                        // Places are off by 10^-6 of the unit, more where rays graze; and along the surface
-                        // waves turn with the normal by four times as much, at most.
+                        // Places are off by 10^-6 of the unit, more at grazing angles; on the surface waves
+                        // turn with the normal by at most four times as much.
                         const double turning = solid || spread > 0 ? 1 : 4;
                         const double tolerance = (request.filter ? filter_error : 1e-5) +
                                                  5e-7 * turning * unit * (here.slope + 20) / facing;
@@ -276,7 +274,7 @@ TEST_CASE("coverage is the share of a body's area, and what is not covered is 0"
         if (pixels[i + 1] == 0)
             REQUIRE(pixels[i] == 0);
     }
-    // The sphere's outline is a circle that leaves 1/20 of the shorter side's half.
+    // The sphere's outline leaves a margin of 1/20 of half the shorter side.
     const double radius = 100 / 1.05;
     CHECK(area == Approx(3.14159265 * radius * radius).epsilon(1e-3));
 }

@@ -1,4 +1,5 @@
-// gabor_spectrum.glsl on the device: lobes, spreads and the filter, against the double-precision reference.
+// Compares lobes, spreads and the filter of gabor_spectrum.glsl on the device with the double-precision
+// reference.
 
 #include "oracle.hpp"
 #include "range.hpp"
@@ -101,7 +102,7 @@ noise::Spectrum one_wave(const Sample& s) {
     return noise::Spectrum({{s.frequency, s.orientation, 1, 1, s.seed}});
 }
 
-// A footprint of standard deviations `deviation` and `ratio` times it, its longer axis at an angle.
+// Makes a footprint with standard deviations `deviation` and `ratio` times that, its longer axis at an angle.
 void set_footprint(Sample& sample, double deviation, double ratio, double angle) {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
@@ -167,7 +168,7 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
 
 namespace {
 
-// Footprints of all kinds, round, thin, diagonal and degenerate, with deviations from 1/256 to 2^largest.
+// Draws round, thin, diagonal and degenerate footprints with deviations from 1/256 to 2^largest.
 void draw_footprint(Sample& s, Draw& draw, float largest) {
     const double deviation = std::exp2(draw.uniform(-8, largest));
     const double ratio = draw.word() % 3 == 0 ? 0 : std::exp2(draw.uniform(-6, 0));
@@ -203,7 +204,7 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         for (int k = 0; k < 2; ++k) {
             s.local[k] = draw.uniform(0, 1);
             s.period[k] = draw.word() % 2 ? draw.uniform(3, 12) : 0;
-            // Far cells are exact within a period, and without one where there is one kernel radius.
+            // Far cells are exact with a period, and without one if all lobes have the same kernel radius.
             const bool far = draw.word() % 2;
             s.cell[k] = far ? static_cast<std::int32_t>(draw.word() & 0x7fffff00u)
                             : static_cast<int>(draw.word() % 16);
@@ -260,7 +261,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
         s.orientation = draw.uniform(-3, 3);
         s.seed = draw.word();
         draw_footprint(s, draw, -1);
-        for (SampleLobe& lobe : s.lobes) // of wide kernels, so that their filter is no larger
+        for (SampleLobe& lobe : s.lobes) // wide kernels keep their relative filter small
             lobe = {draw.uniform(0, 2), draw.uniform(-3, 3), draw.uniform(1, 2), draw.uniform(0, 1)};
     }
     struct Error {
@@ -269,7 +270,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
         Largest removed;
         double slope_squares = 0;
         double four_squares = 0;
-        // `variance`: of the unfiltered noise's gradient, along x and y together
+        // `variance`: of the unfiltered gradient, both components together
         noise::Spectrum::Field see(const float* answer, const float* gradient, double variance,
                                    const noise::Spectrum& exact, const Sample& s) {
             const noise::Spectrum::Vector dx{s.dx[0], s.dx[1]};
@@ -414,8 +415,8 @@ TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up t
     }
 }
 
-// Along a path the filtered noise changes between neighbours by about its slope times the step. Where paths
-// are as dense as the numbers that single precision has, what is left is rounding, or a jump.
+// Along a path the filtered noise changes by about its slope times the step. On paths as dense as single
+// precision allows, what remains is rounding, or a jump.
 TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of the footprint", "[filter]") {
     const vulkan::Device device;
     constexpr std::size_t steps = 1 << 14;
@@ -440,7 +441,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
             if (path % 3 == 0) { // 2 kernel radii
                 here.p[0] += static_cast<float>(2 * t * std::cos(direction));
                 here.p[1] += static_cast<float>(2 * t * std::sin(direction));
-            } else if (path % 3 == 1) { // all paths together, all sizes from 1/256 to 2
+            } else if (path % 3 == 1) { // together, the paths cover all sizes from 1/256 to 2
                 set_footprint(here, std::exp2(-8 + 9 * (path / 3 + t) / 30), ratio, direction);
             } else {
                 set_footprint(here, deviation, ratio, pi * t);
@@ -449,7 +450,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
         const auto answers = sampler.answers(steps, filtered_only);
         Largest& largest = path % 3 == 0 ? place : path % 3 == 1 ? size : rotation;
         for (std::size_t i = 2; i + 1 < steps; ++i) {
-            // From the slopes on both sides a smooth path's next value is known to second order.
+            // The slopes on both sides predict the next value of a smooth path to second order.
             const auto value = [&](std::size_t k) { return double{answers[k].filtered[0]}; };
             const double expected =
                 value(i - 1) + 0.5 * ((value(i - 1) - value(i - 2)) + (value(i + 1) - value(i)));
@@ -495,7 +496,7 @@ TEST_CASE("the removed variance is that of the formula", "[filter][oracle]") {
     removed.check("removed variance");
 }
 
-// Across a long thin footprint the exponent is a small difference of large products.
+// For a long thin footprint the exponent is a small difference of large products.
 TEST_CASE("the removed variance is a share for footprints of any length", "[filter]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 14;
@@ -575,8 +576,8 @@ TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law
     }
 }
 
-// The expected value of cos(2k (angle of the wave)) over a range of waves tells how even it is: 0 for
-// isotropic noise. The power of the gradient's two parts and of their product is its first harmonic.
+// E[cos(2k angle)] over the waves measures evenness and is 0 for isotropic noise. The power of the gradient's
+// components and their product is the first harmonic.
 TEST_CASE("isotropic noise: variance 1, both parts of the gradient alike, independent and normal", "[law]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 17;

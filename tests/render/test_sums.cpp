@@ -1,5 +1,5 @@
-// What `gabor render` makes of a spectrum, block by block and pixel by pixel: the sum of the noises of its
-// lobes, each the double-precision reference of its recipe.
+// Compares pictures of spectra, drawn block by block and pixel by pixel, with the sum of their lobes' noises,
+// each the double-precision reference of its recipe.
 
 #include "error.hpp"
 #include "largest.hpp"
@@ -37,8 +37,8 @@ std::vector<float> rendered(const vulkan::Device& device, const render::Request&
     return pixels;
 }
 
-// The noises of a request's lobes, in its kernel radii, from the rule that gabor_noise_lobes and
-// gabor_noise_spread state.
+// The noises of a request's lobes, in its kernel radii, by the rule documented at gabor_noise_lobes and
+// gabor_noise_spread.
 std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     std::vector<noise::SpectrumLobe> terms;
     for (std::size_t i = 0; i < request.lobes.size(); ++i) {
@@ -51,7 +51,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
             terms.push_back({lobe.frequency, angle, lobe.radius, lobe.power, seed});
             continue;
         }
-        // A spread is in units of the lobe's own kernel radius.
+        // A spread uses the lobe's own kernel radius as unit.
         for (noise::SpectrumLobe term :
              noise::spread_lobes(lobe.frequency * lobe.radius, angle, lobe.frequency_spread,
                                  noise::radians(lobe.orientation_spread), seed)) {
@@ -70,8 +70,8 @@ struct Field {
     std::complex<double> slope_y;
 };
 
-// One axis of a picture: nodes or cells per own kernel radius, how many in a period, and which one a place is
-// in.
+// One axis of a picture: nodes or cells per own kernel radius, their number in a period, and the one that
+// holds a place.
 struct Nodes {
     double per_radius;
     std::int32_t period = 0;
@@ -120,7 +120,7 @@ Field expected(const render::Request& request, const std::vector<noise::Spectrum
     return sum;
 }
 
-// Compares a region with the reference, in units of what single precision carries.
+// Compares a region with the reference, in units of single-precision rounding.
 void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
              const image::Window& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);
@@ -177,7 +177,7 @@ TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]")
             render::Request tile = request;
             tile.time = 0.3;
             tile.view = render::Plane{.tileable = true};
-            for (const bool phasor : {false, true}) { // which Bake cannot fill
+            for (const bool phasor : {false, true}) { // drawn pixel by pixel
                 for (render::Request* each : {&request, &far, &tile}) {
                     if (each != &tile && recipe != noise::recipes().front())
                         continue;
@@ -369,7 +369,7 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
         for (int y = horizon ? 20 : 1; y < 40; y += 6) {
             for (int x = 2; x < 40; x += 13) {
                 noise::Spectrum::Vector at{(x + 0.5) / 5, (y + 0.5) / 5}, dx{0.2, 0}, dy{0, 0.2};
-                if (horizon) { // a camera 20 pixels wide each way, over a horizon in row 10
+                if (horizon) { // 20 x 20 pixels with the horizon in row 10
                     const double rows = y + 0.5 - 10;
                     const double near = (40 - 0.5 - 10) / 5.0 / rows;
                     at = {near * (x + 0.5 - 20), -near * 40};
