@@ -1,0 +1,187 @@
+// The noises to compare with, each written plainly, as a competent author publishes it. p is in kernel radii; the waves of
+// all have `frequency` cycles per kernel radius. docs/benchmark.html times the same text in browsers.
+
+// ---- Words ----
+
+uint yardstick_word(ivec2 cell, uint seed) {
+    uint word = uint(cell.x) * 0x9e3779b1u ^ (uint(cell.y) * 0x85ebca6bu + seed);
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+// A multiplicative congruential generator: the next value in [0, 1).
+float yardstick_uniform(inout uint generator) {
+    generator *= 3039177861u;
+    return float(generator) / 4294967296.0;
+}
+
+uint yardstick_generator(ivec2 cell, uint seed) {
+    return yardstick_word(cell, seed) | 1u;
+}
+
+// ---- Perlin's ----
+
+// Dot product of the offset with one of eight gradients.
+float yardstick_slope(ivec2 corner, vec2 offset, uint seed) {
+    uint word = yardstick_word(corner, seed);
+    vec2 along = (word & 1u) == 0u ? offset : offset.yx;
+    float u = (word & 2u) == 0u ? along.x : -along.x;
+    float v = (word & 4u) == 0u ? along.y : -along.y;
+    return u + 0.5 * v;
+}
+
+// Perlin, "Improving noise", 2002, in two dimensions. Two cells for each wave.
+float perlin_noise(vec2 p, float frequency, uint seed) {
+    p *= 2.0 * frequency;
+    vec2 corner = floor(p);
+    ivec2 cell = ivec2(corner);
+    vec2 f = p - corner;
+    vec2 fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    float a = yardstick_slope(cell, f, seed);
+    float b = yardstick_slope(cell + ivec2(1, 0), f - vec2(1.0, 0.0), seed);
+    float c = yardstick_slope(cell + ivec2(0, 1), f - vec2(0.0, 1.0), seed);
+    float d = yardstick_slope(cell + ivec2(1, 1), f - vec2(1.0, 1.0), seed);
+    return mix(mix(a, b, fade.x), mix(c, d, fade.x), fade.y);
+}
+
+float yardstick_corner(ivec2 corner, vec2 offset, uint seed) {
+    float near = max(0.5 - dot(offset, offset), 0.0);
+    near *= near;
+    return near * near * yardstick_slope(corner, offset, seed);
+}
+
+// Perlin, "Noise hardware", 2001, in two dimensions: on triangles, each with three corners.
+float simplex_noise(vec2 p, float frequency, uint seed) {
+    p *= 2.0 * frequency;
+    const float skew = 0.36602540; // (sqrt(3) - 1) / 2
+    const float back = 0.21132487; // (3 - sqrt(3)) / 6
+    vec2 corner = floor(p + skew * (p.x + p.y));
+    ivec2 cell = ivec2(corner);
+    vec2 f = p - corner + back * (corner.x + corner.y);
+    vec2 middle = f.x > f.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    return 70.0 * (yardstick_corner(cell, f, seed) + yardstick_corner(cell + ivec2(middle), f - middle + back, seed)
+                   + yardstick_corner(cell + ivec2(1, 1), f - 1.0 + 2.0 * back, seed));
+}
+
+// ---- Sparse convolution ----
+
+int yardstick_poisson(float mean, inout uint generator) { // Knuth's product
+    float limit = exp(-mean);
+    int count = 0;
+    float product = yardstick_uniform(generator);
+    while (product > limit) {
+        ++count;
+        product *= yardstick_uniform(generator);
+    }
+    return count;
+}
+
+// Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using sparse Gabor convolution", 2009, with a mean of 30 impulses
+// for each of 9 cells.
+float seminal_noise(vec2 p, float frequency, float orientation, uint seed) {
+    vec2 corner = floor(p);
+    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    float sum = 0.0;
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
+            int count = yardstick_poisson(30.0, generator);
+            for (int k = 0; k < count; ++k) {
+                float x = yardstick_uniform(generator);
+                float y = yardstick_uniform(generator);
+                float weight = 2.0 * yardstick_uniform(generator) - 1.0;
+                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
+                if (dot(d, d) < 1.0)
+                    sum += weight * exp(-3.14159265 * dot(d, d)) * cos(dot(wave, d));
+            }
+        }
+    }
+    return 0.634 * sum;
+}
+
+// Tavernier, Neyret, Vergne and Thollot, "Making Gabor noise fast and normalized", 2019: 2 impulses for each cell.
+float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
+    vec2 corner = floor(p);
+    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    float sum = 0.0;
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
+            for (int k = 0; k < 2; ++k) {
+                float x = yardstick_uniform(generator);
+                float y = yardstick_uniform(generator);
+                float weight = yardstick_uniform(generator) < 0.5 ? -1.0 : 1.0;
+                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
+                if (dot(d, d) < 1.0)
+                    sum += weight * exp(-3.14159265 * dot(d, d)) * sin(dot(wave, d));
+            }
+        }
+    }
+    return 1.416 * sum;
+}
+
+// What 3D packages offer as Gabor noise: 8 impulses for each of 9 cells, the noise as a complex number.
+float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
+    vec2 corner = floor(p);
+    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 sum = vec2(0.0);
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
+            for (int k = 0; k < 8; ++k) {
+                float x = yardstick_uniform(generator);
+                float y = yardstick_uniform(generator);
+                float weight = yardstick_uniform(generator) < 0.5 ? -1.0 : 1.0;
+                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
+                if (dot(d, d) < 1.0)
+                    sum += weight * exp(-3.14159265 * dot(d, d)) * vec2(cos(dot(wave, d)), sin(dot(wave, d)));
+            }
+        }
+    }
+    return 0.708 * sum.y;
+}
+
+// Tricard et al., "Procedural phasor noise", 2019: 16 impulses with random phases for each of 9 cells; a sine of the phase
+// of their sum.
+float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
+    vec2 corner = floor(p);
+    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 sum = vec2(0.0);
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
+            for (int k = 0; k < 16; ++k) {
+                float x = yardstick_uniform(generator);
+                float y = yardstick_uniform(generator);
+                float phase = 6.2831853 * yardstick_uniform(generator);
+                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
+                float angle = dot(wave, d) + phase;
+                sum += exp(-3.14159265 * dot(d, d)) * vec2(cos(angle), sin(angle));
+            }
+        }
+    }
+    return sum.y * inversesqrt(max(dot(sum, sum), 1.0e-12));
+}
+
+// Stripes of 16 splats at random places: one wave for each of 4 x 4 cells, phases counted from its splat.
+float splats_16_noise(vec2 p, float frequency, float orientation, uint seed) {
+    p *= 1.5;
+    vec2 corner = floor(p);
+    vec2 wave = 6.2831853 / 1.5 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 sum = vec2(0.0);
+    float weights = 0.0;
+    for (int j = -1; j <= 2; ++j) {
+        for (int i = -1; i <= 2; ++i) {
+            uint word = yardstick_word(ivec2(corner) + ivec2(i, j), seed);
+            vec2 place = vec2(float(word & 0xffffu), float(word >> 16u)) / 65536.0;
+            vec2 d = p - corner - vec2(float(i), float(j)) - 0.5 * (place - 0.5);
+            float weight = max(exp(-2.0 * dot(d, d)) - 0.01111, 0.0);
+            float angle = dot(wave, d) + 6.2831853 * place.x;
+            sum += weight * vec2(cos(angle), sin(angle));
+            weights += weight;
+        }
+    }
+    sum /= weights;
+    return sum.y * min(2.0, inversesqrt(max(dot(sum, sum), 1.0e-12)));
+}
