@@ -95,6 +95,7 @@ using gabor_vec3 = gabor_vector<float, 3>;
 using gabor_vec4 = gabor_vector<float, 4>;
 using gabor_ivec2 = gabor_vector<int, 2>;
 using gabor_ivec3 = gabor_vector<int, 3>;
+using gabor_ivec4 = gabor_vector<int, 4>;
 using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
 using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
 
@@ -143,6 +144,9 @@ using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
 #define GABOR_MINUS(a, b) (a) - (b)
 #define GABOR_TIMES(a, b) (a) * (b)
 #define GABOR_OVER(a, b) (a) / (b)
+#define GABOR_AND(a, b) (a) & (b)
+#define GABOR_LEFT(a, b) (a) << (b)
+#define GABOR_RIGHT(a, b) (a) >> (b)
 #define GABOR_NEGATIVE(a) -(a)
 #define GABOR_BELOW(a, b) (a) < (b)
 #define GABOR_UNEQUAL(a, b) (a) != (b)
@@ -150,6 +154,9 @@ GABOR_OPERATOR(+, GABOR_PLUS)
 GABOR_OPERATOR(-, GABOR_MINUS)
 GABOR_OPERATOR(*, GABOR_TIMES)
 GABOR_OPERATOR(/, GABOR_OVER)
+GABOR_OPERATOR(&, GABOR_AND)
+GABOR_OPERATOR(<<, GABOR_LEFT)
+GABOR_OPERATOR(>>, GABOR_RIGHT)
 GABOR_EACH(operator-, T, GABOR_NEGATIVE)
 GABOR_EACH_2(operator<, bool, GABOR_BELOW)
 GABOR_EACH_2(operator!=, bool, GABOR_UNEQUAL)

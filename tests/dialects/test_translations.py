@@ -19,7 +19,7 @@ SHADERS = ROOT / "shaders"
 sys.path.insert(0, str(HERE.parent / "fit"))
 from textures import colour_noise, write_png
 
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "sea"] # the last by gabor fit
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "sea"] # the last by gabor fit
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
@@ -34,6 +34,8 @@ CALLS = [
     "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
     "4.0 * gabor_zebra(p, 7u).colour.y",
     "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height",
+    "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height",
+    "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0",
 ]
 

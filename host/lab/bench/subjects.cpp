@@ -3,6 +3,8 @@
 #include "render/bake.hpp"
 
 #include "passes/bench/bench_interface.h"
+#include "passes/bench/erosion.h"
+#include "passes/bench/erosion_lattice_2.h"
 #include "passes/bench/gradient.h"
 #include "passes/bench/recipe.h"
 #include "passes/bench/recipe_lattice_2.h"
@@ -34,6 +36,13 @@ Subject published(std::string name, int impulses, bool advised, bool hoisted) {
             {static_cast<std::uint32_t>(impulses), advised, hoisted},
             true,
             !advised};
+}
+
+// The options of passes/bench/erosion.comp: random splats instead of the drop-in, octaves.
+Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool splats) {
+    Subject subject{std::move(name), 0, spirv, nullptr, {splats, 5}};
+    subject.octaves = 5;
+    return subject;
 }
 
 void add_drop_in(std::vector<Subject>& all) {
@@ -97,6 +106,9 @@ std::vector<Subject> subjects() {
     all.push_back(advice(2));
     add_drop_in(all);
     add_space(all);
+    all.push_back(eroded("gabor_eroded, 5 octaves, 3 taps", erosion_spirv, false));
+    all.push_back(eroded("gabor_eroded, 5 octaves, 2 taps", erosion_lattice_2_spirv, false));
+    all.push_back(eroded("erosion with 16 random splats, 5 octaves", erosion_spirv, true));
     all.push_back({"gradient noise", 0, gradient_spirv});
     all.push_back({"simplex noise", 0, simplex_spirv});
     all.push_back({"writing alone", 0, write_spirv});

@@ -20,6 +20,7 @@ struct Subject {
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure how Gaussian its values are
     bool random_loops = false;               ///< its loops end at random, so that its code cannot be counted
+    int octaves = 0; ///< rounds of a loop that compilers keep; their number is the last option
 };
 
 /// What others are compared with: the same noises as published, written plainly but with everything that all

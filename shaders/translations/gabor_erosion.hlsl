@@ -1,0 +1,256 @@
+// gabor_erosion.hlsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for HLSL, shader model 5.0 and up.
+//
+// Made from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
+//
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
+//     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//
+// Stripes of complex noise run down the slope, octave by octave: the cosine of their phase is the height of gullies.
+// Small gullies run down the sides of large ones. The idea is that of runevision's erosion filter (2026), which follows
+// Clay John (2018) and Fewes (2023).
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_HLSL
+#error Include gabor_lattice.hlsl before gabor_erosion.hlsl
+#endif
+#ifndef GABOR_EROSION_HLSL
+#define GABOR_EROSION_HLSL
+
+// A height in the unit of p, its derivatives along x and y, and -1 in creases and valleys to 1 on ridges and peaks.
+struct GaborTerrain {
+    float height;
+    float2 slope;
+    float ridge;
+};
+
+GaborTerrain GaborTerrain_of(float height, float2 slope, float ridge)
+{
+    GaborTerrain made;
+    made.height = height;
+    made.slope = slope;
+    made.ridge = ridge;
+    return made;
+}
+
+struct GaborErosion {
+    int octaves;           // each costs about one gabor_noise_gradient
+    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
+    float strength;        // depth of these gullies times frequency: how steep they are
+    float lacunarity;      // frequency of an octave over that of the one before
+    float gain;            // depth of an octave over that of the one before: 1 / lacunarity keeps gullies as steep
+    float onset;           // slope of the base from which gullies have their full depth
+    float detail;          // how far fine gullies reach into creases, onto ridges and flat places: 1 and more
+    float sharpness;       // how alike gullies are in depth: 1 for natural variety, 4 for even stripes
+    float ridge_rounding;  // how widely ridges are rounded, in radians of the first octave's phase, 0 for sharp ones
+    float crease_rounding; // the same for creases
+    float gully_weight;    // share of the depth that gullies have, while peaks and valleys have all of it
+    float branching;       // how far gullies turn finer ones: 0 for parallel ones, 1 by their own slope
+};
+
+GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float lacunarity, float gain, float onset, float detail, float sharpness, float ridge_rounding, float crease_rounding, float gully_weight, float branching)
+{
+    GaborErosion made;
+    made.octaves = octaves;
+    made.frequency = frequency;
+    made.strength = strength;
+    made.lacunarity = lacunarity;
+    made.gain = gain;
+    made.onset = onset;
+    made.detail = detail;
+    made.sharpness = sharpness;
+    made.ridge_rounding = ridge_rounding;
+    made.crease_rounding = crease_rounding;
+    made.gully_weight = gully_weight;
+    made.branching = branching;
+    return made;
+}
+
+// GaborErosion gabor_erosion()
+//     Alpine ridges and valleys on the hills of gabor_terrain.
+
+// GaborTerrain gabor_terrain(float2 p, uint seed)
+//     Hills to erode, about four units wide, of mean height 0 and slopes of 0.6 rms. Their curvature is continuous.
+
+// GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
+//     height is continuous where the base and its slope are. The slope is its derivative with the directions of
+//     gullies, and the masks that fade them, held fixed. What comes out can be eroded again.
+
+// GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
+//     from one pixel to the next, dFdx(p) and dFdy(p). Octaves that are gone cost nearly nothing.
+
+// GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed)
+// GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
+
+// A position, cell + local, and how the world repeats.
+struct GaborGround {
+    int2 cell;  // any integers: a world of 2^32 cells each way closes upon itself
+    float2 local;  // any small vector, [0, 1)^2 is the most precise
+    float2 period; // 0 for none, and where there is one cell + local is rounded to a float
+};
+
+GaborGround GaborGround_of(int2 cell, float2 local, float2 period)
+{
+    GaborGround made;
+    made.cell = cell;
+    made.local = local;
+    made.period = period;
+    return made;
+}
+
+// GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
+// GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
+//                              uint seed)
+//     All of it: full precision far away, periods, and pixels, float2(0.0) for none.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+// The place on a lattice with so many nodes per unit of p, in 1 / 65536, that a product with a cell is an exact integer
+// and fraction. A unit of p counts as the kernel radius.
+GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
+    uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
+    GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
+    place.radius = (float2)(float(rounded) / 65536.0);
+    uint2 low = ((uint2)(ground.cell) & 0xffffu) * (rounded & 0xffffu);
+    uint2 high = (uint2)(ground.cell) * (rounded >> 16u) + (uint2)(ground.cell >> 16) * (rounded & 0xffffu);
+    place.cell = (int2)(high + (low >> 16u));
+    place.local = (float2)(low & 0xffffu) / 65536.0 + ground.local * place.radius;
+    if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
+    place.period = (int2)(max(floor(ground.period * place.radius + 0.5), 4.0));
+    if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
+    if (ground.period.y > 0.0) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.cell = (int2)(0);
+    place.local = ((float2)(ground.cell) + ground.local) * place.radius;
+    return place;
+}
+
+// Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.
+void gabor_impl_splines(float t, out float4 value, out float4 slope) {
+    float u = 1.0 - t;
+    value = float4(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
+    slope = 0.5 * float4(-u * u, t * (3.0 * t - 4.0), u * (4.0 - 3.0 * u), t * t);
+}
+
+// The words of the four lines of nodes around line `index`.
+uint4 gabor_impl_lines(int index, int period, uint salt) {
+    return uint4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 2, period), salt));
+}
+
+// Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
+void gabor_impl_add_hills(inout GaborField sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
+    float4 a = (float4)((int4)(words)), b = (float4)((int4)(words << 16u));
+    float2 row = float2(dot(x, a), dot(x, b));
+    sum.value += y * row;
+    sum.slope_x += y * float2(dot(slope_x, a), dot(slope_x, b));
+    sum.slope_y += slope_y * row;
+}
+
+// Wide hills, and small ones on the contours of a second noise, more on high places. The noises are random amplitudes
+// under B-splines, whose curvature is continuous, unlike that of gabor_noise. The sum of their squares is 151 / 315 on
+// average along each axis.
+GaborTerrain gabor_terrain_at(GaborGround ground, uint seed) {
+    GaborPlace place = gabor_impl_place(ground, 1.0);
+    float2 zero = floor(place.local);
+    float4 x, y, slope_x, slope_y;
+    gabor_impl_splines(place.local.x - zero.x, x, slope_x);
+    gabor_impl_splines(place.local.y - zero.y, y, slope_y);
+    uint salt = gabor_impl_salt(seed);
+    uint4 columns = gabor_impl_lines(place.cell.x + int(zero.x), place.period.x, salt);
+    uint4 rows = gabor_impl_lines(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    GaborField hills = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
+    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    float2 noise = 1.6825360e-9 * hills.value; // 315 / 151 sqrt(3) / 2^31: variance 1
+    float2 wave = gabor_impl_wave(0.4 * noise.y);
+    float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
+    float2 factors = 0.33 * 1.6825360e-9 * float2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    float2 slope = place.radius * float2(dot(factors, hills.slope_x), dot(factors, hills.slope_y));
+    return GaborTerrain_of(0.33 * height, slope, height * rsqrt(1.0 + height * height));
+}
+
+// From 0 to 1 at t = 1 and beyond, straight from 0 on, or with a rounded start.
+float gabor_impl_mask(float t, float rounding) {
+    float s = 1.0 - min(t < rounding ? 0.5 * t * t / rounding : t - 0.5 * rounding, 1.0);
+    return 1.0 - s * s;
+}
+
+// Where the mask m of an octave is below 1, its gullies, of weight w, fade to those of the octave before:
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+// m_0 is 0 where the base is flat, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases: finer gullies end
+// there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. Where a pixel
+// removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
+GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
+                             uint seed) {
+    GaborTerrain terrain = base;
+    GaborTerrain gully = GaborTerrain_of(base.ridge, (float2)(0.0), base.ridge); // t_i, its slope, and t_i with w = 1
+    float2 steer = base.slope;
+    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float mask = gabor_impl_mask(length(steer) / max(erosion.onset, 1.0e-6),
+                                 lerp(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge));
+    for (int i = 0; i < erosion.octaves; ++i) {
+        float2 wave = frequency / max(length(steer), 1.0e-9) * float2(-steer.y, steer.x);
+        float2 steps = float2(dot(wave, dx), dot(wave, dy));
+        float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
+        float2 z = (float2)(0.0), slope = (float2)(0.0);
+        if (kept > 0.0) {
+            GaborPlace place = gabor_impl_place(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            GaborField stripes = gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i));
+            z = erosion.sharpness * stripes.value;
+            float even = rsqrt(1.0 + dot(z, z)); // brings z to length 1, but where waves cancel
+            slope = float2(dot(z, stripes.slope_x), dot(z, stripes.slope_y)) * (even * even * z.x);
+            slope = kept * even * erosion.sharpness * (float2(stripes.slope_x.x, stripes.slope_y.x) - slope);
+            z *= kept * even;
+        }
+        gully.height = lerp(gully.height, erosion.gully_weight * z.x, mask);
+        gully.slope = lerp(gully.slope, erosion.gully_weight * slope, mask);
+        gully.ridge = lerp(gully.ridge, z.x, mask);
+        terrain.height += depth * gully.height;
+        terrain.slope += depth * gully.slope;
+        float side = (z.y < 0.0 ? -6.2831853 : 6.2831853) * kept * erosion.branching * erosion.gully_weight;
+        steer -= side * depth * mask * wave;
+        float rounding = lerp(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
+        mask = mask * erosion.detail / (1.0 + mask * (erosion.detail - 1.0))
+             * gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), rounding * frequency / erosion.frequency);
+        frequency *= erosion.lacunarity;
+        depth *= erosion.gain;
+    }
+    return GaborTerrain_of(terrain.height, terrain.slope, gully.ridge);
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+GaborErosion gabor_erosion() {
+    return GaborErosion_of(5, 1.5, 0.12, 2.0, 0.5, 0.6, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0);
+}
+
+GaborTerrain gabor_terrain(float2 p, uint seed) {
+    return gabor_terrain_at(GaborGround_of((int2)(0), p, (float2)(0.0)), seed);
+}
+
+GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed) {
+    return gabor_terrain_at(GaborGround_of((int2)(0), p, period), seed);
+}
+
+GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_at(GaborGround_of((int2)(0), p, (float2)(0.0)), dx, dy, base, erosion, seed);
+}
+
+GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_filtered(p, (float2)(0.0), (float2)(0.0), base, erosion, seed);
+}
+
+GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_at(GaborGround_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), base, erosion, seed);
+}
+
+#endif // GABOR_EROSION_HLSL

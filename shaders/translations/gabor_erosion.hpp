@@ -1,0 +1,221 @@
+// clang-format off
+// gabor_erosion.hpp: eroded mountains, each point on its own: branching gullies and ridges on any slope: for C++ on the CPU.
+//
+// Made from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+//
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
+//     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//
+// Stripes of complex noise run down the slope, octave by octave: the cosine of their phase is the height of gullies.
+// Small gullies run down the sides of large ones. The idea is that of runevision's erosion filter (2026), which follows
+// Clay John (2018) and Fewes (2023).
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_HPP
+#error Include gabor_lattice.hpp before gabor_erosion.hpp
+#endif
+#ifndef GABOR_EROSION_HPP
+#define GABOR_EROSION_HPP
+
+// A height in the unit of p, its derivatives along x and y, and -1 in creases and valleys to 1 on ridges and peaks.
+struct GaborTerrain {
+    float height;
+    gabor_vec2 slope;
+    float ridge;
+};
+
+struct GaborErosion {
+    int octaves;           // each costs about one gabor_noise_gradient
+    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
+    float strength;        // depth of these gullies times frequency: how steep they are
+    float lacunarity;      // frequency of an octave over that of the one before
+    float gain;            // depth of an octave over that of the one before: 1 / lacunarity keeps gullies as steep
+    float onset;           // slope of the base from which gullies have their full depth
+    float detail;          // how far fine gullies reach into creases, onto ridges and flat places: 1 and more
+    float sharpness;       // how alike gullies are in depth: 1 for natural variety, 4 for even stripes
+    float ridge_rounding;  // how widely ridges are rounded, in radians of the first octave's phase, 0 for sharp ones
+    float crease_rounding; // the same for creases
+    float gully_weight;    // share of the depth that gullies have, while peaks and valleys have all of it
+    float branching;       // how far gullies turn finer ones: 0 for parallel ones, 1 by their own slope
+};
+
+// GaborErosion gabor_erosion()
+//     Alpine ridges and valleys on the hills of gabor_terrain.
+
+// GaborTerrain gabor_terrain(vec2 p, uint seed)
+//     Hills to erode, about four units wide, of mean height 0 and slopes of 0.6 rms. Their curvature is continuous.
+
+// GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
+//     height is continuous where the base and its slope are. The slope is its derivative with the directions of
+//     gullies, and the masks that fade them, held fixed. What comes out can be eroded again.
+
+// GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
+//     from one pixel to the next, dFdx(p) and dFdy(p). Octaves that are gone cost nearly nothing.
+
+// GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
+// GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
+
+// A position, cell + local, and how the world repeats.
+struct GaborGround {
+    gabor_ivec2 cell;  // any integers: a world of 2^32 cells each way closes upon itself
+    gabor_vec2 local;  // any small vector, [0, 1)^2 is the most precise
+    gabor_vec2 period; // 0 for none, and where there is one cell + local is rounded to a float
+};
+
+// GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
+// GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+//                              uint seed)
+//     All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+// The place on a lattice with so many nodes per unit of p, in 1 / 65536, that a product with a cell is an exact integer
+// and fraction. A unit of p counts as the kernel radius.
+GABOR_INLINE GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
+    std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
+    GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
+    place.radius = gabor_vec2(float(rounded) / 65536.0f);
+    gabor_uvec2 low = (gabor_uvec2(ground.cell) & 0xffffu) * (rounded & 0xffffu);
+    gabor_uvec2 high = gabor_uvec2(ground.cell) * (rounded >> 16u) + gabor_uvec2(ground.cell >> 16) * (rounded & 0xffffu);
+    place.cell = gabor_ivec2(high + (low >> 16u));
+    place.local = gabor_vec2(low & 0xffffu) / 65536.0f + ground.local * place.radius;
+    if (ground.period.x <= 0.0f && ground.period.y <= 0.0f) return place;
+    place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.radius + 0.5f), 4.0f));
+    if (ground.period.x > 0.0f) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
+    if (ground.period.y > 0.0f) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.cell = gabor_ivec2(0);
+    place.local = (gabor_vec2(ground.cell) + ground.local) * place.radius;
+    return place;
+}
+
+// Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.
+GABOR_INLINE void gabor_impl_splines(float t, gabor_vec4& value, gabor_vec4& slope) {
+    float u = 1.0f - t;
+    value = gabor_vec4(u * u * u, 4.0f - 3.0f * t * t * (1.0f + u), 4.0f - 3.0f * u * u * (1.0f + t), t * t * t) / 6.0f;
+    slope = 0.5f * gabor_vec4(-u * u, t * (3.0f * t - 4.0f), u * (4.0f - 3.0f * u), t * t);
+}
+
+// The words of the four lines of nodes around line `index`.
+GABOR_INLINE gabor_uvec4 gabor_impl_lines(int index, int period, std::uint32_t salt) {
+    return gabor_uvec4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 2, period), salt));
+}
+
+// Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
+GABOR_INLINE void gabor_impl_add_hills(GaborField& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
+    gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
+    gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b));
+    sum.value += y * row;
+    sum.slope_x += y * gabor_vec2(gabor_cpp_dot(slope_x, a), gabor_cpp_dot(slope_x, b));
+    sum.slope_y += slope_y * row;
+}
+
+// Wide hills, and small ones on the contours of a second noise, more on high places. The noises are random amplitudes
+// under B-splines, whose curvature is continuous, unlike that of gabor_noise. The sum of their squares is 151 / 315 on
+// average along each axis.
+GABOR_INLINE GaborTerrain gabor_terrain_at(GaborGround ground, std::uint32_t seed) {
+    GaborPlace place = gabor_impl_place(ground, 1.0f);
+    gabor_vec2 zero = gabor_cpp_floor(place.local);
+    gabor_vec4 x, y, slope_x, slope_y;
+    gabor_impl_splines(place.local.x - zero.x, x, slope_x);
+    gabor_impl_splines(place.local.y - zero.y, y, slope_y);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    gabor_uvec4 columns = gabor_impl_lines(place.cell.x + int(zero.x), place.period.x, salt);
+    gabor_uvec4 rows = gabor_impl_lines(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    GaborField hills = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    gabor_vec2 noise = 1.6825360e-9f * hills.value; // 315 / 151 sqrt(3) / 2^31: variance 1
+    gabor_vec2 wave = gabor_impl_wave(0.4f * noise.y);
+    float rough = 0.3f + 0.12f * noise.x, height = noise.x + rough * wave.y;
+    gabor_vec2 factors = 0.33f * 1.6825360e-9f * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
+    gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(factors, hills.slope_x), gabor_cpp_dot(factors, hills.slope_y));
+    return GaborTerrain{0.33f * height, slope, height * gabor_cpp_inversesqrt(1.0f + height * height)};
+}
+
+// From 0 to 1 at t = 1 and beyond, straight from 0 on, or with a rounded start.
+GABOR_INLINE float gabor_impl_mask(float t, float rounding) {
+    float s = 1.0f - gabor_cpp_min(t < rounding ? 0.5f * t * t / rounding : t - 0.5f * rounding, 1.0f);
+    return 1.0f - s * s;
+}
+
+// Where the mask m of an octave is below 1, its gullies, of weight w, fade to those of the octave before:
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+// m_0 is 0 where the base is flat, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases: finer gullies end
+// there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. Where a pixel
+// removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
+GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion,
+                             std::uint32_t seed) {
+    GaborTerrain terrain = base;
+    GaborTerrain gully = GaborTerrain{base.ridge, gabor_vec2(0.0f), base.ridge}; // t_i, its slope, and t_i with w = 1
+    gabor_vec2 steer = base.slope;
+    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float mask = gabor_impl_mask(gabor_cpp_length(steer) / gabor_cpp_max(erosion.onset, 1.0e-6f),
+                                 gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge));
+    for (int i = 0; i < erosion.octaves; ++i) {
+        gabor_vec2 wave = frequency / gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f) * gabor_vec2(-steer.y, steer.x);
+        gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(wave, dx), gabor_cpp_dot(wave, dy));
+        float kept = gabor_cpp_max(1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)) - 0.02f, 0.0f); // deviation: half a pixel
+        gabor_vec2 z = gabor_vec2(0.0f), slope = gabor_vec2(0.0f);
+        if (kept > 0.0f) {
+            GaborPlace place = gabor_impl_place(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            GaborField stripes = gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i));
+            z = erosion.sharpness * stripes.value;
+            float even = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings z to length 1, but where waves cancel
+            slope = gabor_vec2(gabor_cpp_dot(z, stripes.slope_x), gabor_cpp_dot(z, stripes.slope_y)) * (even * even * z.x);
+            slope = kept * even * erosion.sharpness * (gabor_vec2(stripes.slope_x.x, stripes.slope_y.x) - slope);
+            z *= kept * even;
+        }
+        gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);
+        gully.slope = gabor_cpp_mix(gully.slope, erosion.gully_weight * slope, mask);
+        gully.ridge = gabor_cpp_mix(gully.ridge, z.x, mask);
+        terrain.height += depth * gully.height;
+        terrain.slope += depth * gully.slope;
+        float side = (z.y < 0.0f ? -6.2831853f : 6.2831853f) * kept * erosion.branching * erosion.gully_weight;
+        steer -= side * depth * mask * wave;
+        float rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * z.x);
+        mask = mask * erosion.detail / (1.0f + mask * (erosion.detail - 1.0f))
+             * gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), rounding * frequency / erosion.frequency);
+        frequency *= erosion.lacunarity;
+        depth *= erosion.gain;
+    }
+    return GaborTerrain{terrain.height, terrain.slope, gully.ridge};
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+GABOR_INLINE GaborErosion gabor_erosion() {
+    return GaborErosion{5, 1.5f, 0.12f, 2.0f, 0.5f, 0.6f, 1.5f, 2.0f, 0.1f, 0.1f, 0.5f, 1.0f};
+}
+
+GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, seed);
+}
+
+GABOR_INLINE GaborTerrain gabor_terrain_tiled(gabor_vec2 p, gabor_vec2 period, std::uint32_t seed) {
+    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, period}, seed);
+}
+
+GABOR_INLINE GaborTerrain gabor_eroded_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
+    return gabor_eroded_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, base, erosion, seed);
+}
+
+GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
+    return gabor_eroded_filtered(p, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
+}
+
+GABOR_INLINE GaborTerrain gabor_eroded_tiled(gabor_vec2 p, gabor_vec2 period, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
+    return gabor_eroded_at(GaborGround{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
+}
+
+#endif // GABOR_EROSION_HPP

@@ -1,0 +1,155 @@
+#include "reference/erosion.hpp"
+
+#include "reference/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace gabor::noise {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+double dot(Vector a, Vector b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+double mix(double a, double b, double t) {
+    return (1 - t) * a + t * b;
+}
+
+// A position on an axis of a lattice: node `cell` is `local` nodes away, `nodes` of them are a unit.
+struct Axis {
+    std::int32_t cell;
+    double local;
+    double nodes;
+    std::int32_t period;
+};
+
+// Nodes per unit are multiples of 1 / 65536, chosen in single precision, or as many in a period.
+Axis axis_at(std::int32_t cell, double local, float period, float nodes) {
+    const auto steps =
+        static_cast<std::int64_t>(std::floor(std::clamp(nodes, 1e-4f, 3e4f) * 65536.0f + 0.5f));
+    if (period > 0) {
+        const float whole = std::floor(period * (static_cast<float>(steps) / 65536.0f) + 0.5f);
+        const auto count = static_cast<std::int32_t>(std::max(whole, 4.0f));
+        const double turns = (cell + local) / period;
+        return {0, (turns - std::floor(turns)) * count, static_cast<double>(count) / period, count};
+    }
+    const std::int64_t product = cell * steps; // 63 bits
+    const std::int64_t index = product >> 16;
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(index)),
+            static_cast<double>(product - index * 65536) / 65536 + local * static_cast<double>(steps) / 65536,
+            static_cast<double>(steps) / 65536, 0};
+}
+
+std::int32_t line(const Axis& axis, std::int32_t offset) {
+    const auto index =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(axis.cell) + static_cast<std::uint32_t>(offset));
+    return axis.period == 0 ? index : ((index % axis.period) + axis.period) % axis.period;
+}
+
+// The cubic B-spline at a distance d from its node, and its derivative.
+double spline(double d) {
+    const double a = std::abs(d);
+    return a >= 2 ? 0 : (std::pow(2 - a, 3) - 4 * std::pow(std::max(1 - a, 0.0), 3)) / 6;
+}
+double spline_slope(double d) {
+    const double a = std::abs(d);
+    const double slope = a >= 2 ? 0 : (-std::pow(2 - a, 2) + 4 * std::pow(std::max(1 - a, 0.0), 2)) / 2;
+    return d < 0 ? -slope : slope;
+}
+
+double mask_of(double t, double rounding) {
+    const double rounded = t < rounding ? t * t / (2 * rounding) : t - rounding / 2;
+    return 1 - std::pow(1 - std::min(rounded, 1.0), 2);
+}
+
+} // namespace
+
+Terrain terrain(const Ground& ground, std::uint32_t seed) {
+    const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], 1);
+    const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], 1);
+    const auto left = static_cast<std::int32_t>(std::floor(x.local));
+    const auto below = static_cast<std::int32_t>(std::floor(y.local));
+    std::complex<double> value, slope_x, slope_y;
+    for (std::int32_t i = left - 1; i <= left + 2; ++i) {
+        for (std::int32_t j = below - 1; j <= below + 2; ++j) {
+            const std::uint32_t word = lattice_word(line(x, i), line(y, j), seed);
+            const std::complex<double> amplitude(static_cast<std::int32_t>(word),
+                                                 static_cast<std::int32_t>(word << 16));
+            value += amplitude * spline(x.local - i) * spline(y.local - j);
+            slope_x += amplitude * x.nodes * spline_slope(x.local - i) * spline(y.local - j);
+            slope_y += amplitude * y.nodes * spline(x.local - i) * spline_slope(y.local - j);
+        }
+    }
+    const double unit = 315.0 / 151 * std::numbers::sqrt3 / 2147483648.0; // the noises have variance 1
+    const double a = unit * value.real(), b = unit * value.imag();
+    const double small = std::sin(two_pi * 0.4 * b), height = a + (0.3 + 0.12 * a) * small;
+    const auto slope = [&](std::complex<double> d) {
+        return 0.33 * unit *
+               (d.real() * (1 + 0.12 * small) +
+                (0.3 + 0.12 * a) * std::cos(two_pi * 0.4 * b) * two_pi * 0.4 * d.imag());
+    };
+    return {0.33 * height, {slope(slope_x), slope(slope_y)}, height / std::sqrt(1 + height * height)};
+}
+
+Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
+               const Erosion& erosion, std::uint32_t seed) {
+    Terrain result = base;
+    const auto rounding = [&](double cosine) {
+        return mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * cosine);
+    };
+    Vector steer = base.slope, gully_slope{};
+    double gully = base.ridge, depth = erosion.strength / erosion.frequency, width = 1;
+    double mask =
+        mask_of(std::hypot(steer[0], steer[1]) / std::max(erosion.onset, 1e-6), rounding(base.ridge));
+    float frequency = erosion.frequency;
+    for (int octave = 0; octave < erosion.octaves; ++octave) {
+        const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
+        const Vector wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
+        // A normal filter of half a pixel's deviation, down to where 2 % are left.
+        const double across = std::pow(dot(wave, dx), 2) + std::pow(dot(wave, dy), 2);
+        const double kept =
+            std::max(1.02 * std::exp(-std::numbers::pi * std::numbers::pi / 2 * across) - 0.02, 0.0);
+        std::complex<double> z;
+        Vector slope{};
+        if (kept > 0) {
+            const float nodes = 0.8f * (0.5f * static_cast<float>(taps)) * frequency;
+            const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], nodes);
+            const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], nodes);
+            const Lattice lattice(taps, wave, lattice_lobe_seed(seed, octave));
+            const Lattice::Field field =
+                lattice.field({x.cell, y.cell, x.local, y.local, x.nodes, y.nodes, x.period, y.period});
+            // z / sqrt(1 / sharpness^2 + |z|^2), by the quotient rule.
+            const double s = erosion.sharpness, length = std::sqrt(1 + s * s * std::norm(field.value));
+            z = kept * s / length * field.value;
+            const auto derivative = [&](std::complex<double> d) {
+                const double radial = (std::conj(field.value) * d).real();
+                return kept * s *
+                       (d.real() / length - field.value.real() * s * s * radial / std::pow(length, 3));
+            };
+            slope = {derivative(field.slope_x), derivative(field.slope_y)};
+        }
+        gully = mix(gully, erosion.gully_weight * z.real(), mask);
+        result.ridge = mix(result.ridge, z.real(), mask);
+        result.height += depth * gully;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            gully_slope[axis] = mix(gully_slope[axis], erosion.gully_weight * slope[axis], mask);
+            result.slope[axis] += depth * gully_slope[axis];
+            const double side = z.imag() < 0 ? -two_pi : two_pi;
+            steer[axis] -= side * kept * erosion.branching * erosion.gully_weight * depth * mask * wave[axis];
+        }
+        mask *= erosion.detail / (1 + mask * (erosion.detail - 1));
+        mask *= mask_of((1 - kept) / 2 + std::abs(z.imag()), rounding(z.real()) * width);
+        width *= erosion.lacunarity;
+        frequency *= erosion.lacunarity;
+        depth *= erosion.gain;
+    }
+    return result;
+}
+
+} // namespace gabor::noise

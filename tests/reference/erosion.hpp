@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace gabor::noise {
+
+using Vector = std::array<double, 2>;
+
+/// As GaborTerrain, GaborErosion and GaborGround in shaders/gabor_erosion.glsl.
+struct Terrain {
+    double height = 0;
+    Vector slope{};
+    double ridge = 0;
+};
+struct Erosion {
+    int octaves = 5;
+    float frequency = 1.5f; ///< in single precision, for lattices are chosen by it
+    double strength = 0.12;
+    float lacunarity = 2;
+    double gain = 0.5;
+    double onset = 0.6;
+    double detail = 1.5;
+    double sharpness = 2;
+    double ridge_rounding = 0.1;
+    double crease_rounding = 0.1;
+    double gully_weight = 0.5;
+    double branching = 1;
+};
+struct Ground {
+    std::array<std::int32_t, 2> cell{};
+    Vector local{};
+    std::array<float, 2> period{};
+};
+
+/// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not
+/// from the shader.
+Terrain terrain(const Ground& ground, std::uint32_t seed);
+Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
+               const Erosion& erosion, std::uint32_t seed);
+
+} // namespace gabor::noise
