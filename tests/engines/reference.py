@@ -53,10 +53,18 @@ def one(cell, x, y):
     return total / np.sqrt(variance)
 
 
-def line_word(index, axis):
-    """The word of a column (axis 0) or a row (axis 1) of the lattice."""
-    salt = mix(words([SEED * SPREAD & 0xffffffff]), np.uint32(0x2545f491)) ^ np.uint32((0, 0x5bd1e995)[axis])
-    word = words(index) * np.uint32(SPREAD) + salt
+def salt(seed):
+    return mix(words([seed * SPREAD & 0xffffffff]), np.uint32(0x2545f491))
+
+
+def lobe_seed(seed, index):
+    """Of part `index` of a sum."""
+    return int(mix(words([(seed + index * 0x85ebca6b) & 0xffffffff]), np.uint32(0x9e3779b1))[0])
+
+
+def line_word(index, axis, seed=SEED):
+    """The word of a column (axis 0), a row (1) or a slice (2) of the lattice."""
+    word = words(index) * np.uint32(SPREAD) + (salt(seed) ^ np.uint32((0, 0x5bd1e995, 0x27d4eb2f)[axis]))
     return ((word ^ (word >> 15)) * np.uint32(0xd35a2d97) >> 8) | np.uint32(0x800001)
 
 
@@ -65,8 +73,14 @@ def law(u):
     return (u - 0.89289313 * np.clip(u, -0.93687596, 0.93687596)) * (1 + 0.62342056 * u**2)
 
 
-def amplitude(word):
-    """A node's amplitude, its parts from the whole word and from its low half, each of variance 1."""
+def amplitude(word, time=0.0):
+    """A node's amplitude, its parts from the whole word and from its low half, each of variance 1; at a time from three."""
+    if time:
+        second = (word ^ (word >> 15)) * np.uint32(0xd35a2d97)
+        third = (second ^ (second >> 15)) * np.uint32(0xd35a2d97)
+        turn = np.exp(2j * np.pi * time)
+        return ((1 + turn.real) * amplitude(word) + (1 - turn.real) * amplitude(second)
+                + np.sqrt(2) * turn.imag * amplitude(third)) / 2
     whole, half = word.view(np.int32) / 2.0**31, (word << 16).view(np.int32) / 2.0**31
     deviation = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
     return (law(whole) + 1j * law(half)) / deviation
@@ -81,18 +95,106 @@ def window(d, taps):
     return (1 - s) / np.hypot(1 - s, s)
 
 
-def lattice(cell, x, y, taps=3, period=2**32):
-    """The lattice's noise at cell + (x, y), in node spacings; it may repeat after a whole number of them."""
-    radius = taps / 2
+def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
+                    wave=WAVE):
+    """The lattice's noise, the imaginary part, and its quadrature at cell + (x, y), in node spacings, of which there are
+    `radius` to the kernel radius; it may repeat after a whole number of them."""
+    reach = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
+    scale_x, scale_y = (each or reach for each in radius)
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     total = np.zeros(np.broadcast(x, y).shape, complex)
     for j in range(-1, 3):  # the nodes within two spacings
         for i in range(-1, 3):
-            node = amplitude(line_word((cell[0] + column + i) % period, 0) * line_word((cell[1] + row + j) % period, 1))
-            dx, dy = (x - (column + i)) / radius, (y - (row + j)) / radius
-            total += node * window(dx, taps) * window(dy, taps) * np.exp(2j * np.pi * (WAVE[0] * dx + WAVE[1] * dy))
-    return total.imag / energy
+            node = amplitude(line_word((cell[0] + column + i) % period[0], 0, seed)
+                             * line_word((cell[1] + row + j) % period[1], 1, seed), time)
+            dx, dy = x - (column + i), y - (row + j)
+            total += node * window(dx / reach, taps) * window(dy / reach, taps) \
+                * np.exp(2j * np.pi * (wave[0] * dx / scale_x + wave[1] * dy / scale_y))
+    return total / energy
+
+
+def lattice(cell, x, y, taps=3, period=2**32):
+    return complex_lattice(cell, x, y, taps, (period, period)).imag
+
+
+def complex_lattice_3d(x, y, z, direction):
+    """Likewise in space, in kernel radii, with three taps."""
+    wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
+    x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
+    first = [np.floor(each).astype(np.int64) for each in (x, y, z)]
+    total = np.zeros(x.shape, complex)
+    for i, j, k in np.ndindex(4, 4, 4):
+        column, row, slice_ = (corner + step - 1 for corner, step in zip(first, (i, j, k)))
+        word = (line_word(row, 1) * line_word(slice_, 2) >> 8) | np.uint32(0x800001)
+        dx, dy, dz = ((at - node) / 1.5 for at, node in zip((x, y, z), (column, row, slice_)))
+        total += amplitude(line_word(column, 0) * word) * window(dx, 3) * window(dy, 3) * window(dz, 3) \
+            * np.exp(2j * np.pi * (wave[0] * dx + wave[1] * dy + wave[2] * dz))
+    return total / (9 / 8) ** 1.5
+
+
+# ---- What nodes have beside the noise ------------------------------------------------------------------------------
+
+# Each function: one number for each p = (x, y), in kernel radii, in which its results have different weights.
+STEP = 1e-5  # of derivatives: they are then within 1e-6
+
+
+def plane(x, y, **options):
+    return complex_lattice((0, 0), 1.5 * x, 1.5 * y, **options)
+
+
+def gradient(x, y):
+    along_x = (plane(x + STEP, y) - plane(x - STEP, y)).imag
+    along_y = (plane(x, y + STEP) - plane(x, y - STEP)).imag
+    return plane(x, y).imag + (along_x + 2 * along_y) / (2 * STEP * 32)
+
+
+def four(x, y):
+    seeds = [SEED, *(lobe_seed(SEED, -index) for index in (1, 2, 3))]
+    return sum((index + 1) / 4 * plane(x, y, seed=seed).imag for index, seed in enumerate(seeds))
+
+
+def tiled(x, y):
+    """Periods of 2 and 3 kernel radii have 3 and 5 nodes."""
+    return complex_lattice((0, 0), 3 / 2 * x, 5 / 3 * y, period=(3, 5), radius=(3 / 2, 5 / 3)).imag
+
+
+def solid(x, y):
+    def noise(*steps):
+        return complex_lattice_3d(*(place + STEP * step for place, step in zip((x, y, 0.3), steps)), (1, 2, 3)).imag
+    slopes = [noise(*axis) - noise(*-axis) for axis in np.eye(3)]
+    return noise(0, 0, 0) + (slopes[0] + 2 * slopes[1] + 3 * slopes[2]) / (2 * STEP * 64)
+
+
+def stripes(x, y):
+    """Of sharpness 2."""
+    value = plane(x, y)
+    even = value * np.minimum(2, 1 / abs(value))
+    return (even.real + 2 * even.imag + 3 * abs(value)) / 4
+
+
+# The tones and heights of gabor_materials.glsl's brushed metal: sums over noises of frequency 0 in narrow kernels.
+def brushed(x, y):
+    tone = height = 0
+    for part in range(5):
+        fine = 2.0**part
+        spots = complex_lattice((0, 0), 1.5 * (0.3 + 0.12 * fine) * x, 1.5 * 9 * fine * y, seed=lobe_seed(SEED, part), wave=(0, 0))
+        height = height + 0.0012 / fine * spots.real
+        tone = tone + np.sqrt(0.2) * spots.imag
+    return np.clip(0.55 * np.exp(0.09 * (tone - 0.045)), 0, 1) + 200 * height
+
+
+FUNCTIONS = {
+    "noise": lambda x, y: plane(x, y).imag,
+    "complex": lambda x, y: plane(x, y).real,
+    "gradient": gradient,
+    "four": four,
+    "tiled": tiled,
+    "stripes": stripes,
+    "brushed metal": brushed,
+    "animated": lambda x, y: plane(x, y, time=0.3).imag,
+    "solid": solid,
+}
 
 
 # Each scene: the drop-in, the macros before it, its noise, and its cells per kernel radius.
@@ -101,19 +203,21 @@ SCENES = {
     "lattice": ("gabor_lattice", {}, lattice, 1.5),
     "lattice 2": ("gabor_lattice", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
     "lattice 4": ("gabor_lattice", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
-    "tiled": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 8 kernel radii, for nodes that tile
+    "tile of 8": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 8 kernel radii, for nodes that tile
 }
 
 
 @functools.cache
 def values(scene):
+    if scene in FUNCTIONS:
+        return FUNCTIONS[scene](*np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(WIDTH) + 0.5) / 32))
     _, _, noise, cells = SCENES[scene]
     x, y = np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(HEIGHT) + 0.5) / 32)
     return np.vstack([noise((0, 0), cells * x[:-1], cells * y[:-1]), noise(FAR, x[-1:], y[-1:])])
 
 
 def largest_difference(scene, drawn):
-    """From the scene, with its row and column; a value that is no number is the largest of all. Where there is no
+    """From the scene or the function, with its row and column; a value that is no number is the largest of all. Where there is no
     gabor_noise_at its row may be left out."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
     if len(drawn) not in (HEIGHT - 1, HEIGHT):

@@ -1,0 +1,186 @@
+"""What shaders/nodes has of the drop-ins in languages without structs or unsigned integers: the library of MaterialX's
+nodes, which takes a few functions from gabor_lattice.glsl, and that library in the Open Shading Language and in MDL.
+tools/translate calls it."""
+
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+NODES = ROOT / "shaders" / "nodes"
+LIBRARY = NODES / "materialx" / "libraries" / "gabor"
+COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
+OSL_SHADER = NODES / "osl" / "gabor_lattice.osl"
+
+# What the library takes from the drop-in as it is.
+FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
+             "gabor_impl_product", "gabor_impl_wave"]
+TAKEN = r"(// ---- From gabor_lattice\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
+FUNCTION = re.compile(r"^(?P<type>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\)\s*\{\n(?P<body>.*?)^\}\n",
+                      re.MULTILINE | re.DOTALL)
+LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT\n"
+
+
+# ---- Text ----------------------------------------------------------------------------------------------------------
+
+def arguments(text, opening):
+    """Where the parenthesis that opens there is closed, and what commas part within it."""
+    depth, parts, start = 0, [], opening + 1
+    for place in range(opening, len(text)):
+        depth += (text[place] in "([{") - (text[place] in ")]}")
+        if depth == 0 or depth == 1 and text[place] == ",":
+            parts.append(text[start:place])
+            start = place + 1
+        if depth == 0:
+            return place, parts
+    raise ValueError(f"no end of {text[opening:opening + 40]}")
+
+
+def each_call(text, name, rewritten):
+    """The text with each call of a function of that name, a pattern, rewritten from its name and its arguments."""
+    pattern, result, place = re.compile(rf"(?<![\w.])(?<!struct )({name})\("), "", 0
+    while match := pattern.search(text, place):
+        end, parts = arguments(text, match.end() - 1)
+        result += text[place:match.start()] + rewritten(match[1], [each_call(part, name, rewritten) for part in parts])
+        place = end + 1
+    return result + text[place:]
+
+
+# ---- MaterialX: GLSL without structs -------------------------------------------------------------------------------
+
+def macro(source, name):
+    return re.search(rf"#define {name} (\S+)", source)[1]
+
+
+def common(source):
+    """The library's GLSL, with the drop-in's functions and constants under MaterialX's names."""
+    lattice = source("gabor_lattice")
+    found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
+    deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
+    numbers = {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(source("gabor_spectrum") + source("gabor_lattice_3d"), "GABOR_IMPL_SLICES"),
+               "SCALE2D": f"{1 / (deviation * 1.125):.8g}", "SCALE3D": f"{1 / (deviation * 1.125**1.5):.8g}"}
+    text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in numbers.items())
+    for name in FUNCTIONS:
+        match = found[name]
+        text += f"\n{match['type']} {name}({match['parameters']})\n{{\n{match['body']}}}\n"
+    text = re.sub(r"\bgabor_(impl_)?", "mx_gabor_", re.sub(r" *//.*", "", text))
+    return re.sub(TAKEN, lambda match: f"{match[1]}\n{text}\n{match[2]}", COMMON.read_text())
+
+
+def integers(text, shifted):
+    """With int for uint, which has the same bits for all but >>."""
+    text = re.sub(r"\buint\b", "int", re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"\1", text))
+    return re.sub(r"(\((?:[^()]|\([^()]*\))*\)|\w+) >> (\d+)", shifted, text)
+
+
+def copied(parameters, body):
+    """With a copy of each parameter that the body assigns to: OSL would change the caller's variable, and MDL refuses."""
+    for kind, name in re.findall(r"(\w+) (\w+)(?:,|$)", parameters):
+        if "out " not in parameters and re.search(rf"\b{name} [-+*/]?= ", body):
+            parameters = re.sub(rf"\b{name}\b", f"{name}_", parameters)
+            body = f"    {kind} {name} = {name}_;\n" + body
+    return parameters, body
+
+
+def title(text, language):
+    """The header of the file's translation."""
+    return (f"// Made from ../genglsl{'/lib' if 'tools/translate' in text else ''} by tools/translate, for {language}: change "
+            f"that file, not this one.\n//\n{LICENSE}\n")
+
+
+# ---- The Open Shading Language -------------------------------------------------------------------------------------
+
+OSL_RIGHT = """// The integer without its sign, moved to the right.
+int mx_gabor_right(int word, int bits)
+{
+    return (word >> bits) & ((1 << (32 - bits)) - 1);
+}
+
+"""
+
+
+def osl_function(match):
+    """vec2 and vec3 are vectors, and vec4 is MaterialX's struct, as its vector2 is what a node is given."""
+    parameters, body = copied(match["parameters"], match["body"])
+    if match["type"] == "void":
+        parameters = re.sub(r"\bvec2\b", "vector2", parameters)
+    text = f"{match['type']} {match['name']}({parameters})\n{{\n{body}}}\n"
+    for name in set(re.findall(r"\bvec[23] (\w+)", text)):
+        text = re.sub(rf"(?<![\w.]){name}\.([xyz])\b", lambda part: f"{name}[{'xyz'.index(part[1])}]", text)
+    text = each_call(text, "vec2", lambda _, parts: f"vector({','.join(parts)}, 0)")
+    text = each_call(text, "vec3", lambda _, parts: f"vector({','.join(parts)})")
+    text = re.sub(r"\bvec4\b", "vector4", re.sub(r"\bvec[23]\b", "vector", text))
+    return re.sub(r"\bout ", "output ", text)
+
+
+def osl(text):
+    body = integers(text[re.search("^(#|uint|void)", text, re.MULTILINE).start():], r"mx_gabor_right(\1, \2)")
+    body = FUNCTION.sub(osl_function, body).replace(".glsl\"", ".osl\"")
+    return body.replace("\nint mx_gabor_mix", "\n" + OSL_RIGHT + "int mx_gabor_mix")
+
+
+def osl_shader(library):
+    """The shader of shaders/nodes/osl: between its marks, the library's functions by the drop-in's names."""
+    functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
+    functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
+    return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
+                  lambda match: f"{match[1]}\n{functions}\n{match[2]}", OSL_SHADER.read_text())
+
+
+# ---- MDL -----------------------------------------------------------------------------------------------------------
+
+def signed(match):
+    number = int(match[0], 16)
+    return str(number - (number >> 31 << 32))
+
+
+def mdl_function(match):
+    """Parameters cannot be assigned to, and a node returns its result."""
+    node, parameters, body = match["type"] == "void", match["parameters"], match["body"]
+    kind = match["type"]
+    if node:
+        parameters, _, kind = re.fullmatch(r"(.*), out ((\w+)) result", parameters).groups()
+        body = body.replace("result = ", "return ")
+    parameters, body = copied(parameters, body)
+    text = f"{'export ' * node}{kind} {match['name']}({parameters})\n{{\n{body}}}\n"
+    return re.sub(r"\bvec([234])\b", r"float\1", text).replace("inversesqrt(", "rsqrt(")
+
+
+def mdl_variants():
+    """The nodes of each type: MaterialX 1.39 imports no module for nodes within the graphs that other targets use."""
+    for dim, place, direction in (("2d", "float2 texcoord", "float orientation"),
+                                  ("3d", "float3 position", "float3 direction")):
+        inputs = f"{place}, float frequency, {direction}, int seed"
+        field = f"mx_gaborfield{dim}({', '.join(each.split()[1] for each in inputs.split(', '))})".replace("seed", "SEED")
+        parts = [field.replace("SEED", f"mx_gaborseed(seed, -{index})" if index else "seed") + ".x" for index in range(4)]
+        for kind, count, amplitude in (("float", 1, "float"), ("vector2", 2, "float2"), ("vector3", 3, "float3"),
+                                       ("vector4", 4, "float4"), ("color3", 3, "float3")):
+            for suffix, given in (("", amplitude), ("FA", "float"))[:2 if count > 1 else 1]:
+                value = parts[0] if count == 1 else f"float{count}(" + ",\n        ".join(parts[:count]) + ")"
+                value = f"amplitude * {value} + pivot"
+                value, result = (f"color({value})", "color") if kind == "color3" else (value, f"float{count}".rstrip("1"))
+                yield (f"export {result} mx_gabornoise{dim}_{kind}{suffix}({given} amplitude, float pivot, {inputs})\n"
+                       f"{{\n    return {value};\n}}\n")
+
+
+def mdl(texts):
+    """All of it in one module."""
+    whole = "\n".join(re.sub("(?:.*\n)*?(?=^(#define|uint|void))", "", text, count=1, flags=re.MULTILINE) for text in texts)
+    whole = integers(whole, r"\1 >>> \2").replace("// ---- End ----\n\n", "")
+    for name, number in re.findall(r"^#define (\w+) (\S+)\n", whole, re.MULTILINE):
+        whole = re.sub(rf"\b{name}\b", number, re.sub(rf"^#define {name} .*\n", "", whole, flags=re.MULTILINE))
+    whole = FUNCTION.sub(mdl_function, re.sub(r"\b0x[0-9a-f]+\b", signed, whole))
+    whole = "\n".join([whole, *mdl_variants()])
+    return "mdl 1.6;\n\nimport ::math::*;\n\n" + whole.lstrip("\n")
+
+
+# ---- Files ---------------------------------------------------------------------------------------------------------
+
+def made(source):
+    """Path and text of each file, from a function that gives the text of a drop-in."""
+    glsl = common(source)
+    yield COMMON, glsl
+    yield OSL_SHADER, osl_shader(osl(glsl))
+    nodes = {path: path.read_text() for path in sorted(COMMON.parents[1].glob("*.glsl"))}
+    for path, text in ({COMMON: glsl} | nodes).items():
+        yield (LIBRARY / "genosl" / path.relative_to(COMMON.parents[1])).with_suffix(".osl"), title(text, "OSL") + osl(text)
+    yield LIBRARY / "genmdl" / "mx_gabor.mdl", title(glsl, "MDL") + mdl([glsl, *nodes.values()])
