@@ -58,8 +58,11 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
                exemplar.height, exemplar.channels == 1 ? "grey" : "colour");
     fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", error.l1,
                error.l2);
-    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels\n", error.autocorrelation,
-               fit::furthest_lag);
+    if (error.low > 0)
+        fmt::print("  long waves       within {:.3f} (L1), of more than {} pixels\n", error.low,
+                   fit::window_side);
+    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels, a quarter of the exemplar\n",
+               error.autocorrelation, error.furthest_lag);
     if (exemplar.structure > fit::Structure::limit)
         fmt::print(
             "  This is no texture of waves alone: its derivatives are {:.1f} from normal, by excess kurtosis "

@@ -1,15 +1,15 @@
 #include "fit/atoms.hpp"
 
-#include "fit/spectra.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace gabor::fit {
 
 namespace {
 
+using Complexes = Eigen::ArrayXcd;
 using std::numbers::pi;
 
 double correlation_slope(double t) {
@@ -17,30 +17,45 @@ double correlation_slope(double t) {
     return -(1 - std::cos(pi * u) + (2 - u) * pi / 2 * std::sin(pi * u)) / 3;
 }
 
-// L(t) for t = 0 ... window_side - 1, twice for the lags that have an opposite.
-const Eigen::ArrayXd& lag_window() {
-    static const Eigen::ArrayXd window = [] {
-        const Eigen::ArrayXd& w = hann_window();
-        Eigen::ArrayXd lags(window_side);
-        for (int t = 0; t < window_side; ++t)
-            lags[t] = (t == 0 ? 1 : 2) * (w.head(window_side - t) * w.tail(window_side - t)).sum();
-        return lags;
-    }();
-    return window;
+// Of samples at lags of 0 ... count - 1 spacings, from an autocovariance C(0), C(1) ... of pixels, C(-t) =
+// C(t)*.
+Complexes sampled(const Scale& scale, const Complexes& pixels, Eigen::Index count) {
+    if (scale.spacing == 1)
+        return pixels.head(count);
+    const Eigen::Index reach = scale.averaging.size() - 1;
+    Complexes result = Complexes::Zero(count);
+    for (Eigen::Index t = 0; t < count; ++t)
+        for (Eigen::Index u = -reach; u <= reach; ++u) {
+            const Eigen::Index at = t * scale.spacing - u;
+            if (std::abs(at) < pixels.size())
+                result[t] += scale.averaging[std::abs(u)] * (at < 0 ? std::conj(pixels[-at]) : pixels[at]);
+        }
+    return result * scale.spacing;
 }
 
-// cos and sin of 2 pi k t / grid_side.
-struct Waves {
-    Eigen::MatrixXd cosine{grid_side, window_side};
-    Eigen::MatrixXd sine{grid_side, window_side};
+const Eigen::ArrayXd& lag_window(const Scale& scale, int axis) {
+    return scale.lag_window[static_cast<std::size_t>(axis)];
+}
 
-    Waves() {
-        for (int k = 0; k < grid_side; ++k)
-            for (int t = 0; t < window_side; ++t) {
-                const double phase = 2 * pi * (k * t % grid_side) / grid_side;
-                cosine(k, t) = std::cos(phase);
-                sine(k, t) = std::sin(phase);
-            }
+// The lags at which kernels, which reach 2 radii, have anything for windows to see.
+struct Lags {
+    Eigen::Index count;    ///< of samples
+    Eigen::ArrayXd pixels; ///< 0, 1 ...
+    Complexes wave;        ///< at these
+
+    Lags(const Scale& scale, double frequency, double radius) {
+        const Eigen::Index reach = scale.averaging.size() - 1;
+        const auto size = std::min(static_cast<Eigen::Index>(2 * radius) + 1,
+                                   Eigen::Index{scale.window - 1} * scale.spacing + reach + 1);
+        count = std::min<Eigen::Index>(scale.window, (size - 1 + reach) / scale.spacing + 1);
+        pixels = Eigen::ArrayXd::LinSpaced(size, 0, static_cast<double>(size - 1));
+        const Eigen::ArrayXd phase = 2 * pi * frequency * pixels;
+        wave.resize(size);
+        wave.real() = phase.cos();
+        wave.imag() = phase.sin();
+    }
+    Complexes covariance(double radius) const {
+        return wave * pixels.unaryExpr([&](double t) { return kernel_correlation(t / radius); });
     }
 };
 
@@ -51,22 +66,32 @@ double kernel_correlation(double t) {
     return ((2 - u) * (1 + std::cos(pi * u) / 2) + 1.5 / pi * std::sin(pi * u)) / 3;
 }
 
-AxisAtom axis_atom(double frequency, double radius) {
-    static const Waves waves;
-    const Eigen::ArrayXd lags = Eigen::ArrayXd::LinSpaced(window_side, 0, window_side - 1);
-    const Eigen::ArrayXd& window = lag_window();
-    const Eigen::ArrayXd phase = 2 * pi * frequency * lags;
-    const Eigen::ArrayXd cosine = phase.cos();
-    const Eigen::ArrayXd sine = phase.sin();
-    const Eigen::ArrayXd a =
-        window * lags.unaryExpr([&](double t) { return kernel_correlation(t / radius); });
-    const Eigen::ArrayXd b = 2 * pi * lags * a;
-    const Eigen::ArrayXd r =
-        window * lags.unaryExpr([&](double t) { return -t / radius * correlation_slope(t / radius); });
-    const auto sum = [&](const Eigen::ArrayXd& c, const Eigen::ArrayXd& s) {
-        return Eigen::ArrayXd(waves.cosine * c.matrix() + waves.sine * s.matrix());
+AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives) {
+    const Lags lags(scale, frequency, radius);
+    const auto transformed = [&](const Complexes& covariance) {
+        Complexes seen = sampled(scale, covariance, lags.count) * lag_window(scale, axis).head(lags.count);
+        seen.tail(lags.count - 1) *= 2; // opposite lags
+        return Eigen::ArrayXd(scale.cosine.leftCols(lags.count) * seen.real().matrix() +
+                              scale.sine.leftCols(lags.count) * seen.imag().matrix());
     };
-    return {sum(a * cosine, a * sine), sum(-b * sine, b * cosine), sum(r * cosine, r * sine)};
+    const Complexes value = lags.covariance(radius);
+    if (!with_derivatives)
+        return {transformed(value), {}, {}};
+    const auto slope = [&](double t) { return -t / radius * correlation_slope(t / radius); };
+    return {transformed(value), transformed(value * std::complex<double>(0, 2 * pi) * lags.pixels),
+            transformed(lags.wave * lags.pixels.unaryExpr(slope))};
+}
+
+Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius) {
+    const Lags lags(scale, frequency, radius);
+    Complexes seen = Complexes::Zero(scale.window);
+    seen.head(lags.count) = sampled(scale, lags.covariance(radius), lags.count) *
+                            lag_window(scale, axis).head(lags.count) / scale.spacing;
+    Complexes result = seen.head(scale.lags());
+    if (scale.grid == scale.window) // long lags wrap around
+        for (Eigen::Index t = 1; t < scale.lags(); ++t)
+            result[t] += std::conj(seen[scale.window - t]);
+    return result;
 }
 
 } // namespace gabor::fit

@@ -1,29 +1,32 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "fit/spectra.hpp"
 
 namespace gabor::fit {
 
-/// Kernel radii that can be found, in pixels. Windows hardly tell wider kernels apart; of a picture radii are
-/// at most half its shorter side, so that the texture can be tiled at its size.
-constexpr double smallest_radius = 2;
-constexpr double largest_radius = 181;
+/// The least kernel radius that can be found, in pixels: at frequency 0 its noise is white at pixels, where
+/// it correlates by 0.03 with that of the next.
+constexpr double smallest_radius = 0.75;
 
 /// The autocorrelation of Hann's window h(x) = (1 + cos pi x) / 2, at most 1, at a shift of t kernel radii:
 /// of the lattice's noise, averaged over the places of a cell, that along each axis, without its wave.
 double kernel_correlation(double t);
 
-/// What the estimate of a power spectrum expects along one axis of a wave of `frequency` cycles per pixel
-/// under kernels of a radius in pixels, and its derivatives. At all frequencies of the grid, negative ones
-/// last.
+/// What a scale's estimate expects along an axis, 0 for x and 1 for y, of a wave of `frequency` cycles per
+/// pixel under kernels of a radius in pixels, and its derivatives. At all frequencies of the grid.
 ///
-/// A window of weights w(p) sees a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi i k
-/// t), with L(t) = sum_p w(p) w(p + t): sampling, aliasing and what the window spreads are all in this sum.
+/// Averages of weights a(p) give samples the autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p +
+/// u), and windows of weights w(p) see a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi
+/// i k t), with L(t) = sum_p w(p) w(p + t): sampling, aliasing and what windows spread are all in this sum.
 struct AxisAtom {
     Eigen::ArrayXd value;
     Eigen::ArrayXd by_frequency;
     Eigen::ArrayXd by_log_radius;
 };
-AxisAtom axis_atom(double frequency, double radius);
+AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives);
+
+/// The same at lags 0 ... scale.lags() - 1: what the inverse transform of the estimate expects, a complex
+/// autocovariance of samples along an axis.
+Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius);
 
 } // namespace gabor::fit

@@ -15,8 +15,11 @@ void normalize(std::vector<Wave>& waves) {
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(components, components);
     for (const Wave& wave : waves)
         covariance += (wave.weight * wave.weight.adjoint()).real();
+    // Few lobes may have next to nothing of a component: that is not made more than four times stronger.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    const Eigen::VectorXd gains = solver.eigenvalues().cwiseMax(1.0 / 16).cwiseInverse().cwiseSqrt();
     const Eigen::MatrixXd root =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(covariance).operatorInverseSqrt();
+        solver.eigenvectors() * gains.asDiagonal() * solver.eigenvectors().transpose();
     for (Wave& wave : waves)
         wave.weight = root * wave.weight;
 }

@@ -10,7 +10,8 @@ namespace gabor::fit {
 /// that weak ones count, and not as much as strong ones. A factor for each component of variance 1.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
-/// Makes the covariance of the components the unit matrix, by the least change.
+/// Makes the covariance of the components the unit matrix, by the least change, as far as waves can have it:
+/// a single one has two independent components at most.
 void normalize(std::vector<Wave>& waves);
 
 /// From waves in components to colours. In the first component waves have no quadrature: phases common to all

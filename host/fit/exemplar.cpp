@@ -106,13 +106,14 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
     Rows rows(path, exemplar.channels == 1);
     Structure structure(exemplar.width);
     Eigen::MatrixXf values(count, exemplar.width);
+    const std::vector<float> seen(static_cast<std::size_t>(exemplar.width), 1);
     std::vector<float> first(static_cast<std::size_t>(exemplar.width));
     for (int y = 0; y < exemplar.height; ++y) {
         const std::span<float> row = rows.next();
         exemplar.trend.subtract(y, row);
         values.noalias() =
             map * Eigen::Map<const Eigen::MatrixXf>(row.data(), exemplar.channels, exemplar.width);
-        estimate.add_row({values.data(), static_cast<std::size_t>(values.size())});
+        estimate.add_row({values.data(), static_cast<std::size_t>(values.size())}, seen);
         for (int x = 0; x < exemplar.width; ++x)
             first[static_cast<std::size_t>(x)] = values(0, x);
         structure.add_row(first);
@@ -122,6 +123,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
         advance((1 + static_cast<double>(y + 1) / exemplar.height) / 2);
     }
     exemplar.spectra = estimate.spectra();
+    exemplar.autocovariances = estimate.autocovariances(exemplar.components.colwise().squaredNorm());
     exemplar.structure = structure.excess();
     return exemplar;
 }

@@ -27,9 +27,10 @@ struct Exemplar {
     Eigen::VectorXd mean; ///< of each channel
     Eigen::MatrixXd
         components; ///< a column for each, as long as its deviation: channels = mean + components * values
-    Spectra spectra{1};               ///< of the components
-    std::vector<Quantiles> quantiles; ///< of the components
-    double structure = 0;             ///< of the first component: see Structure
+    Spectra spectra{1};                          ///< of the components
+    std::vector<Autocovariance> autocovariances; ///< of the channels together, on the scales of the spectra
+    std::vector<Quantiles> quantiles;            ///< of the components
+    double structure = 0;                        ///< of the first component: see Structure
 };
 
 /// Reads the file twice, and holds no more of it than the rows of a window. Throws RequestError where it

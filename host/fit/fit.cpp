@@ -19,13 +19,13 @@ bool is_chance(const FitError& error, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side / window_side, 28.0);
     return error.l1 < 0.44 / windows && error.l2 < std::max(0.38 / windows, 0.0475) &&
-           error.autocorrelation < std::max(0.32 / windows, 0.04);
+           error.autocorrelation < std::max(2 * error.chance, 0.03);
 }
 
 // A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
 // well have any of that order.
 void keep_from_zero(std::vector<Wave>& waves) {
-    const double least = 0.0011 / waves.front().radius;
+    const double least = 0.0011 / unit_of(waves);
     for (Wave& wave : waves)
         if (wave.frequency.norm() < least)
             wave.frequency = {least, 0};
@@ -40,19 +40,31 @@ void drop_empty(std::vector<Wave>& waves) {
 
 } // namespace
 
-Spectra channel_spectra(const Exemplar& exemplar) {
-    return exemplar.spectra.mapped(exemplar.components);
+double unit_of(const std::vector<Wave>& waves) {
+    double least = waves.front().radius.minCoeff();
+    double most = waves.front().radius.maxCoeff();
+    const double first = std::sqrt(least * most);
+    for (const Wave& wave : waves) {
+        least = std::min(least, wave.radius.minCoeff());
+        most = std::max(most, wave.radius.maxCoeff());
+    }
+    return std::max({2.0, std::min(first, 100 * least), most / 100});
 }
 
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
-    const TargetSpectra target(spectra,
-                               std::min(std::min(exemplar.width, exemplar.height) / 2.0, largest_radius));
+    // So wide that the texture can be tiled at the picture's size.
+    const TargetSpectra target(spectra, std::min(exemplar.width, exemplar.height) / 2.0);
+    const auto unscaled = [&](std::vector<Wave> of) {
+        for (Wave& wave : of)
+            wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
+        return of;
+    };
     const Search search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {
-        Wave next = search.best(residual(target, waves));
+        Wave next = search.best(target, residual(target, waves));
         if (next.weight.isZero())
             break;
         waves.push_back(std::move(next));
@@ -60,20 +72,14 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
         refine(target, waves, FreeParameters::all, 6);
         drop_empty(waves);
         advance(0.8 * (i + 1) / lobes);
-        if (is_chance(compare(spectra, model(waves, spectra.channels)), exemplar))
+        if (is_chance(compare(exemplar, unscaled(waves)), exemplar))
             break;
     }
     refine(target, waves, FreeParameters::all, 30);
-    for (Wave& wave : waves)
-        wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
-
-    const auto in_channels = [&] {
-        return model(waves, static_cast<int>(scales.size())).mapped(exemplar.components);
-    };
+    waves = unscaled(std::move(waves));
     const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
     std::ranges::sort(waves, std::greater(), power);
-    FittedNoise fitted{.waves = {}, .colour = {}, .model = in_channels(), .error = {}, .variances = {}};
-    fitted.error = compare(channel_spectra(exemplar), fitted.model);
+    FittedNoise fitted{.waves = {}, .colour = {}, .error = compare(exemplar, waves), .variances = {}};
     const Eigen::MatrixXd covariance = model(waves, static_cast<int>(scales.size())).covariance();
     const Eigen::MatrixXd measured = exemplar.spectra.covariance();
     for (Eigen::Index c = 0; c < scales.size(); ++c)

@@ -16,8 +16,7 @@ constexpr int most_lobes = 16;
 struct FittedNoise {
     std::vector<Wave> waves; ///< the most powerful first; weights are of components of variance 1
     noise::Colour colour;
-    Spectra model;                 ///< of the exemplar's channels
-    FitError error;                ///< of the model before it got the exemplar's exact covariance
+    FitError error;                ///< before it got the exemplar's exact covariance
     std::vector<double> variances; ///< of the components there, as shares of the exemplar's
 };
 
@@ -28,7 +27,8 @@ struct FittedNoise {
 /// example", 2012.
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance);
 
-/// The exemplar's spectra in its own channels.
-Spectra channel_spectra(const Exemplar& exemplar);
+/// The length in pixels that a preset measures these lobes in: the strongest one's radius, or so near it that
+/// no other radius is more than 100 or less than 0.01.
+double unit_of(const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

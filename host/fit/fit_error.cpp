@@ -1,61 +1,109 @@
 #include "fit/fit_error.hpp"
 
+#include "fit/atoms.hpp"
+
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gabor::fit {
 
 namespace {
 
-double sum(const Eigen::ArrayXd& values) {
-    return (values * multiplicities()).sum();
+// Of some rows of spectra.
+struct Rows {
+    Eigen::Index begin;
+    Eigen::ArrayXd measure;
+
+    double sum(const Eigen::ArrayXd& values) const {
+        return (values.segment(begin, measure.size()) * measure).sum();
+    }
+    // Over all entries of the matrices: those off the diagonal are there twice.
+    double squares(const Spectra& spectra) const {
+        double result = 2 * sum(spectra.imaginary.rowwise().squaredNorm().array());
+        Eigen::Index column = 0;
+        for (const auto& [c, d] : real_pairs(spectra.channels))
+            result += (c == d ? 1 : 2) * sum(spectra.real.col(column++).array().square());
+        return result;
+    }
+};
+
+// Frequencies below 1 / window_side cycles per pixel.
+Rows low_rows(const Scale& scale) {
+    Rows rows{scale.begin, measures({scale}).tail(std::ssize(scale.frequencies))};
+    const double limit = static_cast<double>(scale.grid) * scale.spacing / window_side;
+    Eigen::Index row = 0;
+    for (const Scale::Frequency& k : scale.frequencies) {
+        const int y = 2 * k.y > scale.grid ? scale.grid - k.y : k.y;
+        if (std::hypot(k.x, y) > limit)
+            rows.measure[row] = 0;
+        ++row;
+    }
+    return rows;
 }
 
-// Over all entries of the matrices: those off the diagonal are there twice.
-double squares(const Spectra& spectra) {
-    double result = 2 * sum(spectra.imaginary.rowwise().squaredNorm().array());
-    Eigen::Index column = 0;
-    for (const auto& [c, d] : real_pairs(spectra.channels))
-        result += (c == d ? 1 : 2) * sum(spectra.real.col(column++).array().square());
+Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves,
+                              const Eigen::VectorXd& weights) {
+    Autocovariance result{Eigen::MatrixXd::Zero(scale.lags(), scale.lags()),
+                          Eigen::MatrixXd::Zero(scale.lags(), scale.lags())};
+    for (const Wave& wave : waves) {
+        const double power = wave.weight.cwiseAbs2().dot(weights);
+        const Eigen::VectorXcd x = axis_autocovariance(scale, 0, wave.frequency.x(), wave.radius.x());
+        const Eigen::VectorXcd y = axis_autocovariance(scale, 1, wave.frequency.y(), wave.radius.y());
+        result.forward += power * (y * x.transpose()).real();
+        result.backward += power * (y * x.adjoint()).real();
+    }
     return result;
+}
+
+// Where windows overlap at all, up to half of their side.
+double largest_difference(const Scale& scale, const Autocovariance& a, const Autocovariance& b) {
+    double largest = 0;
+    for (Eigen::Index y = 0; y < scale.lags(); ++y)
+        for (Eigen::Index x = 0; x < scale.lags() && std::hypot(x, y) < static_cast<double>(scale.lags());
+             ++x)
+            largest = std::max({largest,
+                                std::abs(a.forward(y, x) - b.forward(y, x)) /
+                                    (scale.lag_window[0][x] * scale.lag_window[1][y]),
+                                std::abs(a.backward(y, x) - b.backward(y, x)) /
+                                    (scale.lag_window[0][x] * scale.lag_window[1][y])});
+    return largest;
 }
 
 } // namespace
 
-Eigen::MatrixXd autocorrelation(const Spectra& spectra) {
-    constexpr int lags = 2 * furthest_lag + 1;
-    const Eigen::ArrayXd power = spectra.total() * multiplicities();
-    const Eigen::Map<const Eigen::Matrix<double, grid_side, grid_columns, Eigen::RowMajor>> plane(
-        power.data());
-    const auto waves = [&](int frequencies, auto function) {
-        Eigen::MatrixXd result(lags, frequencies);
-        for (int t = 0; t < lags; ++t)
-            for (int k = 0; k < frequencies; ++k)
-                result(t, k) = function(2 * std::numbers::pi * (t - furthest_lag) * k / grid_side);
-        return result;
-    };
-    const auto cosine = [](double phase) { return std::cos(phase); };
-    const auto sine = [](double phase) { return std::sin(phase); };
-    Eigen::MatrixXd result = waves(grid_side, cosine) * plane * waves(grid_columns, cosine).transpose() -
-                             waves(grid_side, sine) * plane * waves(grid_columns, sine).transpose();
-    const Eigen::ArrayXd& window = hann_window();
-    Eigen::VectorXd seen(lags); // the windows' own
-    for (int t = -furthest_lag; t <= furthest_lag; ++t) {
-        const int overlap = window_side - std::abs(t);
-        seen[t + furthest_lag] = (window.head(overlap) * window.tail(overlap)).sum();
-    }
-    result.array() /= (seen * seen.transpose()).array();
-    return result / result(furthest_lag, furthest_lag);
-}
-
-FitError compare(const Spectra& estimate, const Spectra& model) {
-    Spectra difference = model;
+FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
+    const Spectra estimate = exemplar.spectra.mapped(exemplar.components);
+    const Spectra found =
+        model(waves, exemplar.spectra.channels, exemplar.spectra.scales).mapped(exemplar.components);
+    Spectra difference = found;
     difference.real -= estimate.real;
     difference.imaginary -= estimate.imaginary;
+    const Eigen::ArrayXd power = estimate.total();
+    const Eigen::ArrayXd apart = difference.total().abs();
+    const std::vector<Scale>& scales = *estimate.scales;
+    const Rows first{0, measures({scales.front()})};
     FitError error;
-    error.l1 = sum(difference.total().abs()) / sum(estimate.total());
-    error.l2 = std::sqrt(squares(difference) / squares(estimate));
-    error.autocorrelation = (autocorrelation(model) - autocorrelation(estimate)).cwiseAbs().maxCoeff();
+    error.l1 = first.sum(apart) / first.sum(power);
+    error.l2 = std::sqrt(first.squares(difference) / first.squares(estimate));
+    if (scales.size() > 1) {
+        const Rows low = low_rows(scales.back());
+        error.low = low.sum(apart) / low.sum(power);
+    }
+
+    const Eigen::VectorXd weights = exemplar.components.colwise().squaredNorm();
+    const double variance = estimate.covariance().trace();
+    double squares = 0; // the integral of the squared autocorrelation over all lags
+    for (std::size_t i = 0; i < exemplar.autocovariances.size(); ++i) {
+        const Scale& scale = scales[i];
+        const Autocovariance& seen = exemplar.autocovariances[i];
+        error.autocorrelation =
+            std::max(error.autocorrelation,
+                     largest_difference(scale, seen, autocovariance(scale, waves, weights)) / variance);
+        error.furthest_lag = scale.length() / 2;
+        squares = 2 * (seen.forward.squaredNorm() + seen.backward.squaredNorm()) *
+                  std::pow(scale.spacing / variance, 2);
+    }
+    error.chance = std::sqrt(squares / exemplar.width / exemplar.height); // Bartlett's formula
     return error;
 }
 

@@ -1,24 +1,23 @@
 #pragma once
 
-#include "fit/spectra.hpp"
-
-#include <Eigen/Core>
+#include "fit/exemplar.hpp"
+#include "fit/levenberg.hpp"
 
 namespace gabor::fit {
 
-/// Lags up to which autocorrelations are compared.
-constexpr int furthest_lag = 32;
-
-/// How far a model's spectra are from an estimate.
+/// How far a sum of waves is from an exemplar.
 struct FitError {
-    double l1 = 0; ///< sum of |model - estimate| of the total power, relative to the sum of the estimate
-    double l2 = 0; ///< root of the sum of squares over all cross-spectra, relative likewise
-    double autocorrelation = 0; ///< largest difference up to `furthest_lag` pixels along x and y
+    double l1 =
+        0; ///< sum of |model - estimate| of the total power in windows of 64 pixels, relative to its sum
+    double l2 = 0;  ///< root of the sum of squares over all cross-spectra, relative likewise
+    double low = 0; ///< as l1, of waves longer than 64 pixels in the largest windows; 0 where there are none
+    int furthest_lag = 0;       ///< pixels: a quarter of the exemplar
+    double autocorrelation = 0; ///< largest difference up to that lag
+    double chance =
+        0; ///< what chance alone makes of that in an exemplar of this size: its standard deviation
 };
-FitError compare(const Spectra& estimate, const Spectra& model);
 
-/// The autocorrelation of the channels together at lags from -furthest_lag to furthest_lag: a row for each of
-/// y.
-Eigen::MatrixXd autocorrelation(const Spectra& spectra);
+/// Of waves in the exemplar's components.
+FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

@@ -62,8 +62,8 @@ struct Line {
 
 Line line_of(const Wave& wave, const std::array<Colour::Weight, 3>& weights) {
     const auto of = [&](auto value) { return vector([&](std::size_t c) { return value(weights[c]); }); };
-    return {number(wave.radius),
-            number(wave.frequency.norm() * wave.radius),
+    return {number(wave.radius.x()),
+            number(wave.frequency.norm() * wave.radius.x()),
             number(std::atan2(wave.frequency.y(), wave.frequency.x())),
             of([](const Colour::Weight& w) { return w.noise; }),
             of([](const Colour::Weight& w) { return w.quadrature; }),

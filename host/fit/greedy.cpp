@@ -2,12 +2,13 @@
 
 #include "fit/atoms.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 namespace gabor::fit {
 
@@ -15,16 +16,20 @@ namespace {
 
 using Eigen::Index;
 
-// All frequencies of the grid, from those of the half that is kept: opposite ones are the same, or negative.
-Eigen::MatrixXf whole_plane(const Eigen::ArrayXd& half, float opposite) {
-    Eigen::MatrixXf plane(grid_side, grid_side);
-    for (int y = 0; y < grid_side; ++y)
-        for (int x = 0; x < grid_side; ++x) {
-            const bool kept = x < grid_columns;
-            const int ky = kept ? y : (grid_side - y) % grid_side;
-            const int kx = kept ? x : grid_side - x;
-            plane(y, x) = (kept ? 1.0f : opposite) * static_cast<float>(half[ky * grid_columns + kx]);
-        }
+constexpr bool elliptical = false;
+
+// All frequencies of the first scale's grid, from those of the half that is kept: opposite ones are the same,
+// or negative.
+Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, float opposite) {
+    const int grid = scale.grid;
+    Eigen::MatrixXf plane(grid, grid);
+    Index at = 0;
+    for (const Scale::Frequency& k : scale.frequencies) {
+        const auto value = static_cast<float>(half[at++]);
+        if (2 * k.x != grid && k.x != 0)
+            plane((grid - k.y) % grid, grid - k.x) = opposite * value;
+        plane(k.y, k.x) = value;
+    }
     return plane;
 }
 
@@ -47,104 +52,154 @@ float largest_eigenvalue(const Eigen::Matrix3cf& m, int rows) {
     return middle + 2 * size * std::cos(std::acos(cosine) / 3);
 }
 
-// How far apart frequencies need to be tried: lobes of narrow kernels are wide.
-int stride_of(double radius) {
-    return std::max(1, static_cast<int>(16 / radius));
+// Radii in steps of a factor of 2.
+std::vector<double> radii(double from, double to) {
+    std::vector<double> result;
+    for (double radius = from; radius < 1.01 * to; radius *= 2)
+        result.push_back(radius);
+    return result;
+}
+
+// The frequencies of a scale where a single one would take most, in cycles per pixel.
+std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Residual& left, const Scale& scale) {
+    constexpr std::size_t most = 8;
+    constexpr int apart = 3;
+    Eigen::ArrayXd power = Eigen::ArrayXd::Zero(std::ssize(scale.frequencies));
+    Index column = 0;
+    for (const auto& [c, d] : real_pairs(target.channels)) {
+        if (c == d)
+            power += left.real.col(column).segment(scale.begin, power.size()).array();
+        ++column;
+    }
+    std::vector<Index> order(scale.frequencies.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, std::greater(), [&](Index i) { return power[i]; });
+    std::vector<Eigen::Vector2d> found;
+    for (const Index i : order) {
+        const Scale::Frequency& k = scale.frequencies[static_cast<std::size_t>(i)];
+        Eigen::Vector2d place(k.x, 2 * k.y > scale.grid ? k.y - scale.grid : k.y);
+        if (!(power[i] > 0) || found.size() == most)
+            break;
+        if (std::ranges::all_of(found, [&](const Eigen::Vector2d& other) {
+                return (other - place).cwiseAbs().maxCoeff() >= apart &&
+                       (other + place).cwiseAbs().maxCoeff() >= apart;
+            }))
+            found.push_back(place);
+    }
+    for (Eigen::Vector2d& place : found)
+        place /= scale.grid * scale.spacing;
+    return found;
 }
 
 } // namespace
 
-Search::Search(const TargetSpectra& target) : channels_(target.channels), weight_(target.weight) {
-    const Eigen::MatrixXf weight = whole_plane(target.weight.square() / multiplicities(), 1);
-    for (double radius = smallest_radius; radius < 1.01 * target.largest_radius;
-         radius *= std::numbers::sqrt2) {
-        Scale scale;
-        scale.radius = std::min(radius, target.largest_radius);
-        const int stride = stride_of(radius);
-        for (int k = -(grid_side / 2 - 1) / stride * stride; k <= grid_side / 2; k += stride)
-            scale.rows.push_back(k);
-        for (int k = 0; k <= grid_side / 2; k += stride)
-            scale.columns.push_back(k);
-        const Eigen::ArrayXd atom = axis_atom(0, scale.radius).value;
-        const auto shifted = [&](const std::vector<int>& frequencies, int sign) {
-            Eigen::MatrixXf rows(std::ssize(frequencies), grid_side);
-            for (Index f = 0; f < rows.rows(); ++f)
-                for (int k = 0; k < grid_side; ++k)
-                    rows(f, k) = static_cast<float>(
-                        atom[(k - sign * frequencies[static_cast<std::size_t>(f)] + 2 * grid_side) %
-                             grid_side]);
-            return rows;
-        };
-        scale.atoms_y = shifted(scale.rows, 1);
-        scale.atoms_x = shifted(scale.columns, 1);
-        // Of the atom with itself, and with its mirrored part: see `Parts` of the refinement.
-        const Eigen::MatrixXf mirrored_y = scale.atoms_y.cwiseProduct(shifted(scale.rows, -1));
-        const Eigen::MatrixXf mirrored_x = scale.atoms_x.cwiseProduct(shifted(scale.columns, -1));
-        scale.square = 0.25f * (scale.atoms_y.cwiseAbs2() * weight * scale.atoms_x.cwiseAbs2().transpose() +
-                                mirrored_y * weight * mirrored_x.transpose());
-        scales_.push_back(std::move(scale));
+Search::Axis Search::axis_of(const Scale& scale, int which, double largest_radius, int lowest) {
+    Axis axis;
+    for (const double radius : radii(2, std::min<double>(largest_radius, scale.length()))) {
+        // How far apart frequencies need to be tried: lobes of narrow kernels are wide.
+        const int stride = std::max(1, static_cast<int>(16 / radius));
+        for (int k = lowest / stride * stride; k <= scale.grid / 2; k += stride) {
+            axis.frequency.push_back(k);
+            axis.radius.push_back(radius);
+        }
     }
+    axis.frequency.push_back(0); // white
+    axis.radius.push_back(smallest_radius);
+    const auto count = std::ssize(axis.frequency);
+    axis.atoms.resize(count, scale.grid);
+    axis.mirrored.resize(count, scale.grid);
+    for (Index i = 0; i < count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Eigen::ArrayXd atom =
+            axis_atom(scale, which, static_cast<double>(axis.frequency[at]) / scale.grid, axis.radius[at],
+                      false)
+                .value;
+        for (int k = 0; k < scale.grid; ++k) {
+            axis.atoms(i, k) = static_cast<float>(atom[k]);
+            axis.mirrored(i, k) = static_cast<float>(atom[k] * atom[(scale.grid - k) % scale.grid]);
+        }
+    }
+    return axis;
 }
 
-Wave Search::best(const Residual& left) const {
-    const auto planes = [&](const Eigen::MatrixXd& columns, const std::vector<Pair>& pairs, float opposite) {
+Search::Search(const TargetSpectra& target)
+    : x_(axis_of(target.scales->front(), 0, target.largest_radius, 0)),
+      y_(axis_of(target.scales->front(), 1, target.largest_radius, 1 - target.scales->front().grid / 2)) {
+    const Scale& scale = target.scales->front();
+    const Index rows = std::ssize(scale.frequencies);
+    const Eigen::MatrixXf weight =
+        whole_plane(scale, target.weight.head(rows).square() / measures({scale}), 1);
+    square_ = 0.25f * (y_.atoms.cwiseAbs2() * weight * x_.atoms.cwiseAbs2().transpose() +
+                       y_.mirrored * weight * x_.mirrored.transpose());
+}
+
+Wave Search::best(const TargetSpectra& target, const Residual& left) const {
+    const Scale& first = target.scales->front();
+    const Index rows = std::ssize(first.frequencies);
+    const Eigen::ArrayXd factor = target.weight.head(rows) / measures({first});
+    const auto products = [&](const Eigen::MatrixXd& columns, const std::vector<Pair>& pairs,
+                              float opposite) {
         std::vector<Eigen::MatrixXf> result;
         for (Index i = 0; i < columns.cols(); ++i) {
             const auto& [c, d] = pairs[static_cast<std::size_t>(i)];
-            const double single = c == d ? 1 : 1 / std::numbers::sqrt2;
-            result.push_back(
-                whole_plane(single * columns.col(i).array() * weight_ / multiplicities(), opposite));
+            const double single = c == d ? 0.5 : 0.5 / std::numbers::sqrt2;
+            const Eigen::MatrixXf plane =
+                whole_plane(first, single * columns.col(i).head(rows).array() * factor, opposite);
+            result.push_back(y_.atoms * plane * x_.atoms.transpose());
         }
         return result;
     };
-    const std::vector<Pair> real = real_pairs(channels_);
-    const std::vector<Pair> imaginary = imaginary_pairs(channels_);
-    const std::vector<Eigen::MatrixXf> even = planes(left.real, real, 1);
-    const std::vector<Eigen::MatrixXf> odd = planes(left.imaginary, imaginary, -1);
-
-    // With the products C of residual and atom, a wave of weights W gains most where W is C's first
-    // eigenvector.
-    double most = 0;
+    const std::vector<Pair> real = real_pairs(target.channels);
+    const std::vector<Pair> imaginary = imaginary_pairs(target.channels);
+    const std::vector<Eigen::MatrixXf> re = products(left.real, real, 1);
+    const std::vector<Eigen::MatrixXf> im = products(left.imaginary, imaginary, -1);
+    Wave wave{{0, 0}, {smallest_radius, smallest_radius}, Eigen::VectorXcd::Zero(target.channels)};
     double gained = 0;
-    Eigen::Matrix3cf products = Eigen::Matrix3cf::Zero();
-    Wave wave{{0, 0}, smallest_radius, Eigen::VectorXcd::Zero(channels_)};
     Eigen::Matrix3cf at = Eigen::Matrix3cf::Zero();
-    for (const Scale& scale : scales_) {
-        const auto correlate = [&](const std::vector<Eigen::MatrixXf>& from) {
-            std::vector<Eigen::MatrixXf> result;
-            for (const Eigen::MatrixXf& plane : from)
-                result.push_back(0.5f * (scale.atoms_y * plane * scale.atoms_x.transpose()));
-            return result;
-        };
-        const std::vector<Eigen::MatrixXf> re = correlate(even);
-        const std::vector<Eigen::MatrixXf> im = correlate(odd);
-        for (Index x = 0; x < scale.square.cols(); ++x)
-            for (Index y = 0; y < scale.square.rows(); ++y) {
-                for (std::size_t i = 0; i < real.size(); ++i)
-                    at(real[i].c, real[i].d) = re[i](y, x);
-                for (std::size_t i = 0; i < imaginary.size(); ++i)
-                    at(imaginary[i].c, imaginary[i].d).imag(im[i](y, x));
-                for (const auto& [c, d] : imaginary)
-                    at(d, c) = std::conj(at(c, d));
-                const double value = largest_eigenvalue(at, channels_);
-                const double gain = value > 0 ? value * value / scale.square(y, x) : 0;
-                if (gain <= gained)
-                    continue;
-                gained = gain;
-                most = value / scale.square(y, x);
-                products = at;
-                wave.frequency = {scale.columns[static_cast<std::size_t>(x)],
-                                  scale.rows[static_cast<std::size_t>(y)]};
-                wave.frequency /= grid_side;
-                wave.radius = scale.radius;
+    for (Index x = 0; x < square_.cols(); ++x)
+        for (Index y = 0; y < square_.rows(); ++y) {
+            const double rx = x_.radius[static_cast<std::size_t>(x)];
+            const double ry = y_.radius[static_cast<std::size_t>(y)];
+            if ((rx < 2) != (ry < 2) || (!elliptical && rx != ry))
+                continue;
+            for (std::size_t i = 0; i < real.size(); ++i)
+                at(real[i].c, real[i].d) = re[i](y, x);
+            for (std::size_t i = 0; i < imaginary.size(); ++i) {
+                at(imaginary[i].c, imaginary[i].d).imag(im[i](y, x));
+                at(imaginary[i].d, imaginary[i].c) = std::conj(at(imaginary[i].c, imaginary[i].d));
             }
+            const double value = largest_eigenvalue(at, target.channels);
+            const double gain = value > 0 ? value * value / static_cast<double>(square_(y, x)) : 0;
+            if (gain <= gained)
+                continue;
+            gained = gain;
+            wave.frequency = Eigen::Vector2d(x_.frequency[static_cast<std::size_t>(x)],
+                                             y_.frequency[static_cast<std::size_t>(y)]) /
+                             first.grid;
+            wave.radius = {rx, ry};
+        }
+
+    // The same over all scales, and peaks of those.
+    Gain most = gain(target, left, wave.frequency, wave.radius);
+    for (std::size_t s = 1; s < target.scales->size(); ++s) {
+        const Scale& scale = (*target.scales)[s];
+        const double narrowest = (*target.scales)[s - 1].length() / 4;
+        const std::vector<double> wide =
+            radii(narrowest, std::min<double>(target.largest_radius, scale.length()));
+        for (const Eigen::Vector2d& frequency : peaks(target, left, scale))
+            for (const double rx : wide)
+                for (const double ry : wide) {
+                    if (!elliptical && rx != ry)
+                        continue;
+                    const Gain here = gain(target, left, frequency, {rx, ry});
+                    if (here.cost > most.cost) {
+                        most = here;
+                        wave.frequency = frequency;
+                        wave.radius = {rx, ry};
+                    }
+                }
     }
-    if (most > 0) {
-        const Eigen::MatrixXcd block =
-            products.topLeftCorner(channels_, channels_).cast<std::complex<double>>();
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(block);
-        wave.weight = std::sqrt(most) * solver.eigenvectors().col(channels_ - 1);
-    }
+    wave.weight = most.weight;
     return wave;
 }
 

@@ -6,29 +6,29 @@
 
 namespace gabor::fit {
 
-/// Looks for the wave that takes most of a residual, over all frequencies of the grid and over radii in steps
-/// of sqrt 2.
+/// Looks for the wave that takes most of a residual.
 class Search {
   public:
     explicit Search(const TargetSpectra& target);
 
-    /// That wave, with the weights that fit best while others stay as they are.
-    Wave best(const Residual& left) const;
+    /// That wave, with the weights that fit best while others stay as they are. Tried are all frequencies of
+    /// the first scale with radii that its windows can tell, and the highest peaks of the other scales with
+    /// larger radii, in steps of a factor of 2 along each axis.
+    Wave best(const TargetSpectra& target, const Residual& left) const;
 
   private:
-    // Atoms of one radius along an axis, and what a wave at each frequency has for a square.
-    struct Scale {
-        double radius;
-        std::vector<int> rows;    ///< frequencies of y that are tried, in steps of the grid
-        std::vector<int> columns; ///< of x
-        Eigen::MatrixXf atoms_y;  ///< one row for each
-        Eigen::MatrixXf atoms_x;
-        Eigen::MatrixXf square;
+    // The atoms of all frequencies and radii along an axis: one row for each.
+    struct Axis {
+        std::vector<int> frequency; ///< on the grid
+        std::vector<double> radius;
+        Eigen::MatrixXf atoms;
+        Eigen::MatrixXf mirrored; ///< times those of the opposite frequency
     };
+    static Axis axis_of(const Scale& scale, int which, double largest_radius, int lowest);
 
-    int channels_;
-    Eigen::ArrayXd weight_;
-    std::vector<Scale> scales_;
+    Axis x_;
+    Axis y_;
+    Eigen::MatrixXf square_; ///< of the atom at each pair of them
 };
 
 } // namespace gabor::fit

@@ -3,6 +3,7 @@
 #include "fit/atoms.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,9 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
-constexpr int functions =
-    4; // of a wave: its atom, and that by both frequencies and by the radius's logarithm
+// Of a wave: its atom, and that by both frequencies and by the logarithms of both radii.
+constexpr int functions = 5;
+constexpr bool elliptical = false;
 
 // An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
 // cross-spectra have their sum, imaginary ones their difference.
@@ -27,35 +29,40 @@ struct Parts {
     Eigen::MatrixXd difference;
 };
 
-void put(Parts& parts, Index column, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, bool added) {
-    Index at = 0;
-    for (int ky = 0; ky < grid_side; ++ky) {
-        const double here = 0.5 * y[ky];
-        const double there = 0.5 * y[(grid_side - ky) % grid_side];
-        for (int kx = 0; kx < grid_columns; ++kx, ++at) {
-            const double a = here * x[kx];
-            const double b = there * x[(grid_side - kx) % grid_side];
-            parts.sum(at, column) = (added ? parts.sum(at, column) : 0) + a + b;
-            parts.difference(at, column) = (added ? parts.difference(at, column) : 0) + a - b;
-        }
+void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+    const int grid = scale.grid;
+    Index at = scale.begin;
+    for (const Scale::Frequency& k : scale.frequencies) {
+        const double a = 0.5 * x[k.x] * y[k.y];
+        const double b = 0.5 * x[(grid - k.x) % grid] * y[(grid - k.y) % grid];
+        parts.sum(at, column) = a + b;
+        parts.difference(at, column) = a - b;
+        ++at;
     }
 }
 
 // Of every wave one column, or with derivatives `functions` of them, times the weight of each frequency.
-Parts parts_of(const std::vector<Wave>& waves, bool with_derivatives, const Eigen::ArrayXd& weight) {
+Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_derivatives,
+               const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
-    Parts parts{Eigen::MatrixXd(grid_size, each * std::ssize(waves)),
-                Eigen::MatrixXd(grid_size, each * std::ssize(waves))};
+    Parts parts{Eigen::MatrixXd(weight.size(), each * std::ssize(waves)),
+                Eigen::MatrixXd(weight.size(), each * std::ssize(waves))};
     Index column = 0;
     for (const Wave& wave : waves) {
-        const AxisAtom x = axis_atom(wave.frequency.x(), wave.radius);
-        const AxisAtom y = axis_atom(wave.frequency.y(), wave.radius);
-        put(parts, column, x.value, y.value, false);
-        if (with_derivatives) {
-            put(parts, column + 1, x.by_frequency, y.value, false);
-            put(parts, column + 2, x.value, y.by_frequency, false);
-            put(parts, column + 3, x.by_log_radius, y.value, false);
-            put(parts, column + 3, x.value, y.by_log_radius, true);
+        for (const Scale& scale : *scales) {
+            const AxisAtom x = axis_atom(scale, 0, wave.frequency.x(), wave.radius.x(), with_derivatives);
+            const AxisAtom y = axis_atom(scale, 1, wave.frequency.y(), wave.radius.y(), with_derivatives);
+            put(parts, column, scale, x.value, y.value);
+            if (with_derivatives) {
+                put(parts, column + 1, scale, x.by_frequency, y.value);
+                put(parts, column + 2, scale, x.value, y.by_frequency);
+                put(parts, column + 3, scale, x.by_log_radius, y.value);
+                put(parts, column + 4, scale, x.value, y.by_log_radius);
+            }
+        }
+        if (with_derivatives && !elliptical) {
+            parts.sum.col(column + 3) += parts.sum.col(column + 4);
+            parts.difference.col(column + 3) += parts.difference.col(column + 4);
         }
         column += each;
     }
@@ -105,7 +112,7 @@ std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParamet
                 parameters.push_back({j, 0, entries(change * w.adjoint() + w * change.adjoint())});
             }
         if (free == FreeParameters::all)
-            for (Index f = 1; f < functions; ++f)
+            for (Index f = 1; f < functions - (elliptical ? 0 : 1); ++f)
                 parameters.push_back({j, f, entries(w * w.adjoint())});
     }
     return parameters;
@@ -162,10 +169,10 @@ Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vec
     Eigen::VectorXd result(std::ssize(parameters));
     for (Index i = 0; i < result.size(); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
-        const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
+        const Eigen::Vector2d& radius = waves[static_cast<std::size_t>(p.wave)].radius;
         const double least = p.function == 0   ? power[p.wave]
-                             : p.function == 3 ? 0.01 * power[p.wave]
-                                               : 0.01 * radius * radius * power[p.wave];
+                             : p.function >= 3 ? 0.01 * power[p.wave]
+                                               : 0.01 * std::pow(radius[p.function - 1], 2) * power[p.wave];
         result[i] = std::max(normal.matrix(i, i), least);
     }
     return result;
@@ -176,10 +183,11 @@ void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<
                     Normal& normal) {
     for (Index i = 0; i < std::ssize(parameters); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
-        const double radius = waves[static_cast<std::size_t>(p.wave)].radius;
+        if (p.function < 3)
+            continue;
+        const double radius = waves[static_cast<std::size_t>(p.wave)].radius[p.function - 3];
         const double slope = normal.slope[i];
-        if (p.function != 3 ||
-            !((radius <= smallest_radius && slope < 0) || (radius >= largest && slope > 0)))
+        if (!((radius <= smallest_radius && slope < 0) || (radius >= largest && slope > 0)))
             continue;
         normal.matrix.row(i).setZero();
         normal.matrix.col(i).setZero();
@@ -203,13 +211,15 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
         wave.weight += most * wave.weight.norm() * change;
         if (free != FreeParameters::all)
             continue;
-        Eigen::Vector2d turn(step[at], step[at + 1]);
-        const double reach = 0.5 / wave.radius;
-        wave.frequency += turn * (reach / std::max(turn.norm(), reach));
+        const Eigen::Array2d turn(step[at], step[at + 1]);
+        const double most_turn = std::max(1.0, 2 * (turn * wave.radius.array()).matrix().norm());
+        wave.frequency.array() += turn / most_turn;
         wave.frequency.array() -= (wave.frequency.array() + 0.5).floor(); // aliases of one another
-        wave.radius =
-            std::clamp(wave.radius * std::exp(std::clamp(step[at + 2], -0.5, 0.5)), smallest_radius, largest);
-        at += 3;
+        for (Index axis = 0; axis < 2; ++axis)
+            wave.radius[axis] = std::clamp(
+                wave.radius[axis] * std::exp(std::clamp(step[at + 2 + (elliptical ? axis : 0)], -0.5, 0.5)),
+                smallest_radius, largest);
+        at += elliptical ? 4 : 3;
     }
     return waves;
 }
@@ -229,10 +239,11 @@ Residual subtract(const TargetSpectra& target, const std::vector<Wave>& waves, c
 } // namespace
 
 TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
-    : channels(spectra.channels), real(spectra.real), imaginary(spectra.imaginary), largest_radius(radius) {
+    : channels(spectra.channels), scales(spectra.scales), real(spectra.real), imaginary(spectra.imaginary),
+      largest_radius(radius) {
     const Eigen::ArrayXd total = spectra.total();
-    const double mean = (total * multiplicities()).sum() / (grid_side * grid_side);
-    weight = (multiplicities() / (total + 0.01 * mean)).sqrt();
+    const double mean = spectra.covariance().trace();
+    weight = (measures(*scales) / (total + 0.01 * mean)).sqrt();
     real.array().colwise() *= weight;
     imaginary.array().colwise() *= weight;
     imaginary *= root_2;
@@ -242,12 +253,36 @@ TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
 }
 
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
-    return subtract(target, waves, parts_of(waves, false, target.weight), 1);
+    return subtract(target, waves, parts_of(waves, target.scales, false, target.weight), 1);
 }
 
-Spectra model(const std::vector<Wave>& waves, int channels) {
-    const Parts parts = parts_of(waves, false, Eigen::ArrayXd::Ones(grid_size));
-    Spectra result(channels);
+// With the products C of residual and atom, weights W gain most where W is C's first eigenvector.
+Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
+          const Eigen::Vector2d& radius) {
+    const Parts parts = parts_of({{frequency, radius, {}}}, target.scales, false, target.weight);
+    const Eigen::RowVectorXd real = parts.sum.transpose() * left.real;
+    const Eigen::RowVectorXd imaginary = parts.difference.transpose() * left.imaginary;
+    Eigen::MatrixXcd products(target.channels, target.channels);
+    Index at = 0;
+    for (const auto& [c, d] : real_pairs(target.channels))
+        products(c, d) = real[at++] * (c == d ? 1 : 1 / root_2);
+    at = 0;
+    for (const auto& [c, d] : imaginary_pairs(target.channels)) {
+        products(c, d) += Complex(0, imaginary[at++] / root_2);
+        products(d, c) = std::conj(products(c, d));
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(products);
+    const double value = solver.eigenvalues()[target.channels - 1];
+    const double square = parts.sum.squaredNorm();
+    if (!(value > 0) || !(square > 0))
+        return {0, Eigen::VectorXcd::Zero(target.channels)};
+    return {value * value / square,
+            std::sqrt(value / square) * solver.eigenvectors().col(target.channels - 1)};
+}
+
+Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales) {
+    Spectra result(channels, scales);
+    const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.real.rows()));
     for (Index j = 0; j < std::ssize(waves); ++j) {
         const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
         Index column = 0;
@@ -265,7 +300,7 @@ void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameter
     const Index each = free == FreeParameters::all ? functions : 1;
     double lambda = 0.01;
     for (int s = 0; s < steps; ++s) {
-        const Parts parts = parts_of(waves, free == FreeParameters::all, target.weight);
+        const Parts parts = parts_of(waves, target.scales, free == FreeParameters::all, target.weight);
         const Residual left = subtract(target, waves, parts, each);
         const double cost = left.cost();
         const std::vector<Parameter> parameters = parameters_of(waves, free);

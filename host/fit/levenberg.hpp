@@ -9,11 +9,11 @@
 namespace gabor::fit {
 
 /// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
-/// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius) g(t.y / radius), channel c has Re(weight_c z):
+/// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c has Re(weight_c z):
 /// cross-spectra weight_c weight_d*.
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
-    double radius;             ///< pixels
+    Eigen::Vector2d radius;    ///< pixels, along x and y
     Eigen::VectorXcd weight;   ///< of each channel; real where there is one
 };
 
@@ -22,9 +22,10 @@ struct Wave {
 /// follow where the estimate is low by chance.
 struct TargetSpectra {
     int channels;
+    Scales scales;
     Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal
     Eigen::MatrixXd imaginary;
-    Eigen::ArrayXd weight; ///< the root, with multiplicities
+    Eigen::ArrayXd weight; ///< the root, with what each frequency counts
     double largest_radius; ///< that waves may have
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
@@ -39,8 +40,16 @@ struct Residual {
 };
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
+/// How much less is left with the best weights of one more such wave, and those weights.
+struct Gain {
+    double cost = 0;
+    Eigen::VectorXcd weight;
+};
+Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
+          const Eigen::Vector2d& radius);
+
 /// The spectra that waves have, as the estimate would see them.
-Spectra model(const std::vector<Wave>& waves, int channels);
+Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales = first_scale());
 
 /// What may change: weights alone, or also frequencies and radii.
 enum class FreeParameters { weights, all };

@@ -10,13 +10,13 @@ render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) 
     render::Request request;
     request.width = exemplar.width;
     request.height = exemplar.height;
-    request.scale = fitted.waves.front().radius; // the unit is that of the strongest lobe
+    request.scale = unit_of(fitted.waves);
     request.lobes.clear();
     for (const Wave& wave : fitted.waves) {
         noise::Lobe lobe;
         lobe.frequency = wave.frequency.norm() * request.scale;
         lobe.orientation = noise::degrees(std::atan2(wave.frequency.y(), wave.frequency.x()));
-        lobe.radius = wave.radius / request.scale;
+        lobe.radius = wave.radius.x() / request.scale;
         lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }

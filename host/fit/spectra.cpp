@@ -1,34 +1,177 @@
 #include "fit/spectra.hpp"
 
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gabor::fit {
 
 namespace {
 
-constexpr int hop = 16;
+// Windows of the larger scales, in samples, and the least that are worth an estimate.
+constexpr int large_window = 256;
+constexpr int least_window = 32;
+// Averages of eight samples, four apart, by a triangle.
+constexpr int decimation = 4;
+constexpr std::array<double, 2 * decimation> triangle{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,
+                                                      7 / 32.0, 5 / 32.0, 3 / 32.0, 1 / 32.0};
+
+int decimated(int length) {
+    return (length - static_cast<int>(triangle.size())) / decimation + 1;
+}
+
+Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& values) {
+    Eigen::ArrayXd result(values.size());
+    for (Eigen::Index t = 0; t < values.size(); ++t)
+        result[t] = (values.head(values.size() - t) * values.tail(values.size() - t)).sum();
+    return result;
+}
+
+// Those of averages of averages.
+Eigen::ArrayXd averaging_weights(int spacing) {
+    Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(1);
+    for (int s = 1; s < spacing; s *= decimation) {
+        const Eigen::Index size = std::ssize(triangle);
+        Eigen::ArrayXd next = Eigen::ArrayXd::Zero(weights.size() + (size - 1) * s);
+        for (Eigen::Index i = 0; i < size; ++i)
+            next.segment(i * s, weights.size()) += triangle[static_cast<std::size_t>(i)] * weights;
+        weights = next;
+    }
+    return weights;
+}
+
+Eigen::ArrayXd hann_window(int side) {
+    Eigen::ArrayXd hann(side);
+    for (int i = 0; i < side; ++i)
+        hann[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side);
+    return hann;
+}
+
+Scale make_scale(int spacing, int window, int grid) {
+    Scale scale{.spacing = spacing, .window = window, .grid = grid};
+    scale.area = std::pow(2.0 * window_side / (grid * spacing), 2);
+    const Eigen::ArrayXd hann = hann_window(window);
+    scale.lag_window.fill(autocorrelation(hann / hann.matrix().norm()));
+    scale.averaging = autocorrelation(averaging_weights(spacing));
+    scale.cosine.resize(grid, window);
+    scale.sine.resize(grid, window);
+    for (int k = 0; k < grid; ++k)
+        for (int t = 0; t < window; ++t) {
+            const double phase = 2 * std::numbers::pi * (k * t % grid) / grid;
+            scale.cosine(k, t) = std::cos(phase);
+            scale.sine(k, t) = std::sin(phase);
+        }
+    for (int y = 0; y < grid; ++y)
+        for (int x = 0; x <= grid / 2; ++x)
+            scale.frequencies.push_back({x, y, x == 0 || 2 * x == grid ? 1.0 : 2.0});
+    return scale;
+}
+
+// The power of all channels at any frequency of a grid.
+class Power {
+  public:
+    Power() = default;
+    Power(const Scale& scale, const Eigen::MatrixXd& real, int channels)
+        : grid_(scale.grid), values_(Eigen::ArrayXd::Zero(real.rows())) {
+        Eigen::Index column = 0;
+        for (const auto& [c, d] : real_pairs(channels)) {
+            if (c == d)
+                values_ += real.col(column).array();
+            ++column;
+        }
+    }
+
+    double at(int x, int y) const {
+        x = (x + grid_) % grid_;
+        y = (y + grid_) % grid_;
+        if (2 * x > grid_) {
+            x = grid_ - x;
+            y = (grid_ - y) % grid_;
+        }
+        return values_[y * (grid_ / 2 + 1) + x];
+    }
+    /// The mean of squares of 3 x 3 frequencies.
+    double around(int x, int y) const {
+        double sum = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+                sum += at(x + dx, y + dy);
+        return sum / 9;
+    }
+
+  private:
+    int grid_ = 0;
+    Eigen::ArrayXd values_;
+};
+
+// The rows of a scale's frequencies that windows of the scale before cannot tell apart: long waves, and those
+// around peaks that stand out from what those windows see.
+std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, const Scale& before,
+                                     const Power& coarse) {
+    constexpr double peak = 2.5;
+    constexpr double highest = 0.2; // cycles per sample: more is dampened by averages
+    constexpr std::size_t most = 4096;
+    const int grid = scale.grid;
+    const int low = 4 * grid * scale.spacing / before.length();
+    const double step = static_cast<double>(before.grid * before.spacing) / (grid * scale.spacing);
+    const auto centered = [&](int k) { return 2 * k > grid ? k - grid : k; };
+    const int columns = grid / 2 + 1;
+    std::vector<bool> chosen(scale.frequencies.size());
+    std::vector<std::pair<double, Eigen::Index>> peaks;
+    for (std::size_t row = 0; row < chosen.size(); ++row) {
+        const auto& [x, y, multiplicity] = scale.frequencies[row];
+        const int ky = centered(y);
+        chosen[row] = std::max(x, std::abs(ky)) <= low;
+        if (chosen[row] || (scale.spacing > 1 && std::max(x, std::abs(ky)) > highest * grid))
+            continue;
+        const double power = fine.around(x, ky);
+        if (power > peak * coarse.at(static_cast<int>(std::lround(x * step)),
+                                     static_cast<int>(std::lround(ky * step))))
+            peaks.emplace_back(power, static_cast<Eigen::Index>(row));
+    }
+    std::ranges::sort(peaks, std::greater());
+    peaks.resize(std::min(peaks.size(), most / 8));
+    for (const auto& [power, row] : peaks)
+        for (int dy = -2; dy <= 2; ++dy)
+            for (int dx = -2; dx <= 2; ++dx) {
+                const auto x = static_cast<int>(row % columns) + dx;
+                const auto y = (static_cast<int>(row / columns) + dy + grid) % grid;
+                if (x >= 0 && x < columns)
+                    chosen[static_cast<std::size_t>(y * columns + x)] = true;
+            }
+    std::vector<Eigen::Index> rows;
+    for (std::size_t row = 0; row < chosen.size(); ++row)
+        if (chosen[row])
+            rows.push_back(static_cast<Eigen::Index>(row));
+    return rows;
+}
 
 } // namespace
 
-const Eigen::ArrayXd& hann_window() {
-    static const Eigen::ArrayXd window = [] {
-        Eigen::ArrayXd w(window_side);
-        for (int i = 0; i < window_side; ++i)
-            w[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / window_side);
-        return Eigen::ArrayXd(w / w.matrix().norm());
+const Scales& first_scale() {
+    static const Scales scales = [] {
+        return std::make_shared<const std::vector<Scale>>(1, make_scale(1, window_side, 2 * window_side));
     }();
-    return window;
+    return scales;
 }
 
-const Eigen::ArrayXd& multiplicities() {
-    static const Eigen::ArrayXd values = [] {
-        Eigen::ArrayXd m = Eigen::ArrayXd::Constant(grid_size, 2);
-        for (int y = 0; y < grid_side; ++y)
-            m[y * grid_columns] = m[(y + 1) * grid_columns - 1] = 1;
-        return m;
-    }();
-    return values;
+std::vector<Scale> scales_of(int width, int height) {
+    std::vector<Scale> scales{first_scale()->front()};
+    int side = std::min(width, height);
+    for (int spacing = 1; side / 2 >= least_window; spacing *= decimation, side = decimated(side)) {
+        const int window = std::min(large_window, side / 32 * 16); // sides that transform fast
+        if (spacing * window >= 1.5 * scales.back().length())
+            scales.push_back(make_scale(spacing, window, window));
+        if (side < static_cast<int>(triangle.size()))
+            break;
+    }
+    return scales;
 }
 
 std::vector<Pair> real_pairs(int channels) {
@@ -45,12 +188,23 @@ std::vector<Pair> imaginary_pairs(int channels) {
     return pairs;
 }
 
-Spectra::Spectra(int count)
-    : channels(count), real(Eigen::MatrixXd::Zero(grid_size, std::ssize(real_pairs(count)))),
-      imaginary(Eigen::MatrixXd::Zero(grid_size, std::ssize(imaginary_pairs(count)))) {}
+Eigen::ArrayXd measures(const std::vector<Scale>& scales) {
+    Eigen::ArrayXd result(scales.back().begin + std::ssize(scales.back().frequencies));
+    Eigen::Index row = 0;
+    for (const Scale& scale : scales)
+        for (const Scale::Frequency& frequency : scale.frequencies)
+            result[row++] = frequency.multiplicity * scale.area;
+    return result;
+}
+
+Spectra::Spectra(int count, const Scales& of) : channels(count), scales(of) {
+    const Eigen::Index rows = scales->back().begin + std::ssize(scales->back().frequencies);
+    real = Eigen::MatrixXd::Zero(rows, std::ssize(real_pairs(count)));
+    imaginary = Eigen::MatrixXd::Zero(rows, std::ssize(imaginary_pairs(count)));
+}
 
 Eigen::ArrayXd Spectra::total() const {
-    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(grid_size);
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(real.rows());
     Eigen::Index column = 0;
     for (const auto& [c, d] : real_pairs(channels)) {
         if (c == d)
@@ -61,7 +215,9 @@ Eigen::ArrayXd Spectra::total() const {
 }
 
 Eigen::MatrixXd Spectra::covariance() const {
-    const Eigen::VectorXd integral = real.transpose() * multiplicities().matrix() / (grid_side * grid_side);
+    const std::vector<Scale> first{scales->front()};
+    const Eigen::VectorXd weight = measures(first) / (first.front().grid * first.front().grid);
+    const Eigen::VectorXd integral = real.topRows(weight.size()).transpose() * weight;
     Eigen::MatrixXd result(channels, channels);
     Eigen::Index at = 0;
     for (const auto& [c, d] : real_pairs(channels))
@@ -70,11 +226,12 @@ Eigen::MatrixXd Spectra::covariance() const {
 }
 
 Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
-    const auto apply = [&](const Eigen::MatrixXd& from, const std::vector<Pair>& pairs, double mirrored) {
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(pairs), std::ssize(pairs));
-        for (std::size_t i = 0; i < pairs.size(); ++i)
+    const auto apply = [&](const Eigen::MatrixXd& from, const std::vector<Pair>& pairs,
+                           const std::vector<Pair>& to, double mirrored) {
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(pairs), std::ssize(to));
+        for (std::size_t i = 0; i < to.size(); ++i)
             for (std::size_t j = 0; j < pairs.size(); ++j) {
-                const auto& [c, d] = pairs[i];
+                const auto& [c, d] = to[i];
                 const auto& [a, b] = pairs[j];
                 double& entry = matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i));
                 entry = map(c, a) * map(d, b);
@@ -83,45 +240,271 @@ Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
             }
         return Eigen::MatrixXd(from * matrix);
     };
-    Spectra result(channels);
-    result.real = apply(real, real_pairs(channels), 1);
-    result.imaginary = apply(imaginary, imaginary_pairs(channels), -1);
+    Spectra result(static_cast<int>(map.rows()), scales);
+    result.real = apply(real, real_pairs(channels), real_pairs(result.channels), 1);
+    result.imaginary = apply(imaginary, imaginary_pairs(channels), imaginary_pairs(result.channels), -1);
     return result;
 }
 
-SpectraEstimate::SpectraEstimate(int width, int height, int channels)
-    : segments_(width, height, channels, window_side, hop), window_(std::size_t{grid_side} * grid_side),
-      transform_(grid_side), transformed_(static_cast<std::size_t>(channels)), sum_(channels) {}
+/// One scale's windows, at all frequencies of its grid.
+class SpectraEstimate::Welch {
+  public:
+    Welch(Scale& scale, int width, int height, int channels)
+        : scale_(&scale), channels_(channels), margin_(scale.window / 2),
+          segments_(width + scale.window, height + scale.window, channels + 1, scale.window,
+                    (scale.window + 2) /
+                        3), // squares of three windows a third apart add up to the same everywhere
+          padded_(static_cast<std::size_t>((width + scale.window) * (channels + 1))), rows_left_(height),
+          window_(static_cast<std::size_t>(scale.grid) * static_cast<std::size_t>(scale.grid)),
+          transform_(scale.grid), transformed_(static_cast<std::size_t>(channels)),
+          real_(Eigen::MatrixXd::Zero(std::ssize(scale.frequencies), std::ssize(real_pairs(channels)))),
+          imaginary_(
+              Eigen::MatrixXd::Zero(std::ssize(scale.frequencies), std::ssize(imaginary_pairs(channels)))) {
+        scale.lag_window = {seen_window(segments_.columns(), width), seen_window(segments_.lines(), height)};
+        weight_ = {seen_weights(segments_.columns(), width), seen_weights(segments_.lines(), height)};
+        for (int y = 0; y < margin_; ++y)
+            segments_.add_row(padded_);
+    }
 
-void SpectraEstimate::add_row(std::span<const float> row) {
-    for (const int left : segments_.add_row(row))
-        add_window(left);
+    /// The channels of each sample, and whether it is seen.
+    void add_row(std::span<const float> row) {
+        std::ranges::copy(row, padded_.begin() + margin_ * (channels_ + 1));
+        add_padded();
+        if (--rows_left_ > 0)
+            return;
+        std::ranges::fill(padded_, 0.0f);
+        for (int y = 0; y < scale_->window - margin_; ++y)
+            add_padded();
+    }
+
+    int windows() const { return windows_; }
+    /// What makes sums over windows cross-spectra.
+    double unit() const { return scale_->spacing * scale_->spacing / power_; }
+    /// The weighted sum of the channels' power in a row, of all windows.
+    double power(Eigen::Index row, const Eigen::VectorXd& weights) const {
+        double sum = 0;
+        Eigen::Index column = 0;
+        for (const auto& [c, d] : real_pairs(static_cast<int>(weights.size()))) {
+            if (c == d)
+                sum += weights[c] * real_(row, column);
+            ++column;
+        }
+        return sum;
+    }
+    const Eigen::MatrixXd& real() const { return real_; }
+    const Eigen::MatrixXd& imaginary() const { return imaginary_; }
+
+  private:
+    /// Of windows that begin there along an axis of so many samples, the sums and the sums of squares that
+    /// they have in the picture.
+    std::vector<std::array<double, 2>> seen_weights(const std::vector<int>& begins, int length) const {
+        std::vector<std::array<double, 2>> result;
+        for (const int begin : begins) {
+            const Eigen::ArrayXd seen = seen_part(begin, length);
+            result.push_back({seen.sum(), seen.square().sum()});
+        }
+        return result;
+    }
+
+    Eigen::ArrayXd seen_window(const std::vector<int>& begins, int length) const {
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(scale_->window);
+        for (const int begin : begins)
+            sum += autocorrelation(seen_part(begin, length));
+        return sum / sum[0];
+    }
+
+    Eigen::ArrayXd seen_part(int begin, int length) const {
+        Eigen::ArrayXd hann = hann_window(scale_->window);
+        for (int i = 0; i < scale_->window; ++i)
+            if (begin + i < margin_ || begin + i >= margin_ + length)
+                hann[i] = 0;
+        return hann;
+    }
+
+    void add_padded() {
+        const std::span<const int> columns = segments_.add_row(padded_);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            add_window(columns[i], weight_[0][i], weight_[1][band_]);
+        if (!columns.empty())
+            ++band_;
+    }
+
+    void add_window(int left, const std::array<double, 2>& across, const std::array<double, 2>& down) {
+        const int channels = channels_;
+        segments_.weigh(left, channels, window_, scale_->grid);
+        double seen = 0;
+        for (const float value : window_)
+            seen += static_cast<double>(value);
+        if (!(seen >= 0.9 * across[0] * down[0]) || seen == 0)
+            return;
+        ++windows_;
+        power_ += across[1] * down[1];
+        for (int c = 0; c < channels; ++c) {
+            segments_.weigh(left, c, window_, scale_->grid);
+            const auto values = transform_(window_);
+            transformed_[static_cast<std::size_t>(c)] =
+                Eigen::Map<const Eigen::ArrayXcf>(values.data(), std::ssize(values));
+        }
+        const auto product = [&](const Pair& pair) {
+            return transformed_[static_cast<std::size_t>(pair.c)] *
+                   transformed_[static_cast<std::size_t>(pair.d)].conjugate();
+        };
+        Eigen::Index column = 0;
+        for (const Pair& pair : real_pairs(channels))
+            real_.col(column++).array() += product(pair).real().cast<double>();
+        column = 0;
+        for (const Pair& pair : imaginary_pairs(channels))
+            imaginary_.col(column++).array() += product(pair).imag().cast<double>();
+    }
+
+    const Scale* scale_;
+    int channels_;
+    int margin_; ///< around the picture
+    statistics::Segments segments_;
+    std::vector<float> padded_; ///< a row with its margins
+    int rows_left_;
+    std::array<std::vector<std::array<double, 2>>, 2> weight_; ///< of columns and lines of windows
+    std::size_t band_ = 0;
+    double power_ = 0;          ///< of the windows
+    std::vector<float> window_; ///< the rest of the grid stays 0
+    statistics::Transform transform_;
+    std::vector<Eigen::ArrayXcf> transformed_; ///< of each channel
+    Eigen::MatrixXd real_;
+    Eigen::MatrixXd imaginary_;
+    int windows_ = 0;
+};
+
+/// Averages by the triangle along both axes, every fourth of them.
+class SpectraEstimate::Decimation {
+  public:
+    Decimation(int width, int values)
+        : values_(values), columns_(decimated(width)), sums_(2, Eigen::ArrayXf::Zero(columns_ * values)) {}
+
+    /// The next row. Returns the row of averages that it completes, if any.
+    std::optional<std::span<const float>> add_row(std::span<const float> row) {
+        Eigen::ArrayXf across = Eigen::ArrayXf::Zero(columns_ * values_);
+        for (int x = 0; x < columns_; ++x)
+            for (std::size_t i = 0; i < triangle.size(); ++i)
+                across.segment(x * values_, values_) +=
+                    static_cast<float>(triangle[i]) *
+                    Eigen::Map<const Eigen::ArrayXf>(
+                        row.data() + (decimation * x + static_cast<std::ptrdiff_t>(i)) * values_, values_);
+        const int phase = row_++ % decimation;
+        sums_[1] += static_cast<float>(triangle[static_cast<std::size_t>(phase)]) * across;
+        sums_[0] += static_cast<float>(triangle[static_cast<std::size_t>(decimation + phase)]) * across;
+        if (phase + 1 < decimation)
+            return {};
+        std::swap(sums_[0], complete_);
+        std::swap(sums_[0], sums_[1]);
+        sums_[1].setZero(columns_ * values_);
+        if (row_ == decimation) // only the second half of a triangle
+            return {};
+        return std::span<const float>(complete_.data(), static_cast<std::size_t>(complete_.size()));
+    }
+
+  private:
+    int values_;
+    Eigen::Index columns_;
+    std::vector<Eigen::ArrayXf> sums_; ///< of rows that are not complete, the older first
+    Eigen::ArrayXf complete_;
+    int row_ = 0;
+};
+
+SpectraEstimate::SpectraEstimate(int width, int height, int channels)
+    : channels_(channels), scales_(scales_of(width, height)) {
+    for (int spacing = 1, w = width, h = height; spacing <= scales_.back().spacing;
+         spacing *= decimation, w = decimated(w), h = decimated(h)) {
+        for (Scale& scale : scales_)
+            if (scale.spacing == spacing)
+                estimates_.emplace_back(scale, w, h, channels);
+        if (spacing < scales_.back().spacing)
+            decimations_.emplace_back(w, channels + 1);
+    }
 }
 
-void SpectraEstimate::add_window(int left) {
-    for (int c = 0; c < sum_.channels; ++c) {
-        segments_.weigh(left, c, window_, grid_side);
-        const auto values = transform_(window_);
-        transformed_[static_cast<std::size_t>(c)] =
-            Eigen::Map<const Eigen::ArrayXcf>(values.data(), grid_size);
+SpectraEstimate::~SpectraEstimate() = default;
+SpectraEstimate::SpectraEstimate(SpectraEstimate&&) noexcept = default;
+
+void SpectraEstimate::add_row(std::span<const float> row, std::span<const float> seen) {
+    std::vector<float> samples;
+    samples.reserve(row.size() + seen.size());
+    for (std::size_t x = 0; x < seen.size(); ++x) {
+        const auto pixel =
+            row.subspan(x * static_cast<std::size_t>(channels_), static_cast<std::size_t>(channels_));
+        samples.insert(samples.end(), pixel.begin(), pixel.end());
+        samples.push_back(seen[x]);
     }
-    const auto product = [&](const Pair& pair) {
-        return transformed_[static_cast<std::size_t>(pair.c)] *
-               transformed_[static_cast<std::size_t>(pair.d)].conjugate();
-    };
-    Eigen::Index column = 0;
-    for (const Pair& pair : real_pairs(sum_.channels))
-        sum_.real.col(column++).array() += product(pair).real().cast<double>();
-    column = 0;
-    for (const Pair& pair : imaginary_pairs(sum_.channels))
-        sum_.imaginary.col(column++).array() += product(pair).imag().cast<double>();
+    std::span<const float> next = samples;
+    for (int level = 0, spacing = 1;; ++level, spacing *= decimation) {
+        for (std::size_t i = 0; i < scales_.size(); ++i)
+            if (scales_[i].spacing == spacing)
+                estimates_[i].add_row(next);
+        if (level == std::ssize(decimations_))
+            return;
+        const auto averages = decimations_[static_cast<std::size_t>(level)].add_row(next);
+        if (!averages)
+            return;
+        next = *averages;
+    }
 }
 
 Spectra SpectraEstimate::spectra() const {
-    const double scale = 1 / (static_cast<double>(segments_.count()) * std::pow(segments_.window_power(), 2));
-    Spectra result = sum_;
-    result.real *= scale;
-    result.imaginary *= scale;
+    std::vector<Scale> kept;
+    std::vector<Eigen::MatrixXd> real;
+    std::vector<Eigen::MatrixXd> imaginary;
+    Power coarse;
+    for (std::size_t i = 0; i < scales_.size(); ++i) {
+        const Welch& estimate = estimates_[i];
+        if (estimate.windows() == 0)
+            continue;
+        if (i > 0 && kept.empty())
+            break;
+        Scale scale = scales_[i];
+        Eigen::MatrixXd re = estimate.real() * estimate.unit();
+        Eigen::MatrixXd im = estimate.imaginary() * estimate.unit();
+        const Power fine(scale, re, channels_);
+        if (i > 0) {
+            const std::vector<Eigen::Index> rows = unresolved(scale, fine, kept.back(), coarse);
+            std::vector<Scale::Frequency> frequencies;
+            for (const Eigen::Index row : rows)
+                frequencies.push_back(scale.frequencies[static_cast<std::size_t>(row)]);
+            scale.frequencies = std::move(frequencies);
+            scale.begin = kept.back().begin + std::ssize(kept.back().frequencies);
+            re = Eigen::MatrixXd(re(rows, Eigen::all));
+            im = Eigen::MatrixXd(im(rows, Eigen::all));
+        }
+        coarse = fine;
+        kept.push_back(std::move(scale));
+        real.push_back(std::move(re));
+        imaginary.push_back(std::move(im));
+    }
+    if (kept.empty())
+        throw RequestError(fmt::format("has no {0} x {0} pixels that are not transparent", window_side));
+    Spectra result(channels_, std::make_shared<const std::vector<Scale>>(kept));
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        result.real.middleRows(kept[i].begin, real[i].rows()) = real[i];
+        result.imaginary.middleRows(kept[i].begin, imaginary[i].rows()) = imaginary[i];
+    }
+    return result;
+}
+
+// The inverse transform of the power at all frequencies of the grid.
+std::vector<Autocovariance> SpectraEstimate::autocovariances(const Eigen::VectorXd& weights) const {
+    std::vector<Autocovariance> result;
+    for (std::size_t i = 0; i < scales_.size() && estimates_[i].windows() > 0; ++i) {
+        const Scale& scale = scales_[i];
+        const Eigen::Index columns = scale.grid / 2 + 1;
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> power(scale.grid, columns);
+        Eigen::Index row = 0;
+        for (const Scale::Frequency& k : scale.frequencies)
+            power(k.y, k.x) = k.multiplicity * estimates_[i].power(row++, weights);
+        power *= estimates_[i].unit() / std::pow(scale.grid * scale.spacing, 2);
+        const Eigen::MatrixXd cosines = scale.cosine.leftCols(scale.lags()).transpose() * power *
+                                        scale.cosine.topLeftCorner(columns, scale.lags());
+        const Eigen::MatrixXd sines = scale.sine.leftCols(scale.lags()).transpose() * power *
+                                      scale.sine.topLeftCorner(columns, scale.lags());
+        result.push_back({cosines - sines, cosines + sines});
+    }
     return result;
 }
 

@@ -5,25 +5,54 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace gabor::fit {
 
-/// Windows of the power spectrum's estimate, in pixels, and the grid of frequencies that it is on: twice as
-/// many, so that the lags of a window do not wrap around.
+/// The side of the smallest windows that spectra are estimated with, in pixels.
 constexpr int window_side = 64;
-constexpr int grid_side = 2 * window_side;
-/// Columns: frequencies of x from 0 to half a cycle per pixel. Those of y are all there, negative ones last.
-constexpr int grid_columns = grid_side / 2 + 1;
-constexpr int grid_size = grid_side * grid_columns;
 
-/// Hann's window for a side of `window_side` pixels, with squares that add up to 1.
-const Eigen::ArrayXd& hann_window();
+/// Windows of one size, and the frequencies at which their estimate is compared with a model. All scales but
+/// the first have those of long waves, and those near peaks that smaller windows cannot resolve.
+struct Scale {
+    int spacing;     ///< pixels from one sample to the next: 1, 4, 16 ... by averages over twice as many
+    int window;      ///< samples along each axis
+    int grid;        ///< frequency k is k / grid cycles per sample, negative ones last
+    double area = 1; ///< of a frequency's cell, relative to the first scale's
+    /// x from 0 to grid / 2. Those at its ends are in the whole plane once, the others stand for their
+    /// opposite too.
+    struct Frequency {
+        int x;
+        int y;
+        double multiplicity;
+    };
+    std::vector<Frequency> frequencies = {};
+    Eigen::Index begin = 0; ///< the row of the first of them in Spectra
 
-/// How many frequencies of the whole plane each of the grid stands for: 2, for it has an opposite one, or 1
-/// in the first and the last column, where that is in the grid itself.
-const Eigen::ArrayXd& multiplicities();
+    /// Along x and y: sum_p w(p) w(p + t) for t = 0 ... window - 1, as much as there is of the windows in the
+    /// picture, as a share of that for 0.
+    std::array<Eigen::ArrayXd, 2> lag_window = {};
+    Eigen::ArrayXd averaging = {}; ///< the same of the averages' weights, in pixels, once
+    Eigen::MatrixXd cosine = {};   ///< of 2 pi k t / grid: a row for each frequency, a column for each lag
+    Eigen::MatrixXd sine = {};
+
+    /// The longest waves that fit a window, in pixels.
+    int length() const { return spacing * window; }
+    /// Lags of samples along an axis that its autocovariances are compared at: 0 ... this - 1.
+    Eigen::Index lags() const { return window / 2 + 1; }
+};
+using Scales = std::shared_ptr<const std::vector<Scale>>;
+
+/// The scale of the smallest windows alone, at all frequencies of a grid of twice their side, so that lags do
+/// not wrap around.
+const Scales& first_scale();
+
+/// The scales that a picture of this size has, the smallest windows first, each with all its frequencies. The
+/// largest windows are half as long as its shorter side.
+std::vector<Scale> scales_of(int width, int height);
 
 /// Where the parts of a Hermitian matrix of channels are kept: Re(c, d) for c <= d, and Im(c, d) for c < d.
 struct Pair {
@@ -33,44 +62,61 @@ struct Pair {
 std::vector<Pair> real_pairs(int channels);
 std::vector<Pair> imaginary_pairs(int channels);
 
-/// The matrix of the channels' cross-spectra at each frequency, P(c, d) = E[X_c X_d*]: one column for each
-/// pair, row ky * grid_columns + kx. Those of a frequency and of its opposite are conjugate.
+/// The matrix of the channels' cross-spectra at each frequency of each scale, P(c, d) = E[X_c X_d*], per
+/// cycle per pixel along each axis: one column for each pair. Those of a frequency and of its opposite are
+/// conjugate.
 struct Spectra {
     int channels = 0;
+    Scales scales;
     Eigen::MatrixXd real;
     Eigen::MatrixXd imaginary;
 
     /// Zeros.
-    explicit Spectra(int channels);
+    explicit Spectra(int channels, const Scales& scales = first_scale());
     /// The sum of the channels' power spectra.
     Eigen::ArrayXd total() const;
-    /// The covariance of the channels: their integral.
+    /// The covariance of the channels: their integral over the first scale.
     Eigen::MatrixXd covariance() const;
     /// Of the channels under this linear map.
     Spectra mapped(const Eigen::MatrixXd& map) const;
 };
 
-/// An estimate of the spectra of a picture that passes by row after row, by Welch's method [Welch 1967]:
-/// windows 16 pixels apart, or 64 along each axis of a larger picture. Holds as many rows as a window has.
+/// The autocovariance of all channels together as the windows of a scale see it, each lag weighed by theirs.
+struct Autocovariance {
+    Eigen::MatrixXd forward;  ///< at lags (x, y) of samples, in column x and row y
+    Eigen::MatrixXd backward; ///< at (-x, y)
+};
+
+/// What each row of Spectra counts in an integral over its scale, in cells of the first scale.
+Eigen::ArrayXd measures(const std::vector<Scale>& scales);
+
+/// An estimate of the spectra of a picture that passes by row after row, by Welch's method [Welch 1967] on
+/// every scale. Windows reach over the picture's edges by half of their side, so that all of its pixels count
+/// alike. Holds as many rows as windows have.
 class SpectraEstimate {
   public:
     /// At least `window_side` pixels each way.
     SpectraEstimate(int width, int height, int channels);
+    ~SpectraEstimate();
+    SpectraEstimate(SpectraEstimate&&) noexcept;
 
-    /// The next row, the channels of each pixel side by side.
-    void add_row(std::span<const float> row);
+    /// The next row, the channels of each pixel side by side, 0 where there is nothing to be seen. `seen` is
+    /// 1 or 0 for each pixel: windows that see less than nine tenths are left out.
+    void add_row(std::span<const float> row, std::span<const float> seen);
 
-    /// Call after the last row.
+    /// Call after the last row. Scales without windows are left out. Throws RequestError where nothing is
+    /// left.
     Spectra spectra() const;
+    /// For each of their scales, with a weight for each channel.
+    std::vector<Autocovariance> autocovariances(const Eigen::VectorXd& weights) const;
 
   private:
-    void add_window(int left);
-
-    statistics::Segments segments_;
-    std::vector<float> window_; ///< the rest of the grid stays 0
-    statistics::Transform transform_;
-    std::vector<Eigen::ArrayXcf> transformed_; ///< of each channel
-    Spectra sum_;
+    class Welch;
+    class Decimation;
+    int channels_;
+    std::vector<Scale> scales_;
+    std::vector<Welch> estimates_;        ///< one for each scale
+    std::vector<Decimation> decimations_; ///< the picture at a quarter of its size, at a sixteenth ...
 };
 
 } // namespace gabor::fit

@@ -36,10 +36,13 @@ void Structure::add_row(std::span<const float> row) {
 }
 
 double Structure::excess() const {
-    double largest = 0; // a derivative that is 0 everywhere has no law
-    for (const double value : {across_.excess_kurtosis(), down_.excess_kurtosis(), 2 * laplacian_.skewness()})
-        if (std::abs(value) > largest)
-            largest = std::abs(value);
+    // A derivative that is 0 everywhere has no law. Less kurtosis than the normal law's is that of a few
+    // waves.
+    double largest = 0;
+    for (const double value :
+         {across_.excess_kurtosis(), down_.excess_kurtosis(), 2 * std::abs(laplacian_.skewness())})
+        if (value > largest)
+            largest = value;
     return largest;
 }
 

@@ -18,7 +18,7 @@ class Structure {
 
     /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and
     /// things far apart have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
-    /// The largest of them without its sign, and 0 for a Gaussian texture.
+    /// The larger of them, and 0 for a Gaussian texture or a few waves.
     double excess() const;
 
     /// From here on random-phase noise has visibly lost something: grass has 1.7, gravel 2.3, bricks 17.

@@ -22,6 +22,9 @@ class Segments {
     void weigh(int left, int channel, std::span<float> into, int stride) const;
 
     int side() const { return side_; }
+    /// Where segments begin along each axis.
+    const std::vector<int>& columns() const { return columns_; }
+    const std::vector<int>& lines() const { return lines_; }
     /// Of the segments that are complete.
     std::size_t count() const { return columns_.size() * band_; }
     /// The sum of the window's squares along one axis; the window is a product of two.
