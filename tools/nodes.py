@@ -2,6 +2,7 @@
 nodes, which takes a few functions from gabor_lattice.glsl, and that library in the Open Shading Language and in MDL.
 tools/translate calls it."""
 
+import json
 import pathlib
 import re
 
@@ -9,6 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
 LIBRARY = NODES / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
+MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
 OSL_SHADER = NODES / "osl" / "gabor_lattice.osl"
 
 # What the library takes from the drop-in as it is.
@@ -180,6 +182,8 @@ def made(source):
     glsl = common(source)
     yield COMMON, glsl
     yield OSL_SHADER, osl_shader(osl(glsl))
+    version = json.loads((ROOT / "package.json").read_text())["version"]
+    yield MANIFEST, re.sub(r'(?m)^version = ".*"', f'version = "{version}"', MANIFEST.read_text())
     nodes = {path: path.read_text() for path in sorted(COMMON.parents[1].glob("*.glsl"))}
     for path, text in ({COMMON: glsl} | nodes).items():
         yield (LIBRARY / "genosl" / path.relative_to(COMMON.parents[1])).with_suffix(".osl"), title(text, "OSL") + osl(text)

@@ -96,9 +96,9 @@ def window(d, taps):
 
 
 def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
-                    wave=WAVE):
+                    wave=WAVE, amplitudes=None):
     """The lattice's noise, the imaginary part, and its quadrature at cell + (x, y), in node spacings, of which there are
-    `radius` to the kernel radius; it may repeat after a whole number of them."""
+    `radius` to the kernel radius; it may repeat after a whole number of them. Amplitudes may be another's, by column and row."""
     reach = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
     scale_x, scale_y = (each or reach for each in radius)
@@ -106,8 +106,9 @@ def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0
     total = np.zeros(np.broadcast(x, y).shape, complex)
     for j in range(-1, 3):  # the nodes within two spacings
         for i in range(-1, 3):
-            node = amplitude(line_word((cell[0] + column + i) % period[0], 0, seed)
-                             * line_word((cell[1] + row + j) % period[1], 1, seed), time)
+            node = amplitudes(column + i, row + j) if amplitudes else \
+                amplitude(line_word((cell[0] + column + i) % period[0], 0, seed)
+                          * line_word((cell[1] + row + j) % period[1], 1, seed), time)
             dx, dy = x - (column + i), y - (row + j)
             total += node * window(dx / reach, taps) * window(dy / reach, taps) \
                 * np.exp(2j * np.pi * (wave[0] * dx / scale_x + wave[1] * dy / scale_y))

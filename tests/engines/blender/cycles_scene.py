@@ -50,11 +50,13 @@ def plane(size, location):
     return material.node_tree
 
 
-def render(width, height, samples, folder):
+def render(width, height, samples, folder, engine="CYCLES", osl=True):
     """Red, green, blue and alpha, rows from the lowest up."""
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.shading_system = True
+    scene.render.engine = engine
+    scene.cycles.shading_system = osl
+    scene.eevee.taa_render_samples = samples
+    scene.render.filter_size = 0.01
     scene.cycles.samples = samples
     scene.cycles.use_denoising = False
     scene.view_settings.view_transform = "Raw"

@@ -1,0 +1,103 @@
+"""The node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee VALUES.raw,
+by a Python that has bpy. Its amplitudes are those of White Noise nodes: they are drawn too, and the noise is compared with
+what the equations give of them."""
+
+import json
+import pathlib
+import sys
+import tempfile
+
+import bpy
+import numpy as np
+from cycles_scene import plane, render
+
+ENGINES = pathlib.Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ENGINES), str(ENGINES.parents[1] / "shaders" / "nodes" / "blender")]
+import gabor_noise  # noqa: E402
+import reference  # noqa: E402
+
+engine, values = sys.argv[1], pathlib.Path(sys.argv[2])
+SEED = 7.0
+FIRST = -4  # the first column and row whose amplitude is drawn
+
+
+def drawn(folder, value, least, steps):
+    """A square of 256 x 256, a pixel to each unit, seen from above: value(tree, (x, y)), above `least`, at each pixel. Eevee's
+    light has 11 bits: red has whole steps, of which there are `steps` to 1, and green the rest."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tree = plane(256, (128, 128, 0))
+    bpy.ops.object.camera_add(location=(128, 128, 10))
+    scene = bpy.context.scene
+    scene.camera = bpy.context.object
+    scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 256
+    pixel = tree.nodes.new("ShaderNodeVectorMath")
+    pixel.operation = "FLOOR"
+    tree.links.new(tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"], pixel.inputs[0])
+    scaled = math(tree, "MULTIPLY_ADD", value(tree, pixel.outputs[0]), steps, -least * steps)
+    colour = tree.nodes.new("ShaderNodeCombineColor")
+    for operation, put in zip(("FLOOR", "FRACT"), colour.inputs):
+        tree.links.new(math(tree, operation, scaled), put)
+    emission = tree.nodes.new("ShaderNodeEmission")
+    tree.links.new(colour.outputs[0], emission.inputs["Color"])
+    tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.filter_width = 0.01
+    light = render(256, 256, 1, folder, "CYCLES" if engine == "cycles" else "BLENDER_EEVEE", osl=False).astype(float)
+    return (light[..., 0] + light[..., 1]) / steps + least
+
+
+def math(tree, operation, value, *with_):
+    node = tree.nodes.new("ShaderNodeMath")
+    node.operation = operation
+    tree.links.new(value, node.inputs[0])
+    for number, put in zip(with_, node.inputs[1:]):
+        put.default_value = number
+    return node.outputs[0]
+
+
+def vector(tree, operation, value, with_):
+    node = tree.nodes.new("ShaderNodeVectorMath")
+    node.operation, node.inputs[1].default_value = operation, with_
+    tree.links.new(value, node.inputs[0])
+    return node.outputs[0]
+
+
+def amplitude(part):
+    def value(tree, pixel):
+        white = tree.nodes.new("ShaderNodeTexWhiteNoise")
+        white.noise_dimensions = "4D"
+        white.inputs["W"].default_value = SEED
+        tree.links.new(vector(tree, "ADD", pixel, (FIRST, FIRST, 0)), white.inputs["Vector"])
+        parts = tree.nodes.new("ShaderNodeSeparateXYZ")
+        tree.links.new(white.outputs["Color"], parts.inputs[0])
+        return parts.outputs[part]
+    return value
+
+
+def noise(output):
+    def value(tree, pixel):
+        node = tree.nodes.new("ShaderNodeGroup")
+        node.node_tree = gabor_noise.field_group()
+        node.inputs["Scale"].default_value, node.inputs["Seed"].default_value = 1.0, SEED
+        node.inputs["Frequency"].default_value = reference.FREQUENCY
+        node.inputs["Orientation"].default_value = reference.ORIENTATION
+        place = vector(tree, "MULTIPLY", vector(tree, "ADD", pixel, (0.5, 0.5, 0)), (1 / 32, 1 / 32, 0))
+        tree.links.new(place, node.inputs["Vector"])
+        return node.outputs[output]
+    return value
+
+
+with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+    white = 2 * np.dstack([drawn(folder, amplitude(part), 0, 1024) for part in (0, 1)]) - 1
+    picture = np.array([drawn(folder, noise(output), -8, 64) for output in ("Noise", "Quadrature")])
+deviation = np.sqrt(np.mean(reference.law((np.arange(2**20) + 0.5) / 2**20) ** 2))
+nodes = (reference.law(white) / deviation) @ (1, 1j)
+x, y = np.meshgrid((np.arange(256) + 0.5) / 32, (np.arange(256) + 0.5) / 32)
+wanted = reference.complex_lattice((0, 0), 1.5 * x, 1.5 * y, amplitudes=lambda i, j: nodes[j - FIRST, i - FIRST])
+values.write_bytes(picture.astype("<f4").tobytes())
+law = {"mean": float(nodes.real.mean()), "variance": float((abs(nodes) ** 2).mean() / 2)} # of 2 x 65536 parts
+if abs(law["mean"]) > 0.02 or abs(law["variance"] - 1) > 0.02 or not 0.5 < picture[0].std() < 2:
+    sys.exit(f"the law of White Noise's amplitudes is off: {law}")
+print(json.dumps({"engine": f"Blender, {engine.title()}", "version": bpy.app.version_string, "dialect": "its own nodes",
+                  "driver": "CPU" if engine == "cycles" else "llvmpipe",
+                  "functions": {"noise": abs(picture[0] - wanted.imag).max(), "complex": abs(picture[1] - wanted.real).max()}}))
