@@ -5,9 +5,8 @@
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
-// Stripes of complex noise run down the slope, octave by octave: the cosine of their phase is the height of gullies.
-// Small gullies run down the sides of large ones. The idea is that of runevision's erosion filter (2026), which follows
-// Clay John (2018) and Fewes (2023).
+// Stripes of noise run down the slope, octave by octave. The cosine of their phase is the height of gullies. The idea
+// is that of runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -34,7 +33,7 @@ struct GaborErosion {
     float strength;        // depth of these gullies times frequency: how steep they are
     float lacunarity;      // frequency of an octave over that of the one before
     float gain;            // depth of an octave over that of the one before: 1 / lacunarity keeps gullies as steep
-    float onset;           // slope of the base from which gullies have their full depth
+    float onset;           // slope from which gullies have their full depth
     float detail;          // how far fine gullies reach into creases, onto ridges and flat places: 1 and more
     float sharpness;       // how alike gullies are in depth: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // how widely ridges are rounded, in radians of the first octave's phase, 0 for sharp ones
@@ -51,8 +50,8 @@ struct GaborErosion {
 
 // GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
 //     The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
-//     height is continuous where the base and its slope are. The slope is its derivative with the directions of
-//     gullies, and the masks that fade them, held fixed. What comes out can be eroded again.
+//     height is continuous where the base and its slope are. What comes out can be eroded again. The slope takes the
+//     directions of gullies, and where they fade, as fixed: its rms error is 0.6 of the rms slope of the height.
 
 // GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
 //     The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
@@ -154,19 +153,20 @@ inline float gabor_impl_mask(float t, float rounding) {
 
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade to those of the octave before:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
-// m_0 is 0 where the base is flat, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases: finer gullies end
-// there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. Where a pixel
-// removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
+// m_i is 0 where the slope that its gullies follow is, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases:
+// finer gullies end there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
+// Where a pixel removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
 inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
                              uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, float2(0.0), base.ridge}; // t_i, its slope, and t_i with w = 1
     float2 steer = base.slope;
     float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
-    float mask = gabor_impl_mask(length(steer) / max(erosion.onset, 1.0e-6),
-                                 mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge));
+    float mask = 1.0, rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     for (int i = 0; i < erosion.octaves; ++i) {
-        float2 wave = frequency / max(length(steer), 1.0e-9) * float2(-steer.y, steer.x);
+        float steep = max(length(steer), 1.0e-9), full = gabor_impl_mask(steep / max(erosion.onset, 1.0e-6), rounding);
+        mask *= full * full;
+        float2 wave = frequency / steep * float2(-steer.y, steer.x);
         float2 steps = float2(dot(wave, dx), dot(wave, dy));
         float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
         float2 z = float2(0.0), slope = float2(0.0);
@@ -186,7 +186,7 @@ inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, Ga
         terrain.slope += depth * gully.slope;
         float side = (z.y < 0.0 ? -6.2831853 : 6.2831853) * kept * erosion.branching * erosion.gully_weight;
         steer -= side * depth * mask * wave;
-        float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
+        rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         mask = mask * erosion.detail / (1.0 + mask * (erosion.detail - 1.0))
              * gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), rounding * frequency / erosion.frequency);
         frequency *= erosion.lacunarity;
@@ -198,7 +198,7 @@ inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, Ga
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 inline GaborErosion gabor_erosion() {
-    return GaborErosion{5, 1.5, 0.12, 2.0, 0.5, 0.6, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0};
+    return GaborErosion{5, 1.5, 0.12, 2.0, 0.5, 0.5, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0};
 }
 
 inline GaborTerrain gabor_terrain(float2 p, uint seed) {

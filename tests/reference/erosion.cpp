@@ -105,11 +105,11 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
     };
     Vector steer = base.slope, gully_slope{};
     double gully = base.ridge, depth = erosion.strength / erosion.frequency, width = 1;
-    double mask =
-        mask_of(std::hypot(steer[0], steer[1]) / std::max(erosion.onset, 1e-6), rounding(base.ridge));
+    double mask = 1, round = rounding(base.ridge);
     float frequency = erosion.frequency;
     for (int octave = 0; octave < erosion.octaves; ++octave) {
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
+        mask *= std::pow(mask_of(steep / std::max(erosion.onset, 1e-6), round), 2);
         const Vector wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
         // A normal filter of half a pixel's deviation, down to where 2 % are left.
         const double across = std::pow(dot(wave, dx), 2) + std::pow(dot(wave, dy), 2);
@@ -144,7 +144,8 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
             steer[axis] -= side * kept * erosion.branching * erosion.gully_weight * depth * mask * wave[axis];
         }
         mask *= erosion.detail / (1 + mask * (erosion.detail - 1));
-        mask *= mask_of((1 - kept) / 2 + std::abs(z.imag()), rounding(z.real()) * width);
+        round = rounding(z.real());
+        mask *= mask_of((1 - kept) / 2 + std::abs(z.imag()), round * width);
         width *= erosion.lacunarity;
         frequency *= erosion.lacunarity;
         depth *= erosion.gain;

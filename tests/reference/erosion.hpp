@@ -19,7 +19,7 @@ struct Erosion {
     double strength = 0.12;
     float lacunarity = 2;
     double gain = 0.5;
-    double onset = 0.6;
+    double onset = 0.5;
     double detail = 1.5;
     double sharpness = 2;
     double ridge_rounding = 0.1;

@@ -9,7 +9,10 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 using namespace gabor;
@@ -23,7 +26,7 @@ constexpr std::size_t per_batch = 1 << 14;
 // As in passes/sample_erosion.comp.
 struct Parameters {
     std::int32_t octaves = 5;
-    float frequency = 1.5f, strength = 0.12f, lacunarity = 2, gain = 0.5f, onset = 0.6f, detail = 1.5f,
+    float frequency = 1.5f, strength = 0.12f, lacunarity = 2, gain = 0.5f, onset = 0.5f, detail = 1.5f,
           sharpness = 2, ridge_rounding = 0.1f, crease_rounding = 0.1f, gully_weight = 0.5f, branching = 1;
 };
 struct Sample {
@@ -112,6 +115,214 @@ Sample draw_sample(Draw& draw) {
     return s;
 }
 
+// What is measured of a terrain: erosion by the drop-in, or by random splats.
+class Terrains {
+  public:
+    Terrains(const vulkan::Device& device, int taps, test::Wanted wanted)
+        : sampler_(device, taps, per_batch), wanted_(wanted) {}
+
+    std::vector<Answer> at(std::span<const Sample> samples) {
+        std::vector<Answer> all;
+        for (std::size_t first = 0; first < samples.size(); first += per_batch) {
+            const std::size_t count = std::min(per_batch, samples.size() - first);
+            std::ranges::copy(samples.subspan(first, count), sampler_.samples().begin());
+            std::ranges::copy(sampler_.answers(count, wanted_), std::back_inserter(all));
+        }
+        return all;
+    }
+
+    std::vector<Answer> beside(std::span<const Sample> samples, float x, float y) {
+        std::vector<Sample> moved(samples.begin(), samples.end());
+        for (Sample& sample : moved) {
+            sample.local[0] += x;
+            sample.local[1] += y;
+        }
+        return at(moved);
+    }
+
+  private:
+    Sampler sampler_;
+    test::Wanted wanted_;
+};
+
+constexpr auto by_drop_in = test::Wanted::at;
+constexpr auto by_splats = test::Wanted::moving;
+
+// Each in a terrain of its own.
+std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
+    Draw draw(seed);
+    std::vector<Sample> samples(count);
+    for (Sample& sample : samples) {
+        sample.local[0] = draw.uniform(0, 8);
+        sample.local[1] = draw.uniform(0, 8);
+        sample.seed = draw.word();
+    }
+    return samples;
+}
+
+// One octave of gullies on a plane that falls towards any side.
+std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
+    std::vector<Sample> samples = anywhere(count, seed);
+    Draw draw(seed + 1);
+    for (Sample& sample : samples) {
+        const double turn = draw.uniform(0, 6.2831853);
+        sample.own_base = 1;
+        sample.slope[0] = static_cast<float>(std::cos(turn));
+        sample.slope[1] = static_cast<float>(std::sin(turn));
+        sample.erosion.octaves = 1;
+    }
+    return samples;
+}
+
+// The largest step of the height from a point to one 1/64 away, and after 6 and 12 halvings of the distance,
+// always to the half with the larger step: a jump keeps its size.
+std::array<double, 3> largest_steps(Terrains& terrains) {
+    std::vector<Sample> left = anywhere(per_batch, 1), right = left;
+    for (Sample& sample : right)
+        sample.local[0] += 1.0f / 64;
+    std::vector<Answer> low = terrains.at(left), high = terrains.at(right);
+    std::array<double, 3> largest{};
+    for (int halvings = 0; halvings <= 12; ++halvings) {
+        if (halvings % 6 == 0)
+            for (std::size_t i = 0; i < left.size(); ++i)
+                largest.at(static_cast<std::size_t>(halvings / 6)) =
+                    std::max<double>(largest.at(static_cast<std::size_t>(halvings / 6)),
+                                     std::abs(high[i].eroded.height - low[i].eroded.height));
+        std::vector<Sample> middle = left;
+        for (std::size_t i = 0; i < left.size(); ++i)
+            middle[i].local[0] = 0.5f * (left[i].local[0] + right[i].local[0]);
+        const std::vector<Answer> between = terrains.at(middle);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const float here = between[i].eroded.height;
+            const bool lower = std::abs(here - low[i].eroded.height) > std::abs(high[i].eroded.height - here);
+            (lower ? right : left)[i] = middle[i];
+            (lower ? high : low)[i] = between[i];
+        }
+    }
+    return largest;
+}
+
+// Degrees between the gullies of one octave and the slope of the hills that they run down, on average by the
+// square of the gullies' own slope.
+double gully_angle(Terrains& terrains) {
+    std::vector<Sample> samples = anywhere(per_batch, 2);
+    const float step = 1.0f / 256;
+    for (Sample& sample : samples)
+        sample.erosion.octaves = 1;
+    const auto left = terrains.beside(samples, -step, 0), right = terrains.beside(samples, step, 0),
+               down = terrains.beside(samples, 0, -step), up = terrains.beside(samples, 0, step),
+               here = terrains.at(samples);
+    const auto gully = [](const Answer& answer) { return static_cast<double>(answer.eroded.ridge); };
+    double sum = 0, weight = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double x = gully(right[i]) - gully(left[i]), y = gully(up[i]) - gully(down[i]);
+        const double fall_x = here[i].hills.slope[0], fall_y = here[i].hills.slope[1];
+        const double power = x * x + y * y, fall = std::hypot(fall_x, fall_y);
+        if (fall < 0.3 || power == 0)
+            continue;
+        sum += power * std::asin(std::abs(x * fall_x + y * fall_y) / (std::sqrt(power) * fall));
+        weight += power;
+    }
+    return sum / weight * 180 / std::numbers::pi;
+}
+
+// Heights lower than all eight neighbours, 1/64 away, to a unit of area: in the terrain, less those in the
+// hills.
+double pits(Terrains& terrains) {
+    constexpr std::size_t side = 128;
+    int count = 0;
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+        std::vector<Sample> samples(side * side);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            samples[i].local[0] = static_cast<float>(i % side) / 64;
+            samples[i].local[1] = static_cast<float>(i / side) / 64;
+            samples[i].seed = seed;
+        }
+        const std::vector<Answer> answers = terrains.at(samples);
+        const auto lowest = [&](std::size_t i, auto height) {
+            for (const std::size_t j :
+                 {i - 1, i + 1, i - side, i + side, i - side - 1, i - side + 1, i + side - 1, i + side + 1})
+                if (height(answers[j]) <= height(answers[i]))
+                    return 0;
+            return 1;
+        };
+        for (std::size_t y = 1; y + 1 < side; ++y)
+            for (std::size_t x = 1; x + 1 < side; ++x)
+                count += lowest(y * side + x, [](const Answer& a) { return a.eroded.height; }) -
+                         lowest(y * side + x, [](const Answer& a) { return a.hills.height; });
+    }
+    return count / (8 * std::pow((side - 2) / 64.0, 2));
+}
+
+// The largest curvature of gullies on planes, over its root mean square: where waves cancel there could be
+// spikes.
+double spikes(Terrains& terrains) {
+    const std::vector<Sample> samples = on_planes(8 * per_batch, 3);
+    const float step = 1.0f / 64;
+    const auto left = terrains.beside(samples, -step, 0), right = terrains.beside(samples, step, 0),
+               down = terrains.beside(samples, 0, -step), up = terrains.beside(samples, 0, step),
+               here = terrains.at(samples);
+    double largest = 0, square = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double curvature = left[i].eroded.height + right[i].eroded.height + down[i].eroded.height +
+                                 up[i].eroded.height - 4.0 * here[i].eroded.height;
+        largest = std::max(largest, std::abs(curvature));
+        square += curvature * curvature;
+    }
+    return largest / std::sqrt(square / static_cast<double>(samples.size()));
+}
+
+// How much more of the slopes' power lies along the axes than along the diagonals.
+double axes(Terrains& terrains) {
+    double fourfold = 0, power = 0;
+    for (const Answer& answer : terrains.at(anywhere(16 * per_batch, 5))) {
+        const std::complex<double> slope(answer.eroded.slope[0], answer.eroded.slope[1]);
+        if (slope != 0.0)
+            fourfold += std::norm(slope) * std::cos(4 * std::arg(slope));
+        power += std::norm(slope);
+    }
+    return fourfold / power;
+}
+
+// By how much the mean square of gullies on planes depends on where in a cell of their lattice, `cell` wide,
+// they are: (largest - least) / mean over 4 x 4 places.
+double cells(Terrains& terrains, double cell) {
+    const std::vector<Sample> samples = on_planes(16 * per_batch, 7);
+    const auto answers = terrains.at(samples);
+    std::array<double, 16> square{}, count{};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto part = [&](double p) {
+            return static_cast<std::size_t>(4 * (p / cell - std::floor(p / cell))) % 4;
+        };
+        const std::size_t place = 4 * part(samples[i].local[1]) + part(samples[i].local[0]);
+        square.at(place) += std::pow(answers[i].eroded.ridge, 2);
+        ++count.at(place);
+    }
+    double mean = 0, least = 1e9, most = 0;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+        const double value = square.at(i) / count.at(i);
+        mean += value / 16;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    return (most - least) / mean;
+}
+
+// Root mean square of slope less finite differences of height, over that of these.
+double slope_error(Terrains& terrains) {
+    const std::vector<Sample> samples = anywhere(2 * per_batch, 9);
+    const float step = 1.0f / 2048;
+    const auto left = terrains.beside(samples, -step, 0), right = terrains.beside(samples, step, 0),
+               here = terrains.at(samples);
+    double error = 0, power = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double slope = 1024.0 * (right[i].eroded.height - left[i].eroded.height);
+        error += std::pow(here[i].eroded.slope[0] - slope, 2);
+        power += slope * slope;
+    }
+    return std::sqrt(error / power);
+}
+
 } // namespace
 
 // An octave's rounding turns the gullies of the next.
@@ -161,4 +372,104 @@ TEST_CASE("hills and erosion agree with the reference", "[erosion]") {
         ridges.check("  its ridge");
         plain.check("gabor_eroded, _tiled");
     }
+}
+
+TEST_CASE("eroded heights are continuous, and their gullies run down the slope without spikes or traces of a "
+          "lattice",
+          "[erosion]") {
+    const vulkan::Device device;
+    for (const int taps : {2, 3}) {
+        Terrains terrains(device, taps, by_drop_in);
+        const auto at_most = [&](const char* name, double value, double limit) {
+            fmt::print("{} taps, {}: {:.3g} of {:.3g}\n", taps, name, value, limit);
+            CHECK(value <= limit);
+        };
+        at_most("step over 1/262144", largest_steps(terrains)[2], 2e-4);
+        at_most("degrees between gullies and slope", gully_angle(terrains), 22);
+        at_most("pits per unit of area", pits(terrains), 6);
+        at_most("spikes", spikes(terrains), 9);
+        at_most("axes", std::abs(axes(terrains)), 0.015);
+        at_most("cells", cells(terrains, 2 / (0.8 * taps * 1.5)), 0.05);
+        at_most("error of the slope", slope_error(terrains), 0.62);
+    }
+}
+
+TEST_CASE("what a pixel removes of gullies leaves the mean height", "[erosion]") {
+    const vulkan::Device device;
+    Terrains terrains(device, 3, by_drop_in);
+    std::vector<Sample> samples = anywhere(16 * per_batch, 11);
+    const auto sharp = terrains.at(samples);
+    double relief = 0;
+    for (const Answer& answer : sharp)
+        relief += std::pow(answer.eroded.height, 2) / static_cast<double>(sharp.size());
+    relief = std::sqrt(relief);
+    for (const float pixel : {1 / 64.0f, 1 / 24.0f, 1 / 8.0f, 1 / 3.0f, 1.0f, 100.0f}) {
+        for (Sample& sample : samples)
+            sample.dx[0] = sample.dy[1] = pixel;
+        const auto filtered = terrains.at(samples);
+        for (const double low : {-1.0, -0.5, 0.5}) { // in valleys, on slopes, on peaks
+            double sum = 0, square = 0, count = 0;
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (sharp[i].hills.ridge < low || sharp[i].hills.ridge >= (low == -0.5 ? 0.5 : low + 0.5))
+                    continue;
+                const double difference = filtered[i].eroded.height - sharp[i].eroded.height;
+                sum += difference;
+                square += difference * difference;
+                ++count;
+            }
+            const double mean = sum / count,
+                         error = std::sqrt(square / count - mean * mean) / std::sqrt(count);
+            fmt::print("pixel {:.3f}, ridge from {}: {:.2f} +- {:.2f} % of the relief {:.3f}\n", pixel, low,
+                       100 * mean / relief, 100 * error / relief, relief);
+            CHECK(std::abs(mean) + 2 * error < 0.01 * relief);
+        }
+    }
+}
+
+TEST_CASE("eroded tiles close", "[erosion]") {
+    const vulkan::Device device;
+    Draw draw(13);
+    for (const int taps : {2, 3}) {
+        Terrains terrains(device, taps, by_drop_in);
+        std::vector<Sample> samples = anywhere(per_batch, 15), moved;
+        for (Sample& sample : samples)
+            for (int axis = 0; axis < 2; ++axis) { // short numbers, whose sums and products are exact
+                sample.local[axis] = std::round(64 * sample.local[axis]) / 64;
+                sample.period[axis] = static_cast<float>(4 << draw.word() % 3);
+            }
+        moved = samples;
+        for (Sample& sample : moved)
+            for (int axis = 0; axis < 2; ++axis)
+                sample.local[axis] += sample.period[axis] * std::round(draw.uniform(-3, 3));
+        const auto here = terrains.at(samples), there = terrains.at(moved);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            INFO(to_string(samples[i]));
+            REQUIRE(here[i].hills.height == there[i].hills.height);
+            REQUIRE(here[i].eroded.height == there[i].eroded.height);
+            REQUIRE(here[i].eroded.slope[1] == there[i].eroded.slope[1]);
+        }
+        const std::vector<Sample> endless = anywhere(per_batch, 15);
+        const auto untiled = terrains.at(endless);
+        std::size_t equal = 0;
+        for (std::size_t i = 0; i < endless.size(); ++i)
+            equal += untiled[i].eroded.height == here[i].eroded.height;
+        CHECK(equal < per_batch / 100); // a period changes the terrain
+    }
+}
+
+TEST_CASE("erosion compared with random splats", "[.table]") {
+    const vulkan::Device device;
+    fmt::print("{:<28}{:>30}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "step at 1/64, 1/4096, 1/262144",
+               "angle", "pits", "spikes", "axes", "cells", "slope");
+    const auto row = [&](const char* name, int taps, test::Wanted wanted, double cell) {
+        Terrains terrains(device, taps, wanted);
+        const auto steps = largest_steps(terrains);
+        fmt::print(
+            "{:<28}{:>10.4f}{:>10.5f}{:>10.6f}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.3f}{:>10.3f}{:>10.3f}\n", name,
+            steps[0], steps[1], steps[2], gully_angle(terrains), pits(terrains), spikes(terrains),
+            axes(terrains), cells(terrains, cell), slope_error(terrains));
+    };
+    row("gabor_eroded, 3 taps", 3, by_drop_in, 1 / (1.2 * 1.5));
+    row("gabor_eroded, 2 taps", 2, by_drop_in, 1 / (0.8 * 1.5));
+    row("random splats", 3, by_splats, 0.9 / 1.5);
 }

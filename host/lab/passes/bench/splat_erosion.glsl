@@ -28,7 +28,7 @@ vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
             sum += window * vec2(cos(phase), sin(phase));
         }
     }
-    sum *= 1.19 * sharpness;
+    sum *= 1.63 * sharpness;
     return sum * inversesqrt(1.0 + dot(sum, sum));
 }
 
@@ -44,12 +44,15 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
     vec2 steer = base.slope;
     float frequency = erosion.frequency;
     float depth = erosion.strength / erosion.frequency;
-    float mask = gabor_splat_mask(length(steer) / erosion.onset,
-                                  mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge));
+    float mask = 1.0;
+    float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     for (int i = 0; i < erosion.octaves; ++i) {
-        vec2 across = vec2(-steer.y, steer.x) / max(length(steer), 1.0e-9);
-        float cells = frequency / 0.85; // as many waves under a window as gabor_eroded has
-        vec2 z = gabor_splat_stripes(p * cells, 0.85 * across, erosion.sharpness, seed + uint(i) * 0x9e3779b9u);
+        float steep = max(length(steer), 1.0e-9);
+        float full = gabor_splat_mask(steep / erosion.onset, rounding);
+        mask *= full * full;
+        vec2 across = vec2(-steer.y, steer.x) / steep;
+        float cells = frequency / 0.9; // as many waves under a window as gabor_eroded has
+        vec2 z = gabor_splat_stripes(p * cells, 0.9 * across, erosion.sharpness, seed + uint(i) * 0x9e3779b9u);
         gully = mix(gully, erosion.gully_weight * z.x, mask);
         gully_slope = mix(gully_slope, -6.2831853 * frequency * erosion.gully_weight * z.y * across, mask);
         terrain.ridge = mix(terrain.ridge, z.x, mask);
@@ -57,8 +60,8 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
         terrain.slope += depth * gully_slope;
         float side = z.y < 0.0 ? -6.2831853 : 6.2831853;
         steer -= side * erosion.branching * erosion.gully_weight * frequency * depth * mask * across;
-        float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
-        mask = (1.0 - pow(1.0 - mask, erosion.detail))
+        rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
+        mask = mask * erosion.detail / (1.0 + mask * (erosion.detail - 1.0))
              * gabor_splat_mask(abs(z.y), rounding * frequency / erosion.frequency);
         frequency *= erosion.lacunarity;
         depth *= erosion.gain;
