@@ -4,6 +4,7 @@
 
 #include "file.hpp"
 
+#include <bit>
 #include <cmath>
 
 #define vec2 gabor_vec2
@@ -45,12 +46,27 @@ namespace {
 }
 
 gabor::test::Rows rows;
-#define SEE(call) rows.see(#call, call);
+bool only_hash = false;
+std::uint32_t hash = 2166136261u; // Fowler, Noll and Vo's, of words
+
+void see(const char* call, float value) {
+    hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 16777619u;
+    if (!only_hash)
+        rows.see(call, value);
+}
+#define SEE(call) see(#call, call);
 #include "functions.glsl"
 
 } // namespace
 
-int main(int, char** arguments) {
+int main(int count, char** arguments) {
+    only_hash = count == 3;
+    if (only_hash) {
+        for (int point = 0; point < std::atoi(arguments[2]); ++point)
+            see_all(point);
+        std::printf("%08x\n", hash);
+        return 0;
+    }
     for (int point = 0; point < gabor::test::Rows::points; ++point) {
         rows.begin(point);
         see_all(point);

@@ -56,6 +56,8 @@ Point point_of(int i) {
     s.orientation_spread = i % 8 == 5 ? 0.0f : drawn(i, 8, 0.0f, 1.7f);
     s.direction = vec3(drawn(i, 9, -1.0f, 1.0f), drawn(i, 10, -1.0f, 1.0f), drawn(i, 11, -1.0f, 1.0f));
     s.normal = vec3(drawn(i, 12, -0.5f, 0.5f), drawn(i, 13, -0.5f, 0.5f), drawn(i, 14, -0.5f, 0.5f));
+    if (i % 16 == 9) // as long as it may be
+        s.direction = 1.0e15f * vec3(s.direction.x < 0.0f ? -1.0f : 1.0f, s.direction.y, s.direction.z);
     if (i % 8 == 6) // the direction nearly on the normal
         s.normal = s.direction + 0.3f * s.normal;
     // Pixels of all sizes and shapes; at steps of 0.18 to 0.2 the filter changes its form.
@@ -140,6 +142,16 @@ void see_all(int i) {
     place.animated = i % 2 == 0;
     SEE(kept(gabor_noise_four(s.p, s.frequency, s.orientation, s.seed)))
     SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
+    vec2 wave = s.frequency * vec2(s.direction.x, s.normal.x);
+    float sharpness = drawn(i, 33, 0.0f, 5.0f);
+    SEE(gabor_noise_wave(s.p, wave, s.seed))
+    SEE(kept_gradient(gabor_noise_wave_gradient(s.p, wave, s.seed)))
+    SEE(kept(gabor_noise_wave_complex(s.p, wave, s.seed)))
+    SEE(gabor_noise_wave_tiled(s.p, s.period, wave, s.seed))
+    SEE(kept(gabor_field(place, gabor_kernel_wave(wave), s.seed)))
+    SEE(kept(gabor_stripes(s.p, wave, sharpness, s.seed)))
+    SEE(kept(gabor_stripes_at(place, wave, sharpness, s.seed)))
+    SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, sharpness, s.seed)))
     SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_LATTICE || defined GOLDEN_NOISE

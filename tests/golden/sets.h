@@ -13,6 +13,11 @@
 #define GABOR_WEIGHT_FLOOR 1.0f
 #define GABOR_PHASES 2
 #define GABOR_WINDOW vec3(1.0f, 0.0f, 0.0f)
+#elif defined GABOR_OF_noise_own // all that two phases and a window of three terms can need
+#define GOLDEN_NOISE
+#define GABOR_IMPULSES 3
+#define GABOR_RADIUS 1.25f
+#define GABOR_PHASES 2
 #elif defined GABOR_OF_lattice_2
 #define GOLDEN_LATTICE
 #define GABOR_TAPS 2

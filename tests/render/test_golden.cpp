@@ -11,6 +11,7 @@
 #include "passes/golden_lattice_3.h"
 #include "passes/golden_lattice_4.h"
 #include "passes/golden_noise_one.h"
+#include "passes/golden_noise_own.h"
 #include "passes/golden_noise_paper.h"
 #include "passes/golden_noise_pure.h"
 #include "passes/golden_spectrum.h"
@@ -33,9 +34,9 @@ TEST_CASE("public functions give the values of this version", "[golden]") {
     };
     for (const auto& [name, spirv] :
          {Set{"noise_one", golden_noise_one_spirv}, Set{"noise_pure", golden_noise_pure_spirv},
-          Set{"noise_paper", golden_noise_paper_spirv}, Set{"lattice_2", golden_lattice_2_spirv},
-          Set{"lattice_3", golden_lattice_3_spirv}, Set{"lattice_4", golden_lattice_4_spirv},
-          Set{"spectrum", golden_spectrum_spirv}}) {
+          Set{"noise_paper", golden_noise_paper_spirv}, Set{"noise_own", golden_noise_own_spirv},
+          Set{"lattice_2", golden_lattice_2_spirv}, Set{"lattice_3", golden_lattice_3_spirv},
+          Set{"lattice_4", golden_lattice_4_spirv}, Set{"spectrum", golden_spectrum_spirv}}) {
         constexpr std::size_t points = Rows::points, most = 64; // calls
         const gabor::vulkan::Buffer buffer(device, points * most * sizeof(float),
                                            gabor::vulkan::Memory::readback);

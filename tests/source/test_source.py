@@ -49,6 +49,15 @@ class Comments(unittest.TestCase):
         self.assertEqual(wrong, [])
 
 
+class Golden(unittest.TestCase):
+    def test_every_public_function_has_golden_values(self):
+        called = set(re.findall(r"\b(gabor_\w+)", text("tests/golden/functions.glsl")))
+        public = {name for path in (ROOT / "shaders").glob("gabor_*.glsl") if path.name != "gabor_ingredients.glsl"
+                  for name in re.findall(r"^\w+ (gabor_(?!impl_)\w+)\(", path.read_text(), re.MULTILINE)}
+        self.assertGreater(len(public), 60)
+        self.assertEqual(public - called, set())
+
+
 class Version(unittest.TestCase):
     def test_every_place_names_the_same(self):
         version = re.search(r"project\(gabor-noise VERSION (\d+\.\d+\.\d+)", text("CMakeLists.txt"))[1]
