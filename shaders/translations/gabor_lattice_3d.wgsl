@@ -1,6 +1,7 @@
 // gabor_lattice_3d.wgsl: exactly normalized Gabor noise in space, and on surfaces without parametrization. Include it
 // after gabor_spectrum.wgsl, which has the filter; every name that it adds begins with gabor_, Gabor or GABOR_: for WGSL.
 //
+// Digest of the GLSL and of this file: ecfc74f6861c47e8
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d(p, 2.0, vec3(1.0, 0.0, 0.0), 7u);        // mean 0, variance 1

@@ -1,5 +1,6 @@
-// The functions of a shader in the Open Shading Language, the file GABOR_OSL, as C++ on the CPU:
-// scene_osl VALUES.raw
+// A shader in the Open Shading Language, the file GABOR_OSL with the shader a function of its parameters, as
+// C++ on the CPU: scene_osl VALUES.raw. Of each place, in the plane and then in space, Noise, Gradient,
+// Value, Phase and Intensity.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -24,15 +25,34 @@ vector clamp(vector v, float low, float high) {
 }
 using std::abs, std::clamp, std::floor;
 
+double mod(double a, double b) {
+    return a - b * std::floor(a / b);
+}
+double min(double a, double b) {
+    return std::min(a, b);
+}
+vector normalize(vector v) {
+    return v * vector(1 / std::hypot(v.x, v.y, v.z));
+}
+const float M_2PI = 6.2831853f;
+using std::atan2, std::hypot;
+using point = vector;
+
 #include GABOR_OSL
 
 int main(int, char** argv) {
     std::ofstream file(argv[1], std::ios::binary);
     for (int y = 0; y < 256; ++y) {
         for (int x = 0; x < 256; ++x) {
-            const vector p((float(x) + 0.5f) / 32, (float(y) + 0.5f) / 32, 0);
-            const float value = gabor_impl_field2d(p, 4.0f * gabor_impl_wave(0.7854f / 6.2831853f), 7).x;
-            file.write(reinterpret_cast<const char*>(&value), sizeof value);
+            vector gradient(0);
+            float noise, value, phase, intensity;
+            const vector p((float(x) + 0.5f) / 32, (float(y) + 0.5f) / 32, 0.3f);
+            for (const int solid : {0, 1}) {
+                gabor_lattice(p * 0.25f, 4, 4, 0.7854f, 7, solid, vector(1, 2, 3), value, phase, intensity,
+                              noise, gradient);
+                const float outputs[]{noise, gradient.x, gradient.y, gradient.z, value, phase, intensity};
+                file.write(reinterpret_cast<const char*>(outputs), sizeof outputs);
+            }
         }
     }
 }

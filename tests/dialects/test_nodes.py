@@ -118,6 +118,26 @@ writeFileSync(process.argv[2], gabor_noise(p, float(4), float(0.7854), uint(7)).
 """
 
 
+# Quadrature and gradient in the plane, noise and gradient in space, at the scene's points.
+BESIDE = """
+#include "gabor_lattice.hpp"
+#include "gabor_spectrum.hpp"
+#include "gabor_lattice_3d.hpp"
+#include <fstream>
+int main(int, char** argv)
+{
+    std::ofstream file(argv[1], std::ios::binary);
+    for (int i = 0; i < 256 * 256; ++i) {
+        const gabor_vec2 p((float(i % 256) + 0.5f) / 32.0f, (float(i / 256) + 0.5f) / 32.0f);
+        const gabor_vec3 plane = gabor_noise_gradient(p, 4.0f, 0.7854f, 7u);
+        const gabor_vec4 space = gabor_noise_3d_gradient(gabor_vec3(p, 0.3f), 4.0f, gabor_vec3(1.0f, 2.0f, 3.0f), 7u);
+        const float values[] = {gabor_noise_complex(p, 4.0f, 0.7854f, 7u).x, plane.y, plane.z, space.x, space.y, space.z, space.w};
+        file.write(reinterpret_cast<const char*>(values), sizeof values);
+    }
+}
+"""
+
+
 class ByHand(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
@@ -132,11 +152,33 @@ class ByHand(unittest.TestCase):
         self.assertLess(error, 1e-5)
 
     def test_open_shading_language(self):
-        functions, compiler = self.folder / "functions.osl", os.environ.get("CXX", "c++")
-        functions.write_text((NODES / "osl" / "gabor_lattice.osl").read_text().partition("shader gabor")[0])
-        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{functions}"',
-                        HERE / "scene_osl.cpp", "-o", self.folder / "program"], check=True)
-        self.compare(self.folder / "program")
+        """The shader itself, each output. What it gives beside the scene's noise is that of the translation to C++."""
+        shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
+        text = (NODES / "osl" / "gabor_lattice.osl").read_text()
+        text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
+        shader.write_text(re.sub(r"output (\w+) (\w+)", r"\1& \2", text))
+        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{shader}"', HERE / "scene_osl.cpp",
+                        "-o", self.folder / "program"], check=True)
+        subprocess.run([self.folder / "program", self.values], check=True)
+        plane, space = np.fromfile(self.values, "<f4").reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
+        error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))
+        print(f"largest difference {error:.2g} at row and column {place}")
+        self.assertLess(error, 1e-5)
+
+        subprocess.run([compiler, "-std=c++11", "-O1", "-x", "c++", "-", "-I", ROOT / "shaders" / "translations", "-o",
+                        self.folder / "beside"], input=BESIDE, text=True, check=True)
+        subprocess.run([self.folder / "beside", self.values], check=True)
+        expected = np.fromfile(self.values, "<f4").reshape(-1, 7).T.astype(float)
+        self.assertLess(np.abs(plane[1:3] - expected[1:3]).max(), 2e-3)
+        self.assertLess(np.abs(space[0] - expected[3]).max(), 3e-5)
+        self.assertLess(np.abs(space[1:4] - expected[4:]).max(), 2e-3)
+        for noise, *_, value, phase, intensity in (plane, space):
+            self.assertLess(np.abs(value - np.clip(0.5 + 0.25 * noise, 0, 1)).max(), 1e-6)
+        self.assertEqual(np.abs(plane[3]).max(), 0)
+        phase, intensity = plane[5:]
+        self.assertLess(np.abs(intensity * np.sin(2 * np.pi * phase) - plane[0]).max(), 1e-5)
+        self.assertLess(np.abs(intensity * np.cos(2 * np.pi * phase) - expected[0]).max(), 2e-5)
+        self.assertTrue(((0 <= phase) & (phase <= 1)).all())
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):

@@ -20,7 +20,9 @@
 #else
 #include "gabor_lattice.hpp"
 #endif
-#if !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
+#if defined GOLDEN_EROSION
+#include "gabor_erosion.hpp"
+#elif !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
 #include "gabor_spectrum.hpp"
 #endif
 #if defined GOLDEN_LATTICE_3D

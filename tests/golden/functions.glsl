@@ -56,8 +56,10 @@ Point point_of(int i) {
     s.orientation_spread = i % 8 == 5 ? 0.0f : drawn(i, 8, 0.0f, 1.7f);
     s.direction = vec3(drawn(i, 9, -1.0f, 1.0f), drawn(i, 10, -1.0f, 1.0f), drawn(i, 11, -1.0f, 1.0f));
     s.normal = vec3(drawn(i, 12, -0.5f, 0.5f), drawn(i, 13, -0.5f, 0.5f), drawn(i, 14, -0.5f, 0.5f));
+#if defined GOLDEN_LATTICE_3D
     if (i % 16 == 9) // as long as it may be
         s.direction = 1.0e15f * vec3(s.direction.x < 0.0f ? -1.0f : 1.0f, s.direction.y, s.direction.z);
+#endif
     if (i % 8 == 6) // the direction nearly on the normal
         s.normal = s.direction + 0.3f * s.normal;
     // Pixels of all sizes and shapes; at steps of 0.18 to 0.2 the filter changes its form.
@@ -108,6 +110,12 @@ float kept(GaborField f) {
 #if defined GOLDEN_LATTICE_3D
 float kept(GaborField3d f) {
     return f.noise + 0.7f * f.quadrature + f.removed + 0.05f * kept(f.gradient) + 0.03f * kept(f.quadrature_gradient);
+}
+#endif
+
+#if defined GOLDEN_EROSION
+float kept(GaborTerrain t) {
+    return t.height + 0.2f * kept(t.slope) + 0.5f * t.ridge;
 }
 #endif
 
@@ -164,6 +172,8 @@ void see_all(int i) {
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);
     lobes.lobe[1] = gabor_lobe(2.0f, 1.6f, drawn(i, 30, 0.5f, 2.0f), i % 8 == 0 ? 0.0f : 1.0f);
     lobes.lobe[2] = gabor_lobe(drawn(i, 31, 0.0f, 3.0f), s.time, 0.7f, drawn(i, 32, 0.0f, 3.0f));
+    for (int k = 0; k < 3 && i % 16 == 13; ++k) // nothing at all
+        lobes.lobe[k].power = 0.0f;
     GaborPlace place = gabor_place_tiled(p, s.period);
     place.animated = true;
     place.time = s.time;
@@ -214,6 +224,41 @@ void see_all(int i) {
     SEE(kept(gabor_isotropic_3d(place, 0.3f * s.frequency, s.seed)))
     SEE(kept(gabor_surface_3d(place, s.normal, s.frequency, s.direction, s.seed)))
     SEE(kept(gabor_surface_isotropic_3d(place, s.normal, s.frequency, s.seed)))
+#endif
+#if defined GOLDEN_EROSION
+    GaborErosion erosion = gabor_erosion();
+    if (i % 4 == 1) { // none of it as it is by default
+        erosion.octaves = 1 + i / 4 % 6;
+        erosion.frequency = drawn(i, 34, 0.2f, 5.0f);
+        erosion.strength = drawn(i, 35, 0.0f, 1.0f);
+        erosion.lacunarity = drawn(i, 36, 1.5f, 3.0f);
+        erosion.gain = drawn(i, 37, 0.3f, 0.7f);
+        erosion.onset = drawn(i, 38, 0.05f, 1.0f);
+        erosion.detail = drawn(i, 39, 1.0f, 4.0f);
+        erosion.sharpness = drawn(i, 40, 0.5f, 4.0f);
+        erosion.ridge_rounding = drawn(i, 41, 0.0f, 1.0f);
+        erosion.crease_rounding = drawn(i, 42, 0.0f, 1.0f);
+        erosion.gully_weight = drawn(i, 43, 0.0f, 1.0f);
+        erosion.branching = drawn(i, 44, 0.0f, 1.0f);
+    }
+    GaborTerrain base = gabor_terrain(s.p, s.seed);
+    GaborTerrain slope;
+    slope.height = s.time;
+    slope.slope = i % 16 == 6 ? vec2(0.0f, 0.0f) : vec2(s.direction.x, s.direction.y);
+    slope.ridge = s.direction.z;
+    GaborGround ground;
+    ground.cell = ivec2(s.cell.x / 4, s.cell.y / 4);
+    ground.local = s.local;
+    ground.period = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(4.0f, 7.5f) + s.period;
+    if (i % 2 == 1) ground.cell = ivec2(i, -i);
+    SEE(kept(base))
+    SEE(kept(gabor_terrain_tiled(s.p, vec2(4.0f, 7.5f) + s.period, s.seed)))
+    SEE(kept(gabor_terrain_at(ground, s.seed)))
+    SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
+    SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
+    SEE(kept(gabor_eroded_tiled(s.p, vec2(4.0f, 7.5f) + s.period, slope, erosion, s.seed)))
+    SEE(kept(gabor_eroded_filtered(s.p, s.dx, s.dy, slope, erosion, s.seed)))
+    SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units

@@ -2,6 +2,7 @@
 #include "viewer/document_json.hpp"
 #include "viewer/effect.hpp"
 #include "viewer/noise_pass.hpp"
+#include "viewer/settings.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/snippet.hpp"
 
@@ -88,6 +89,47 @@ TEST_CASE("undo changes nothing but the last step, and redo brings it back") {
     CHECK(history.now == unlike_any());
     history.redo();
     CHECK(history.now == edited);
+}
+
+TEST_CASE("settings come back as they were saved") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-viewer-settings";
+    const char* before = std::getenv("XDG_CONFIG_HOME");
+    const std::string kept = before ? before : "";
+    ::setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    const Settings saved{.placement = {11, 22, 633, 444, true},
+                         .panels = false,
+                         .ui_scale = 1.5f,
+                         .document = "a document",
+                         .preset_path = "a preset",
+                         .export_path = "an export",
+                         .recent = {"one", "two"}};
+    save_settings(saved);
+    const Settings read = load_settings();
+    before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
+    std::filesystem::remove_all(folder);
+    const auto members = [](const Settings& s) {
+        const Placement& p = s.placement;
+        return std::tuple(p.x, p.y, p.width, p.height, p.maximized, s.panels, s.ui_scale, s.document,
+                          s.preset_path, s.export_path, s.recent);
+    };
+    CHECK(members(read) == members(saved));
+}
+
+// 9 nodes are 100 pixels wide and 8 are 90 high; at 16 pixels to a kernel radius of 1.5 nodes that is so much
+// of one.
+TEST_CASE("copied GLSL of a tile stretches the filter along each axis as its nodes are") {
+    const Document document = document_of(
+        {.width = 100, .height = 90, .scale = 16, .view = render::Plane{.tileable = true}, .filter = true});
+    const std::string glsl = snippet(document, {100, 90});
+    float x = 0, y = 0, other_x = 0, other_y = 0;
+    const std::size_t at = glsl.find("gabor_footprint(dx * vec2(");
+    REQUIRE(at != std::string::npos);
+    REQUIRE(std::sscanf(glsl.c_str() + at, "gabor_footprint(dx * vec2(%f, %f), dy * vec2(%f, %f))", &x, &y,
+                        &other_x, &other_y) == 4);
+    CHECK(x == Approx(9 * 16 / 150.0));
+    CHECK(y == Approx(8 * 16 / 135.0));
+    CHECK(other_x == x);
+    CHECK(other_y == y);
 }
 
 TEST_CASE("documents go through JSON") {
