@@ -166,6 +166,16 @@ class Dialects(unittest.TestCase):
                     with self.subTest(dialect, drop_in=name, recipe=recipe, times=times):
                         self.compile(shader(name, *parts, macros, times), stage, options)
 
+    def test_texts_for_shadertoy_compile_between_what_it_puts_around_them(self):
+        before = "precision highp float;\nprecision highp int;\nuniform vec3 iResolution;\nuniform float iTime;\n" \
+                 "uniform vec4 iMouse;\nout vec4 result;\n"
+        after = "void main() { mainImage(result, gl_FragCoord.xy); }\n"
+        texts = sorted((SHADERS / "nodes" / "shadertoy").glob("*.frag"))
+        self.assertGreaterEqual(len(texts), 2)
+        for path in texts:
+            with self.subTest(path.name):
+                self.compile(f"#version 300 es\n{before}{path.read_text()}{after}", "frag", [])
+
     def test_a_macro_that_is_not_good_ends_in_an_error_that_says_so(self):
         *parts, stage, options = DIALECTS["300 es fragment"]
         for name, macros in BAD_MACROS.items():

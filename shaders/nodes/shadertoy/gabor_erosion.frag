@@ -1,0 +1,800 @@
+// Eroded mountains to fly over: drag the mouse to look around. Paste all of this into shadertoy.com; what is yours to change
+// stands at the end.
+
+// ---- gabor_lattice.glsl as it is ----
+// gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place.
+//
+// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name it
+// adds begins with gabor_, Gabor or GABOR_. Those with gabor_impl_ are private.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifdef GABOR_NOISE_GLSL
+#error Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions
+#endif
+#ifndef GABOR_LATTICE_GLSL
+#define GABOR_LATTICE_GLSL
+#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
+// Quality; define it before the file. A point sums GABOR_TAPS^2 waves: 3 by 3 by default; 4 for a covariance that depends
+// less on the place; 2 for speed, with columns and rows that show at high frequencies.
+#ifndef GABOR_TAPS
+#define GABOR_TAPS 3
+#endif
+#if GABOR_TAPS < 2 || GABOR_TAPS > 4
+#error GABOR_TAPS is 2, 3 or 4
+#endif
+
+// float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
+//     Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                    at 10^5 it steps by 0.008.
+//       frequency    cycles per kernel radius; its magnitude counts, up to 10^6.
+//       orientation  direction of the wave vector in radians from +x towards +y. Its own rounding shows where it is
+//                    large: at frequency 4 the noise is off by 1.5e-6 for each radian.
+//       seed         any; different seeds give independent noises.
+//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p, frequency
+//     or orientation gives an unspecified value.
+
+// vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
+//     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+//     orientation as constant.
+
+// vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
+//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+//     sines; at one place both have variance 1 and are independent.
+
+// vec2 gabor_phasor(vec2 value)
+//     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+//     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+
+// vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
+//     Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
+
+// float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
+//     Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
+//     orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
+//     periods narrow the windows.
+
+// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+//     Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
+//     at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
+
+// float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
+//     gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
+//     place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
+//     frequency 0. Where a map jumps, the noise jumps too, and stripes end.
+
+// vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
+// vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
+// float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
+//     The same with gradient, which takes the wave vector as constant; with quadrature; and with a period.
+
+// vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
+//     Stripes of even contrast across the wave vector: (cosine, sine, intensity). With z the complex noise of that wave,
+//     the intensity is |z|, and (cosine, sine) is z, (quadrature, noise), brought to length 1 where |z| exceeds 1 /
+//     sharpness. Below it the length is sharpness |z|, so that stripes end softly where they fork, instead of in spikes.
+//     2 is a good sharpness; any from 0 to 10^6.
+
+// vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
+//     The same with a period, as gabor_noise_tiled.
+
+// float gabor_unorm(float noise)
+//     Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+//     clamped.
+
+// uint gabor_lobe_seed(uint seed, int index)
+//     A seed for part `index` of a sum of independent noises.
+
+// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+
+#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
+
+// A wave vector: see gabor_kernel.
+struct GaborKernel {
+    vec2 wave; // cycles per kernel radius
+};
+
+// A position in nodes of the lattice, and how space and time repeat.
+struct GaborPlace {
+    ivec2 cell;    // any integers, but for the last few before the world wraps around at 2^31
+    vec2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
+    vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
+    ivec2 period;  // in nodes, 0 for none
+    bool animated; // whether time counts
+    float time;    // in periods of time
+};
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    vec2 value;
+    vec2 slope_x;
+    vec2 slope_y;
+};
+
+// GaborKernel gabor_kernel(float frequency, float orientation)
+//     The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+
+// GaborKernel gabor_kernel_wave(vec2 wave)
+//     The kernel of a wave vector, with the range of gabor_noise_wave.
+
+// GaborPlace gabor_place(ivec2 cell, vec2 local)
+//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+//     way.
+
+// GaborPlace gabor_place_tiled(vec2 p, vec2 period)
+//     The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
+//     endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
+//     Noise, quadrature and both gradients at a place. All other functions call this one.
+
+// float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
+//     The noise at gabor_place(cell, local).
+
+// vec3 gabor_stripes_at(GaborPlace place, vec2 wave, float sharpness, uint seed)
+//     gabor_stripes at a place.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
+// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+//
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
+// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+//
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//
+// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
+// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
+// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// normal.
+//
+// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
+// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+//
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
+// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
+uint gabor_impl_mix(uint word, uint salt) {
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
+}
+
+uint gabor_lobe_seed(uint seed, int index) {
+    return gabor_impl_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
+}
+
+#define GABOR_IMPL_ROWS 0x5bd1e995u
+// The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
+uint gabor_impl_salt(uint seed) {
+    return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
+}
+
+// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
+// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
+uint gabor_impl_line_word(int index, uint salt) {
+    uint word = uint(index) * 0x9e3779b1u + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return (word >> 8u) | 0x800001u;
+}
+
+#define GABOR_IMPL_DEVIATION 1.4599553e27 // of a part of an amplitude
+// The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
+// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
+// there, and 0.001 on average.
+vec2 gabor_impl_amplitude(uint word) {
+    vec2 u = vec2(float(int(word)), float(int(word << 16u)));
+    return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
+}
+
+// ---- Waves and windows ---------------------------------------------------------------------------------------------
+
+// Product of complex numbers.
+vec2 gabor_impl_product(vec2 a, vec2 b) {
+    return a.x * b + a.y * vec2(-b.y, b.x);
+}
+
+// Adds to two sums the pair of complex numbers times z.
+void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z) {
+    sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
+}
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+vec2 gabor_impl_wave(float t) {
+    t -= floor(t + 0.5);
+    float y = abs(t) - 0.25;
+    float s = y * y, r = s * s;
+    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
+    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
+    return vec2(y * cosine, t < 0.0 ? -sine : sine);
+}
+
+// The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
+// kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
+void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
+#if GABOR_TAPS == 2
+    // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
+    // but the variances of their derivatives vary.
+    float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
+    float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
+    value = scale * vec4(1.0 - s, s, 0.0, 0.0);
+    slope = 6.0 * t * (1.0 - t) * scale * scale * scale * vec4(-s, 1.0 - s, 0.0, 0.0);
+#elif GABOR_TAPS == 3
+    float y = x * x;
+    float c = 0.5 - y * (1.0966099 - y * (0.40054826 - y * 0.05644487)); // cos(2/3 pi x) / 2
+    float s = x * (0.90689956 - y * (0.66301124 - y * (0.14532053 - y * 0.01467483))); // sqrt(3)/4 sin(2/3 pi x)
+    float a = 0.5 - 0.5 * c;
+    float b = 1.8137994 * s;
+    value = vec4(a - s, 0.5 + c, a + s, 0.0);
+    slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
+#else
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
+    float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
+    float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
+    float c = cosine - sine, s = cosine + sine;
+    value = 0.5 + vec4(-s, c, s, -c);
+    slope = 3.1415927 * vec4(-c, -s, c, s);
+#endif
+}
+
+// ---- The sum -------------------------------------------------------------------------------------------------------
+
+// An index within a period.
+int gabor_impl_wrap(int index, int period) {
+    if (period == 0) return index;
+    int within = index - index / period * period;
+    return within < 0 ? within + period : within;
+}
+
+// The nodes along an axis that reach a point.
+struct GaborAxis {
+    float offset; // of the point from node 0, in node spacings
+    float turns;  // of the wave from a node to the next
+    uint word[4];
+    vec4 node[4]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
+};
+
+// With `wave` cycles and `radius` nodes per kernel radius.
+GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
+    GaborAxis axis;
+    float zero = floor(local + (2.0 - GABOR_RADIUS));
+    // Within these bounds but for a compiler that fuses the product in `local` with the difference.
+    axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
+    axis.turns = wave / radius;
+    vec4 value, slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    vec2 turn = gabor_impl_wave(axis.turns);
+    vec2 back = vec2(turn.x, -turn.y);
+    vec2 twice = gabor_impl_product(back, back);
+    axis.node[0] = vec4(value.x * turn, slope.x * turn);
+    axis.node[1] = vec4(value.y, 0.0, slope.y, 0.0);
+    axis.node[2] = vec4(value.z * back, slope.z * back);
+    axis.node[3] = vec4(value.w * twice, slope.w * twice);
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
+    return axis;
+}
+
+// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
+// squares sum to 1 and which at time 0 are 1, 0, 0.
+vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
+    vec2 amplitude = gabor_impl_amplitude(word);
+    if (!animated) return amplitude;
+    uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    vec2 turn = gabor_impl_wave(time);
+    return (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
+         + 0.70710678 * turn.y * gabor_impl_amplitude(third);
+}
+
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
+    vec4 row = vec4(0.0);
+    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
+        gabor_impl_add(sum, row, y.node[j].xy);
+        gabor_impl_add(slope, row, y.node[j].zw);
+    }
+}
+
+void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec4 sum, out vec4 slope) {
+    sum = slope = vec4(0.0);
+    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+}
+
+// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
+// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch) {
+    turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    vec2 value = gabor_impl_product(sum.xy, turn);
+    vec2 turned = 6.2831853 * vec2(-value.y, value.x);
+    return GaborField(value, stretch.x * gabor_impl_product(sum.zw, turn) + wave.x * turned,
+                      stretch.y * gabor_impl_product(slope.xy, turn) + wave.y * turned);
+}
+
+GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel.wave.x, place.radius.x);
+    salt ^= GABOR_IMPL_ROWS;
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel.wave.y, place.radius.y);
+    vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
+    vec4 sum, slope;
+    gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
+    return gabor_impl_field(sum, slope, turn, kernel.wave, place.radius / GABOR_RADIUS);
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+GaborPlace gabor_place(ivec2 cell, vec2 local) {
+    return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), false, 0.0);
+}
+
+GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
+    vec2 nodes = max(floor(period * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
+    GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
+    place.radius = vec2(period.x > 0.0 ? nodes.x / period.x : GABOR_RADIUS,
+                        period.y > 0.0 ? nodes.y / period.y : GABOR_RADIUS);
+    place.period = ivec2(period.x > 0.0 ? int(nodes.x) : 0, period.y > 0.0 ? int(nodes.y) : 0);
+    place.local = p * place.radius;
+    return place;
+}
+
+GaborKernel gabor_kernel(float frequency, float orientation) {
+    return GaborKernel(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)));
+}
+
+GaborKernel gabor_kernel_wave(vec2 wave) {
+    return GaborKernel(clamp(wave, -1.0e6, 1.0e6));
+}
+
+float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed) {
+    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+}
+
+float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
+    return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+}
+
+vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed) {
+    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
+    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+}
+
+vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed) {
+    return vec4(gabor_noise(p, frequency, orientation, seed),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
+                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
+}
+
+vec2 gabor_phasor(vec2 value) {
+    float intensity = length(value);
+    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
+    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
+}
+
+float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed) {
+    GaborPlace place = GaborPlace(ivec2(0), p * GABOR_RADIUS, vec2(GABOR_RADIUS), ivec2(0), true, time);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+}
+
+float gabor_noise_wave(vec2 p, vec2 wave, uint seed) {
+    return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel_wave(wave), seed);
+}
+
+vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed) {
+    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed) {
+    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed).value;
+}
+
+float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed) {
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
+    return gabor_field(place, gabor_kernel_wave(wave), seed).value.y;
+}
+
+// (cosine, sine, intensity) of a complex value: z / |z| where |z| is above 1 / sharpness, else sharpness z.
+vec3 gabor_impl_stripes(vec2 value, float sharpness) {
+    float intensity = length(value);
+    return vec3(sharpness / max(sharpness * intensity, 1.0) * value, intensity);
+}
+
+vec3 gabor_stripes_at(GaborPlace place, vec2 wave, float sharpness, uint seed) {
+    return gabor_impl_stripes(gabor_field(place, gabor_kernel_wave(wave), seed).value, sharpness);
+}
+
+vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
+    return gabor_stripes_at(gabor_place(ivec2(0), p * GABOR_RADIUS), wave, sharpness, seed);
+}
+
+vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed) {
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
+    return gabor_stripes_at(place, wave, sharpness, seed);
+}
+
+float gabor_unorm(float noise) {
+    return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
+}
+
+#endif // GABOR_LATTICE_GLSL
+// ---- gabor_erosion.glsl as it is ----
+// gabor_erosion.glsl: eroded mountains, each point on its own: branching gullies and ridges on any slope.
+//
+// Paste or include this file after gabor_lattice.glsl.
+//
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
+//     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//
+// Stripes of noise run down the slope, octave by octave. The cosine of their phase is the height of gullies. The idea
+// is that of runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_GLSL
+#error Include gabor_lattice.glsl before gabor_erosion.glsl
+#endif
+#ifndef GABOR_EROSION_GLSL
+#define GABOR_EROSION_GLSL
+
+// A height in the unit of p, its derivatives along x and y, and -1 in creases and valleys to 1 on ridges and peaks.
+struct GaborTerrain {
+    float height;
+    vec2 slope;
+    float ridge;
+};
+
+struct GaborErosion {
+    int octaves;           // each costs about one gabor_noise_gradient
+    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
+    float strength;        // depth of these gullies times frequency: how steep they are
+    float lacunarity;      // frequency of an octave over that of the one before
+    float gain;            // depth of an octave over that of the one before: 1 / lacunarity keeps gullies as steep
+    float onset;           // slope from which gullies have their full depth
+    float detail;          // how far fine gullies reach into creases, onto ridges and flat places: 1 and more
+    float sharpness;       // how alike gullies are in depth: 1 for natural variety, 4 for even stripes
+    float ridge_rounding;  // how widely ridges are rounded, in radians of the first octave's phase, 0 for sharp ones
+    float crease_rounding; // the same for creases
+    float gully_weight;    // share of the depth that gullies have, while peaks and valleys have all of it
+    float branching;       // how far gullies turn finer ones: 0 for parallel ones, 1 by their own slope
+};
+
+// GaborErosion gabor_erosion()
+//     Alpine ridges and valleys on the hills of gabor_terrain.
+
+// GaborTerrain gabor_terrain(vec2 p, uint seed)
+//     Hills to erode, about four units wide, of mean height 0 and slopes of 0.6 rms. Their curvature is continuous.
+
+// GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
+//     height is continuous where the base and its slope are. What comes out can be eroded again. The slope takes the
+//     directions of gullies, and where they fade, as fixed: its rms error is 0.6 of the rms slope of the height.
+
+// GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
+//     from one pixel to the next, dFdx(p) and dFdy(p). Octaves that are gone cost nearly nothing.
+
+// GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
+// GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
+//     The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
+
+// A position, cell + local, and how the world repeats.
+struct GaborGround {
+    ivec2 cell;  // any integers: a world of 2^32 cells each way closes upon itself
+    vec2 local;  // any small vector, [0, 1)^2 is the most precise
+    vec2 period; // 0 for none, and where there is one cell + local is rounded to a float
+};
+
+// GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
+// GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+//                              uint seed)
+//     All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+// The place on a lattice with so many nodes per unit of p, in 1 / 65536, that a product with a cell is an exact integer
+// and fraction. A unit of p counts as the kernel radius.
+GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
+    uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
+    GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
+    place.radius = vec2(float(rounded) / 65536.0);
+    uvec2 low = (uvec2(ground.cell) & 0xffffu) * (rounded & 0xffffu);
+    uvec2 high = uvec2(ground.cell) * (rounded >> 16u) + uvec2(ground.cell >> 16) * (rounded & 0xffffu);
+    place.cell = ivec2(high + (low >> 16u));
+    place.local = vec2(low & 0xffffu) / 65536.0 + ground.local * place.radius;
+    if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
+    place.period = ivec2(max(floor(ground.period * place.radius + 0.5), 4.0));
+    if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
+    if (ground.period.y > 0.0) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.cell = ivec2(0);
+    place.local = (vec2(ground.cell) + ground.local) * place.radius;
+    return place;
+}
+
+// Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.
+void gabor_impl_splines(float t, out vec4 value, out vec4 slope) {
+    float u = 1.0 - t;
+    value = vec4(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
+    slope = 0.5 * vec4(-u * u, t * (3.0 * t - 4.0), u * (4.0 - 3.0 * u), t * t);
+}
+
+// The words of the four lines of nodes around line `index`.
+uvec4 gabor_impl_lines(int index, int period, uint salt) {
+    return uvec4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
+                 gabor_impl_line_word(gabor_impl_wrap(index + 2, period), salt));
+}
+
+// Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
+void gabor_impl_add_hills(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_x, float y, float slope_y) {
+    vec4 a = vec4(ivec4(words)), b = vec4(ivec4(words << 16u));
+    vec2 row = vec2(dot(x, a), dot(x, b));
+    sum.value += y * row;
+    sum.slope_x += y * vec2(dot(slope_x, a), dot(slope_x, b));
+    sum.slope_y += slope_y * row;
+}
+
+// Wide hills, and small ones on the contours of a second noise, more on high places. The noises are random amplitudes
+// under B-splines, whose curvature is continuous, unlike that of gabor_noise. The sum of their squares is 151 / 315 on
+// average along each axis.
+GaborTerrain gabor_terrain_at(GaborGround ground, uint seed) {
+    GaborPlace place = gabor_impl_place(ground, 1.0);
+    vec2 zero = floor(place.local);
+    vec4 x, y, slope_x, slope_y;
+    gabor_impl_splines(place.local.x - zero.x, x, slope_x);
+    gabor_impl_splines(place.local.y - zero.y, y, slope_y);
+    uint salt = gabor_impl_salt(seed);
+    uvec4 columns = gabor_impl_lines(place.cell.x + int(zero.x), place.period.x, salt);
+    uvec4 rows = gabor_impl_lines(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    GaborField hills = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    vec2 noise = 1.6825360e-9 * hills.value; // 315 / 151 sqrt(3) / 2^31: variance 1
+    vec2 wave = gabor_impl_wave(0.4 * noise.y);
+    float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
+    vec2 factors = 0.33 * 1.6825360e-9 * vec2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    vec2 slope = place.radius * vec2(dot(factors, hills.slope_x), dot(factors, hills.slope_y));
+    return GaborTerrain(0.33 * height, slope, height * inversesqrt(1.0 + height * height));
+}
+
+// From 0 to 1 at t = 1 and beyond, straight from 0 on, or with a rounded start.
+float gabor_impl_mask(float t, float rounding) {
+    float s = 1.0 - min(t < rounding ? 0.5 * t * t / rounding : t - 0.5 * rounding, 1.0);
+    return 1.0 - s * s;
+}
+
+// Where the mask m of an octave is below 1, its gullies, of weight w, fade to those of the octave before:
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+// m_i is 0 where the slope that its gullies follow is, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases:
+// finer gullies end there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
+// Where a pixel removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
+GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+                             uint seed) {
+    GaborTerrain terrain = base;
+    GaborTerrain gully = GaborTerrain(base.ridge, vec2(0.0), base.ridge); // t_i, its slope, and t_i with w = 1
+    vec2 steer = base.slope;
+    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float mask = 1.0, rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
+    for (int i = 0; i < erosion.octaves; ++i) {
+        float steep = max(length(steer), 1.0e-9), full = gabor_impl_mask(steep / max(erosion.onset, 1.0e-6), rounding);
+        mask *= full * full;
+        vec2 wave = frequency / steep * vec2(-steer.y, steer.x);
+        vec2 steps = vec2(dot(wave, dx), dot(wave, dy));
+        float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
+        vec2 z = vec2(0.0), slope = vec2(0.0);
+        if (kept > 0.0) {
+            GaborPlace place = gabor_impl_place(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            GaborField stripes = gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i));
+            z = erosion.sharpness * stripes.value;
+            float even = inversesqrt(1.0 + dot(z, z)); // brings z to length 1, but where waves cancel
+            slope = vec2(dot(z, stripes.slope_x), dot(z, stripes.slope_y)) * (even * even * z.x);
+            slope = kept * even * erosion.sharpness * (vec2(stripes.slope_x.x, stripes.slope_y.x) - slope);
+            z *= kept * even;
+        }
+        gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
+        gully.slope = mix(gully.slope, erosion.gully_weight * slope, mask);
+        gully.ridge = mix(gully.ridge, z.x, mask);
+        terrain.height += depth * gully.height;
+        terrain.slope += depth * gully.slope;
+        float side = (z.y < 0.0 ? -6.2831853 : 6.2831853) * kept * erosion.branching * erosion.gully_weight;
+        steer -= side * depth * mask * wave;
+        rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
+        mask = mask * erosion.detail / (1.0 + mask * (erosion.detail - 1.0))
+             * gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), rounding * frequency / erosion.frequency);
+        frequency *= erosion.lacunarity;
+        depth *= erosion.gain;
+    }
+    return GaborTerrain(terrain.height, terrain.slope, gully.ridge);
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+GaborErosion gabor_erosion() {
+    return GaborErosion(5, 1.5, 0.12, 2.0, 0.5, 0.5, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0);
+}
+
+GaborTerrain gabor_terrain(vec2 p, uint seed) {
+    return gabor_terrain_at(GaborGround(ivec2(0), p, vec2(0.0)), seed);
+}
+
+GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed) {
+    return gabor_terrain_at(GaborGround(ivec2(0), p, period), seed);
+}
+
+GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_at(GaborGround(ivec2(0), p, vec2(0.0)), dx, dy, base, erosion, seed);
+}
+
+GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_filtered(p, vec2(0.0), vec2(0.0), base, erosion, seed);
+}
+
+GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
+    return gabor_eroded_at(GaborGround(ivec2(0), p, period), vec2(0.0), vec2(0.0), base, erosion, seed);
+}
+
+#endif // GABOR_EROSION_GLSL
+// ---- mine ----
+
+const uint seed = 5u;
+const float water = -0.42;
+const vec3 sun = vec3(-0.80, 0.38, -0.46);
+
+// The ground under a pixel that is `pixel` wide there: fewer octaves far away.
+GaborTerrain ground(vec2 p, float pixel) {
+    GaborErosion erosion = gabor_erosion();
+    erosion.octaves = 7;
+    erosion.detail = 3.0;
+    return gabor_eroded_filtered(p, vec2(pixel, 0.0), vec2(0.0, pixel), gabor_terrain(p, seed), erosion, seed);
+}
+
+// The height that a ray must clear: erosion adds 0.16 at most to the hills, which are cheap.
+float clearance(vec3 at, float pixel) {
+    float above = at.y - gabor_terrain(at.xz, seed).height;
+    return above > 0.24 ? above - 0.16 : at.y - ground(at.xz, pixel).height;
+}
+
+// Where the ray meets the ground, or -1. Steps grow with the height above the ground and with the distance.
+float march(vec3 eye, vec3 ray, float pixel) {
+    float t = 0.02, before = t;
+    for (int i = 0; i < 160 && t < 40.0; ++i) {
+        vec3 at = eye + t * ray;
+        if (at.y > 1.6 && ray.y > 0.0) break;
+        float above = clearance(at, pixel * t);
+        if (above < 0.0) { // between the last two steps: bisect
+            for (int j = 0; j < 6; ++j) {
+                float middle = 0.5 * (before + t);
+                vec3 there = eye + middle * ray;
+                if (there.y > ground(there.xz, pixel * middle).height) before = middle; else t = middle;
+            }
+            return t;
+        }
+        before = t;
+        t += max(0.42 * above, pixel * t);
+    }
+    return -1.0;
+}
+
+// How much of the sun is seen from there: the ground with two octaves or so, and a soft edge.
+float sunlight(vec3 at) {
+    float light = 1.0, t = 0.03;
+    for (int i = 0; i < 18 && light > 0.0; ++i) {
+        vec3 there = at + t * sun;
+        float above = there.y - ground(there.xz, 0.12).height;
+        light = min(light, 0.5 + 12.0 * above / t);
+        t += clamp(0.7 * above, 0.03, 0.5);
+    }
+    return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
+}
+
+vec3 sky(vec3 ray) {
+    float up = max(ray.y, 0.0), toward = max(dot(ray, sun), 0.0);
+    vec3 color = mix(vec3(0.50, 0.58, 0.66), vec3(0.08, 0.20, 0.46), 1.0 - exp(-5.0 * up));
+    float glow = 0.35 * pow(toward, 8.0) + 0.6 * pow(toward, 200.0) + 4.0 * pow(toward, 3000.0);
+    return color + vec3(1.0, 0.68, 0.36) * glow;
+}
+
+// Rock, grass, scree and snow, by height, slope and ridge.
+vec3 colour(vec3 at, vec3 normal, float ridge) {
+    vec3 color = mix(vec3(0.24, 0.19, 0.15), vec3(0.34, 0.31, 0.28), smoothstep(-0.2, 0.6, at.y + 0.2 * ridge));
+    float grass = smoothstep(0.62, 0.85, normal.y) * smoothstep(0.30, -0.05, at.y + 0.08 * ridge);
+    color = mix(color, mix(vec3(0.08, 0.11, 0.045), vec3(0.20, 0.20, 0.085), 0.5 + 0.5 * ridge), grass);
+    color = mix(color, vec3(0.36, 0.33, 0.27), 0.5 * smoothstep(-0.3, -0.9, ridge) * (1.0 - grass));
+    color = mix(color, vec3(0.46, 0.42, 0.32), smoothstep(water + 0.025, water + 0.005, at.y));
+    float snow = smoothstep(0.30, 0.55, at.y - 0.12 * ridge) * smoothstep(0.50, 0.75, normal.y);
+    return mix(color, vec3(0.86, 0.89, 0.93), snow);
+}
+
+vec3 lit(vec3 at, float pixel) {
+    float w = max(pixel, 0.0008);
+    GaborTerrain here = ground(at.xz, pixel);
+    float x = ground(at.xz + vec2(w, 0.0), pixel).height, z = ground(at.xz + vec2(0.0, w), pixel).height;
+    vec3 normal = normalize(vec3(here.height - x, w, here.height - z));
+    float open = 0.65 + 0.35 * here.ridge; // creases see less of the sky
+    vec3 light = 2.3 * vec3(1.0, 0.80, 0.58) * max(dot(normal, sun), 0.0) * sunlight(at + 0.004 * normal)
+               + open * mix(vec3(0.10, 0.08, 0.06), vec3(0.17, 0.25, 0.40), 0.5 + 0.5 * normal.y);
+    return colour(at, normal, here.ridge) * light;
+}
+
+void mainImage(out vec4 color, vec2 pixel) {
+    vec2 screen = (2.0 * pixel - iResolution.xy) / iResolution.y;
+    float time = 0.12 * iTime;
+    vec2 turn = iMouse.z > 0.0 ? (iMouse.xy / iResolution.xy - 0.5) * vec2(6.2831853, 1.2) : vec2(0.0);
+    vec3 eye = vec3(3.0 * sin(0.31 * time) - 0.6, 0.0, 0.8 - 2.0 * time);
+    for (int i = -1; i <= 3; ++i) { // above the ground ahead
+        float hills = gabor_terrain(eye.xz - vec2(0.0, 0.5 * float(i)), seed).height;
+        eye.y = max(eye.y, hills + 0.45);
+    }
+    float heading = 0.5 * sin(0.23 * time) + turn.x, pitch = -0.16 + turn.y;
+    vec3 ahead = vec3(sin(heading) * cos(pitch), sin(pitch), -cos(heading) * cos(pitch));
+    vec3 right = normalize(cross(ahead, vec3(0.0, 1.0, 0.0)));
+    vec3 ray = normalize(1.6 * ahead + screen.x * right + screen.y * cross(right, ahead));
+    float wide = 1.25 / iResolution.y; // a pixel at distance 1
+    float t = march(eye, ray, wide), wet = (water - eye.y) / ray.y;
+    vec3 view = sky(ray);
+    if (wet > 0.0 && (t < 0.0 || wet < t) && wet < 40.0) {
+        vec3 at = eye + wet * ray;
+        vec2 waves = 0.004 * exp(-0.3 * wet) * gabor_noise_gradient(30.0 * at.xz + 0.2 * iTime, 1.0, 0.6, seed).yz;
+        vec3 normal = normalize(vec3(waves.x, 1.0, waves.y));
+        vec3 mirror = reflect(ray, normal);
+        mirror.y = abs(mirror.y);
+        float back = march(at + vec3(0.0, 0.002, 0.0), mirror, 8.0 * wide);
+        vec3 seen = back > 0.0 ? lit(at + back * mirror, 16.0 * wide * back) : sky(mirror);
+        float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(normal, -ray), 0.0), 5.0);
+        view = mix(vec3(0.03, 0.07, 0.08), seen, clamp(fresnel, 0.0, 1.0));
+        t = wet;
+    } else if (t > 0.0)
+        view = lit(eye + t * ray, wide * t);
+    if (t > 0.0) view = mix(sky(normalize(vec3(ray.x, max(ray.y, 0.02), ray.z))), view, exp(-0.0018 * t * t - 0.012 * t));
+    view = view * (2.51 * view + 0.03) / (view * (2.43 * view + 0.59) + 0.14); // to the screen [Narkowicz 2015]
+    color = vec4(pow(clamp(view, 0.0, 1.0), vec3(0.4545)), 1.0);
+}
