@@ -2,6 +2,7 @@
 // without it, and with -ffast-math, as GPU compilers may do either.
 
 #include "largest.hpp"
+#include "reference/erosion.hpp"
 #include "reference/lattice.hpp"
 #include "reference/spectrum.hpp"
 #include "render/range.hpp"
@@ -236,4 +237,67 @@ TEST_CASE("the filtered translation is the filtered noise") {
                std::sqrt(error / count), std::sqrt(power / count));
     CHECK(power > 0.1 * count);
     CHECK(std::sqrt(error / count) < 0.015);
+}
+
+TEST_CASE("eroded hills agree with the reference") {
+    for (const int taps : {2, 3}) {
+        Random draw;
+        Largest hills, heights, slopes;
+        for (int i = 0; i < 20000; ++i) {
+            Arguments a;
+            a.column = static_cast<std::int32_t>(draw.word());
+            a.row = static_cast<std::int32_t>(draw.word());
+            a.local_x = draw.at_edge(draw.uniform(-2, 3));
+            a.local_y = draw.at_edge(draw.uniform(-2, 3));
+            a.period_x = a.period_y = 0;
+            a.seed = draw.word();
+            const Pixel pixel{{draw.uniform(-0.1, 0.1), 0}, {0, draw.uniform(-0.1, 0.1)}};
+            const test::Eroded found = test::eroded(taps, a, pixel, true);
+            const noise::Ground ground{{a.column, a.row}, {a.local_x, a.local_y}, {}};
+            hills.see(found.base[0], noise::terrain(ground, a.seed).height, 1e-6, a);
+            const noise::Terrain base{found.base[0], {found.base[1], found.base[2]}, found.base[3]};
+            const noise::Terrain terrain = noise::eroded(taps, ground, {pixel.dx[0], pixel.dx[1]},
+                                                         {pixel.dy[0], pixel.dy[1]}, base, {}, a.seed);
+            heights.see(found.terrain[0], terrain.height, 1e-5, a);
+            slopes.see(found.terrain[1], terrain.slope[0], 2e-4, a);
+            slopes.see(found.terrain[2], terrain.slope[1], 2e-4, a);
+        }
+        fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
+        hills.check("gabor_terrain_at");
+        heights.check("gabor_eroded_at");
+        slopes.check("  its slope");
+    }
+}
+
+TEST_CASE("any place, pixel and base give a finite terrain") {
+    constexpr float most = std::numeric_limits<float>::max();
+    for (const int taps : {2, 3}) {
+        test::AnyFloat draw;
+        test::Broken terrain{"gabor_eroded_at"}, hills{"gabor_terrain_at"};
+        for (int i = 0; i < 40000; ++i) {
+            Arguments a;
+            a.seed = draw.word();
+            const bool tiled = i % 2;
+            a.column = tiled ? 0 : draw.cell();
+            a.row = tiled ? 0 : draw.cell();
+            a.local_x = draw.within(1e6f);
+            a.local_y = draw.within(1e6f);
+            a.period_x = tiled ? std::max(std::abs(draw.within(1e6f)), 0.5f) : 0;
+            a.period_y = i % 4 == 1 ? std::max(std::abs(draw.within(1e6f)), 0.5f) : 0;
+            a.x = draw.within(1e30f);
+            a.wave_x = draw.within(most);
+            a.wave_y = draw.within(most);
+            a.time = draw.within(1);
+            const Pixel pixel{{draw.within(1e15f), draw.within(1e15f)},
+                              {draw.within(1e15f), draw.within(1e15f)}};
+            const test::Eroded found = test::eroded(taps, a, pixel, i % 3 == 0);
+            hills.see(std::span(found.base).first(1), 1e30f, a);
+            terrain.see(std::span(found.terrain).first(1), 2e30f, a);
+            terrain.see(std::span(found.terrain).last(1), 1.001f, a);
+        }
+        for (const test::Broken& broken : {terrain, hills}) {
+            INFO(taps << " taps, " << broken.function << ": " << broken.where);
+            CHECK(broken.times == 0);
+        }
+    }
 }

@@ -7,19 +7,27 @@
 #define GABOR_TAPS 2
 namespace taps_2 {
 #include "gabor_lattice.hpp"
-}
+
+#include "gabor_erosion.hpp"
+} // namespace taps_2
 #undef GABOR_LATTICE_HPP
+#undef GABOR_EROSION_HPP
 #undef GABOR_VECTORS_HPP
 #undef GABOR_TAPS
 #define GABOR_TAPS 4
 namespace taps_4 {
 #include "gabor_lattice.hpp"
-}
+
+#include "gabor_erosion.hpp"
+} // namespace taps_4
 #undef GABOR_LATTICE_HPP
+#undef GABOR_EROSION_HPP
 #undef GABOR_VECTORS_HPP
 #undef GABOR_TAPS
 namespace taps_3 {
 #include "gabor_lattice.hpp"
+
+#include "gabor_erosion.hpp"
 #include "gabor_spectrum.hpp"
 } // namespace taps_3
 
@@ -41,6 +49,25 @@ namespace gabor::test {
 VALUES_OF(2)
 VALUES_OF(3)
 VALUES_OF(4)
+
+#define ERODED_OF(taps)                                                                                      \
+    [[gnu::noinline]] Eroded eroded_##taps(const Arguments& a, const Pixel& pixel, bool hills) {             \
+        using namespace taps_##taps;                                                                         \
+        const GaborGround ground{{a.column, a.row}, {a.local_x, a.local_y}, {a.period_x, a.period_y}};       \
+        GaborTerrain base{a.x, {a.wave_x, a.wave_y}, a.time};                                                \
+        if (hills)                                                                                           \
+            base = gabor_terrain_at(ground, a.seed);                                                         \
+        const GaborTerrain terrain = gabor_eroded_at(                                                        \
+            ground, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}, base, gabor_erosion(), a.seed);  \
+        return {{base.height, base.slope.x, base.slope.y, base.ridge},                                       \
+                {terrain.height, terrain.slope.x, terrain.slope.y, terrain.ridge}};                          \
+    }
+ERODED_OF(2)
+ERODED_OF(3)
+
+Eroded eroded(int taps, const Arguments& a, const Pixel& pixel, bool hills) {
+    return taps == 2 ? eroded_2(a, pixel, hills) : eroded_3(a, pixel, hills);
+}
 
 Values values(int taps, const Arguments& a) {
     return taps == 2 ? values_2(a) : taps == 3 ? values_3(a) : values_4(a);

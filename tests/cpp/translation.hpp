@@ -40,4 +40,13 @@ struct Filtered {
 
 Filtered filtered(const Arguments& a, const Pixel& pixel);
 
+struct Eroded {
+    std::array<float, 4> base; ///< height, slope and ridge
+    std::array<float, 4> terrain;
+};
+
+/// At a cell and an offset within it: of gabor_terrain_at, or of a base with height x, slope wave and ridge
+/// time.
+Eroded eroded(int taps, const Arguments& a, const Pixel& pixel, bool hills);
+
 } // namespace gabor::test
