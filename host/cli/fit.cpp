@@ -6,6 +6,7 @@
 #include "image/output_file.hpp"
 #include "render/parameters.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -4,6 +4,7 @@
 #include "image/exr.hpp"
 #include "render/texture.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include "noise/recipe.hpp"
 #include "vulkan/device.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -7,6 +7,7 @@
 #include "render/texture.hpp"
 #include "vulkan/device.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -7,6 +7,7 @@
 #include "render/parameters.hpp"
 #include "statistics/picture.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

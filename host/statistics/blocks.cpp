@@ -194,7 +194,7 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         const double n = static_cast<double>(moments[i].count());
         const double d = moments[i].mean() - all.mean();
         mean_excess.push_back(n * d);
-        variance_excess.push_back(moments[i].state().m2 + n * d * d - n * all.variance());
+        variance_excess.push_back(moments[i].squared_deviations() + n * d * d - n * all.variance());
         deviation.push_back(deviations(counts[i]));
         if (!expected_.fitted)
             continue;

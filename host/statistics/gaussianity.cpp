@@ -71,13 +71,7 @@ double integrate_product(std::span<const double> a, std::span<const double> b) {
     return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0) / static_cast<double>(a.size());
 }
 
-Gaussianity::Gaussianity(double deviation) : Gaussianity(deviation, Counts(bin_count)) {}
-
-Gaussianity::Gaussianity(double deviation, Counts counts)
-    : deviation_(deviation), counts_(std::move(counts)) {
-    if (counts_.size() != bin_count)
-        throw std::invalid_argument("Gaussianity needs 4096 counts");
-}
+Gaussianity::Gaussianity(double deviation) : deviation_(deviation), counts_(bin_count) {}
 
 void Gaussianity::add(double value) {
     const float single = static_cast<float>(value);

@@ -40,9 +40,6 @@ class Gaussianity {
     /// `deviation`: the standard deviation that theory predicts, in the unit of the samples.
     explicit Gaussianity(double deviation = 1);
 
-    /// Continues from the counts of another. Throws std::invalid_argument when their number is wrong.
-    Gaussianity(double deviation, Counts counts);
-
     /// Throws std::domain_error at a NaN.
     void add(double value);
     void add(std::span<const float> values);
@@ -50,7 +47,6 @@ class Gaussianity {
     void merge(const Gaussianity& other);
 
     std::uint64_t count() const;
-    const Counts& counts() const { return counts_; }
 
     /// The index and its interval; the ends, like the value, may be negative. NaN without samples.
     /// `deviation`: that of the normal distribution to compare with, where only the samples tell it: in units

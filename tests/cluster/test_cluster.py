@@ -1,6 +1,6 @@
 """tools/cluster on this machine and on a real Slurm: the same bytes as one machine makes, nothing run twice, no job left.
 
-tools/test-long farm runs it; GABOR_PROGRAM is the program. What it measures it prints.
+tools/test-long farm runs it; GABOR_PROGRAM and GABOR_LAB are the programs. What it measures it prints.
 """
 
 import collections
@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 from program import PROGRAM, ProgramTest  # noqa: E402
 
+LAB = os.environ["GABOR_LAB"]
 CLUSTER = ROOT / "tools" / "cluster"
 OPENJD = ROOT / "build" / "cluster" / "bin" / "openjd"
 SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_partition=farm", "mem_mb=200", "runtime=30",
@@ -26,27 +27,32 @@ SLURM = ["--executor", "slurm", "--jobs", "20", "--default-resources", "slurm_pa
 OPTIONS = "--scale=8 --frequency=1.5 --orientation-spread=90 --seed=7"
 CONFIGURATION = f"""
 gabor: {{gabor}}
+gabor-lab: {{lab}}
 pictures: {{{{grain: {{{{size: 600x500, strips: 4, options: {OPTIONS} --compression=zip}}}}}}}}
 textures: {{{{bark: {{{{size: 128x128, strips: 5, half: true, options: --tileable --scale=8}}}}}}}}
 frames: {{{{water: {{{{size: 64x64, frames: 2, options: {OPTIONS}}}}}}}}}
 udims: {{{{skin: {{{{size: 64x64, across: 1, down: 2, options: {OPTIONS}}}}}}}}}
-studies: {{{{paper: {{{{study: figure1, parts: 2, quick: true}}}}}}}}
+studies: {{{{paper: {{{{figures: [figure1, figure4], quick: true}}}}}}}}
 """
-TASKS = (4 + 1) + (5 + 1 + 6 + 1) + 2 + 2 + (2 + 1)
+TASKS = (4 + 1) + (5 + 1 + 6 + 1) + 2 + 2 + 2
 
 
 class FarmTest(ProgramTest):
-    """The program is one that keeps a list of what it is asked to do and what it has done."""
+    """The programs keep a list of what they are asked to do and what they have done."""
 
     def setUp(self):
         super().setUp()
         self.list = self.folder / "list.txt"
         self.list.touch()
-        self.gabor = self.folder / "gabor"
-        self.gabor.write_text(f"#!/bin/sh\necho \"begin $*\" >>{self.list}\nsleep ${{DELAY:-0}}\n{PROGRAM} \"$@\" || exit $?\n"
-                              f"echo \"end $*\" >>{self.list}\n")
-        self.gabor.chmod(0o755)
-        (self.folder / "farm.yaml").write_text(CONFIGURATION.format(gabor=self.gabor))
+        self.gabor, lab = self.listed(PROGRAM), self.listed(LAB)
+        (self.folder / "farm.yaml").write_text(CONFIGURATION.format(gabor=self.gabor, lab=lab))
+
+    def listed(self, program):
+        script = self.folder / pathlib.Path(program).name
+        script.write_text(f"#!/bin/sh\necho \"begin $*\" >>{self.list}\nsleep ${{DELAY:-0}}\n{program} \"$@\" || exit $?\n"
+                          f"echo \"end $*\" >>{self.list}\n")
+        script.chmod(0o755)
+        return script
 
     def begun(self, word="begin"):
         return [line.split(" ", 1)[1] for line in self.list.read_text().splitlines() if line.startswith(word)]
@@ -77,10 +83,11 @@ class FarmTest(ProgramTest):
         for number, y in ((1001, 64), (1011, 0)):
             self.succeed("render", "--texture", "--size=64x128", *options, f"--region=0,{y},64,64", "-o",
                          f"one/skin.{number}.exr")
-        self.succeed("study", "figure1", "--quick", "-o", "one/paper")
+        for figure in ("figure1", "figure4"):
+            self.succeed("study", figure, "--quick", "-o", "one/paper", command=(LAB,))
         files = self.files()
         whole = [name for name, content in files.items() if name.startswith("one/") and content is not None]
-        self.assertEqual(len(whole), 1 + 1 + 2 + 2 + 1)
+        self.assertEqual(len(whole), 1 + 1 + 2 + 2 + 4)
         for name in whole:
             self.assertEqual(files[name.removeprefix("one/")], files[name], name)
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")

@@ -4,9 +4,7 @@ old one, the complete new one, or none; the status says whose fault it was, in o
 import contextlib
 import os
 import pathlib
-import random
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -15,9 +13,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
 from program import PROGRAM, ProgramTest, environment, gabor, start  # noqa: E402
 
-LAB = os.environ["GABOR_LAB"]
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 3))
-STUDY = os.environ.get("GABOR_STUDY", "figure1")
 LARGE = ("--size=4000x4000", "--compression=zip")
 
 
@@ -91,40 +87,6 @@ class Streams(ProgramTest):
                 self.assertEqual((self.folder / "out.json").read_bytes(), whole_json)
                 (self.folder / "whole.json").unlink()
                 (self.folder / "out.json").unlink()
-
-
-class Studies(ProgramTest):
-    def test_killed_at_random_and_resumed(self):
-        """However often and whenever a study is killed, its table is that of one that was left alone, bit for bit."""
-        chance = random.Random(5)
-        began = time.monotonic()
-        self.succeed("study", STUDY, "--quick", "-o", "whole", command=(LAB,))
-        duration = time.monotonic() - began
-        whole = (self.folder / "whole" / f"{STUDY}.csv").read_bytes()
-        kills = tables = 0
-        while tables < ROUNDS or kills < ROUNDS:
-            earlier = kills
-            while True:
-                process = start("study", STUDY, "--quick", "-o", "broken", cwd=self.folder, command=(LAB,))
-                try:
-                    process.communicate(timeout=chance.uniform(0.05, 1.1) * duration)
-                    break
-                except subprocess.TimeoutExpired:
-                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGINT, signal.SIGTERM]))
-                    process.communicate(timeout=60)
-                    kills += 1
-                    self.assertLess(kills, 100 * ROUNDS)
-                    duration *= 1.1  # on a machine that has become slower it would never end
-                csv = self.folder / "broken" / f"{STUDY}.csv"
-                self.assertTrue(not csv.exists() or csv.read_bytes() == whole)
-            self.assertEqual(process.returncode, 0)
-            self.assertEqual((self.folder / "broken" / f"{STUDY}.csv").read_bytes(), whole)
-            self.assertEqual([path.name for path in (self.folder / "broken").iterdir()], [f"{STUDY}.csv"])
-            shutil.rmtree(self.folder / "broken")
-            tables += 1
-            if kills == earlier:  # on one that has become faster none comes in time
-                duration /= 2
-        print(f"{kills} times ended, {tables} tables complete")
 
 
 if __name__ == "__main__":

@@ -132,7 +132,7 @@ TEST_CASE("indices have no bias and their intervals cover the truth in 95 cases 
     }
 }
 
-TEST_CASE("merging is exact, in any order, and across machines") {
+TEST_CASE("merging is exact, in any order") {
     const std::vector<float> values = samples::normal(30000, 7);
     const std::span<const float> all = values;
     Gaussianity whole;
@@ -142,8 +142,8 @@ TEST_CASE("merging is exact, in any order, and across machines") {
     first.add(all.first(7777));
     for (const float value : all.subspan(7777))
         second.add(static_cast<double>(value));
-    Gaussianity forth(1, first.counts());
-    Gaussianity back(1, second.counts());
+    Gaussianity forth = first;
+    Gaussianity back = second;
     forth.merge(second);
     back.merge(first);
     CHECK(forth.index() == whole.index());
@@ -155,5 +155,4 @@ TEST_CASE("infinities count as the extreme values that they are, NaN is refused"
     constexpr float infinity = std::numeric_limits<float>::infinity();
     CHECK(index_of({-infinity, 0, infinity}).value == index_of({-20, 0, 20}).value);
     CHECK_THROWS_AS(index_of({std::numeric_limits<float>::quiet_NaN()}), std::domain_error);
-    CHECK_THROWS_AS(Gaussianity(1, Counts(17)), std::invalid_argument);
 }

@@ -88,7 +88,7 @@ TEST_CASE("merged moments are those of all values") {
     merged.add(all.first(1234));
     rest.add(all.subspan(1234));
     merged.merge(Moments());
-    merged.merge(Moments(rest.state()));
+    merged.merge(rest);
     check(merged, values);
 }
 

@@ -153,7 +153,7 @@ std::vector<Impulse> cell_impulses(const Ingredients& it, std::int32_t cell_x, s
     return impulses;
 }
 
-double ingredients_sum(const Ingredients& it, const study::Wave& wave, double x, double y,
+double ingredients_sum(const Ingredients& it, const study::PlaneWave& wave, double x, double y,
                        std::uint32_t seed) {
     double sum = 0;
     // Two cells each way are more than the kernel and the hexagons reach.

@@ -21,8 +21,8 @@ std::vector<Impulse> cell_impulses(const study::Ingredients& ingredients, std::i
                                    std::int32_t cell_y, std::uint32_t seed);
 
 /// The sum over all cells that can be reached, without K.
-double ingredients_sum(const study::Ingredients& ingredients, const study::Wave& wave, double x, double y,
-                       std::uint32_t seed);
+double ingredients_sum(const study::Ingredients& ingredients, const study::PlaneWave& wave, double x,
+                       double y, std::uint32_t seed);
 
 /// A value of passes/ingredients.comp: where it is, and of which instance.
 struct Place {

@@ -12,7 +12,7 @@ using namespace gabor;
 
 TEST_CASE("every combination of ingredients agrees with the reference", "[ingredients]") {
     const vulkan::Device device;
-    const study::Wave wave{4, 0.7};
+    const study::PlaneWave wave{4, 0.7};
     test::Largest largest;
     std::uint32_t seed = 11;
     for (const study::Points points : study::all_points)

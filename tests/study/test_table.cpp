@@ -1,4 +1,4 @@
-// What needs no device: spectra, and tables that go on where they were.
+// What needs no device: spectra and tables.
 
 #include "../image/scratch_folder.hpp"
 #include "error.hpp"
@@ -61,9 +61,11 @@ TEST_CASE("the seminal curve, inverted", "[convergence]") {
     CHECK(std::isinf(curve.equivalent(-0.01)));
 }
 
-TEST_CASE("an interrupted table goes on where it was, and ends with the same bits", "[table]") {
-    int measured = 0;
-    const auto measure = [&](std::uint32_t seed) -> Numbers {
+namespace {
+
+// A table of three rows, which counts how often a row is measured.
+Table counted(int& measured) {
+    const auto measure = [&measured](std::uint32_t seed) -> Numbers {
         ++measured;
         return {seed / 3.0, std::sqrt(2.0)};
     };
@@ -71,88 +73,61 @@ TEST_CASE("an interrupted table goes on where it was, and ends with the same bit
         for (Numbers& row : rows)
             row.push_back(row[0] - rows[0][0]);
     };
-    const Table table{
-        "numbers", "name,a,b", {{"x", 1, measure}, {"y", 1, measure}, {"z", 1, measure}}, "c", derive};
-    const ScratchFolder whole;
-    const ScratchFolder broken;
-    {
-        Journal journal(whole.path(), "study");
-        write_table(table, whole.path(), journal, [](double) {});
-        journal.remove();
-    }
-    CHECK(whole.count() == 1);
-    REQUIRE(measured == 3);
-
-    Journal begun(broken.path(), "study");
-    CHECK_THROWS_AS(write_table(table, broken.path(), begun, [](double) { throw 7; }), int);
-    REQUIRE(measured == 4);
-    std::ofstream(broken / "study.part", std::ios::app) << "a line without its e";
-    Journal journal(broken.path(), "study");
-    write_table(table, broken.path(), journal, [](double) {});
-    CHECK(measured == 6);
-    CHECK(read_file(broken / "numbers.csv") == read_file(whole / "numbers.csv"));
-
-    // Another study in the same folder begins anew.
-    Journal other(broken.path(), "another study");
-    CHECK_FALSE(other.find(table, table.rows[0]).has_value());
-    CHECK_THROWS_AS(Journal(broken / "nowhere", "study"), RequestError);
+    return {"numbers", "name,a,b", {{"x", 1, measure}, {"y", 1, measure}, {"z", 1, measure}}, "c", derive};
 }
 
-TEST_CASE("a row's pieces, measured by several parts, become the row that one run measures", "[table]") {
-    std::vector<int> measured;
-    // What is rounded differs with the order in which it is added.
-    const Measurement in_four(
-        4,
-        [&](std::uint32_t seed, std::span<const int> pieces) {
-            std::vector<Numbers> results;
-            for (const int piece : pieces) {
-                measured.push_back(piece);
-                results.push_back({std::ldexp(1.0 / (seed % 1000 + 1), -20 * piece), std::sqrt(piece)});
-            }
-            return results;
-        },
-        [](std::span<const Numbers> pieces) {
-            Numbers total{0, 0};
-            for (const Numbers& piece : pieces)
-                for (std::size_t i = 0; i < total.size(); ++i)
-                    total[i] += piece.at(i);
-            return total;
-        });
-    const auto whole_row = [](std::uint32_t seed) -> Numbers { return {seed / 3.0, 1}; };
-    const std::vector<Table> tables{
-        {"numbers", "name,a,b", {{"large", 100, in_four}, {"small", 10, in_four}, {"one", 40, whole_row}}}};
-    const ScratchFolder one_run;
-    Journal whole(one_run.path(), "study");
-    write_table(tables[0], one_run.path(), whole, [](double) {});
-    REQUIRE(measured.size() == 8);
+void write(const Table& table, const std::filesystem::path& folder) {
+    MeasuredRows measured;
+    write_table(table, folder, "conditions", measured, [](double) {});
+}
 
-    // With more parts more rows are cut: those that take more than half of a part's share.
-    for (const auto& [count, busy] : {std::pair(1, 1), {2, 2}, {3, 3}, {16, 8}}) {
-        const ScratchFolder parts;
-        std::map<std::string, Numbers> rows;
-        measured.clear();
-        double cost = 0;
-        int with_pieces = 0;
-        for (int index = 1; index <= count; ++index) {
-            Journal journal(parts.path(), "study");
-            cost += cost_of_part(tables, {index, count}, journal);
-            double advanced = 0;
-            const std::size_t before = measured.size();
-            measure_part(tables, {index, count}, journal, [&](double by) { advanced += by; });
-            with_pieces += measured.size() > before;
-            CHECK(cost_of_part(tables, {index, count}, journal) == 0);
-            measure_part(tables, {index, count}, journal, [](double) { FAIL("measured twice"); });
-            CHECK(missing_row(tables, journal).empty() == (count == 1));
-            journal.complete();
-            rows.merge(read_record(parts / "study.rows").value().rows);
-        }
-        INFO(count << " parts");
-        CHECK(cost == Approx(150));
-        CHECK(measured.size() == 8);
-        CHECK(with_pieces == busy);
-        Journal merged(std::move(rows));
-        CHECK(missing_row(tables, merged).empty());
-        write_table(tables[0], parts.path(), merged, [](double) { FAIL("merging measures nothing"); });
-        CHECK(read_file(parts / "numbers.csv") == read_file(one_run / "numbers.csv"));
-    }
+} // namespace
+
+TEST_CASE("a table is finished only under the conditions that it was measured under", "[table]") {
+    int measured = 0;
+    const Table table = counted(measured);
+    const ScratchFolder folder;
+    CHECK_FALSE(is_finished(table, folder.path(), "conditions"));
+    write(table, folder.path());
+    CHECK(measured == 3);
+    CHECK(is_finished(table, folder.path(), "conditions"));
+    CHECK_FALSE(is_finished(table, folder.path(), "other conditions"));
+    std::filesystem::remove(folder / "numbers.csv");
+    CHECK_FALSE(is_finished(table, folder.path(), "conditions"));
+}
+
+TEST_CASE("an interrupted table leaves nothing, and the next run writes the same bits", "[table]") {
+    int measured = 0;
+    const Table table = counted(measured);
+    const ScratchFolder whole;
+    write(table, whole.path());
+    const ScratchFolder broken;
+    MeasuredRows rows;
+    CHECK_THROWS_AS(write_table(table, broken.path(), "conditions", rows, [](double) { throw 7; }), int);
+    CHECK(broken.count() == 0);
+    write(table, broken.path());
+    CHECK(read_file(broken / "numbers.csv") == read_file(whole / "numbers.csv"));
+}
+
+TEST_CASE("tables with the same columns measure a row once", "[table]") {
+    int measured = 0;
+    const Table table = counted(measured);
+    Table other = table;
+    other.name = "other";
+    const ScratchFolder folder;
+    MeasuredRows rows;
+    for (const Table& each : {table, other})
+        write_table(each, folder.path(), "conditions", rows, [](double) {});
+    CHECK(measured == 3);
+    CHECK(read_file(folder / "other.csv") == read_file(folder / "numbers.csv"));
+    other.columns = "name,a,c";
+    write_table(other, folder.path(), "conditions", rows, [](double) {});
+    CHECK(measured == 6);
+}
+
+TEST_CASE("a folder that cannot be written in is refused before anything is measured", "[table]") {
+    int measured = 0;
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(write(counted(measured), folder / "nowhere"), RequestError);
+    CHECK(measured == 0);
 }

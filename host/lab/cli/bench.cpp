@@ -4,6 +4,7 @@
 #include "image/output_file.hpp"
 #include "lab/cli/commands.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -13,10 +14,6 @@
 #include <string>
 
 namespace gabor::lab {
-
-using cli::check_interrupt;
-using cli::note_interrupts;
-using cli::Progress;
 
 namespace {
 
@@ -96,10 +93,10 @@ void print_device(const vulkan::Device& device) {
 
 ordered_json time_all(const vulkan::Device& device, bool quick) {
     const bench::Effort effort = quick ? bench::Effort{3, 256, 1} : bench::Effort{};
-    std::optional<Progress> progress(std::in_place, "measuring",
-                                     static_cast<std::uint64_t>(bench::steps(effort)));
+    std::optional<cli::Progress> progress(std::in_place, "measuring",
+                                          static_cast<std::uint64_t>(bench::steps(effort)));
     const bench::Report report = bench::run(device, effort, [&] {
-        check_interrupt();
+        cli::check_interrupt();
         progress->advance(1);
     });
     progress.reset();
@@ -133,7 +130,7 @@ void run_bench(const BenchOptions& options) {
     if (options.json)
         file.emplace(*options.json);
     const vulkan::Device device(options.device);
-    note_interrupts();
+    cli::note_interrupts();
     ordered_json json{{"device", device.info().name}, {"driver", device.info().driver}};
     json.update(options.isa ? count_code(device) : time_all(device, options.quick));
     if (file) {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace gabor::lab {
 
 /// Each adds one subcommand, which does its work in its callback.
 void add_study_command(CLI::App& app);
-void add_merge_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 
 } // namespace gabor::lab

@@ -2,9 +2,8 @@
 #include "lab/cli/commands.hpp"
 
 int main(int argc, char** argv) {
-    return gabor::cli::run(
-        {"gabor-lab",
-         "Measures the figures of [TNVT19] and what lies past them, and times the noises.",
-         {gabor::lab::add_study_command, gabor::lab::add_merge_command, gabor::lab::add_bench_command}},
-        argc, argv);
+    return gabor::cli::run({"gabor-lab",
+                            "Reproduces and extends the figures of [TNVT19], and times the noises.",
+                            {gabor::lab::add_study_command, gabor::lab::add_bench_command}},
+                           argc, argv);
 }

@@ -5,7 +5,7 @@
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "render/file.hpp"
-#include "study/pieces.hpp"
+#include "study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -28,17 +28,14 @@ constexpr std::string_view convergence_columns =
 // The Gaussianity and the variance of one noise.
 Row convergence_row(const vulkan::Device& device, const Ingredients& ingredients, const Effort& effort) {
     const std::uint64_t samples = effort.samples;
-    return {
-        fmt::format("{},{}", key(ingredients), samples),
-        static_cast<double>(ingredients.impulses) * static_cast<double>(samples),
-        in_pieces<ValueStatistics>([&device, ingredients] { return alone(Noise(device, ingredients)); },
-                                   [samples](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
-                                       return measure_values(noise, samples, seed, piece);
-                                   },
-                                   [](const ValueStatistics& values) -> Numbers {
-                                       const statistics::Estimate cvm = values.gaussianity.index();
-                                       return {cvm.value, cvm.low, cvm.high, values.moments.variance()};
-                                   })};
+    return {fmt::format("{},{}", key(ingredients), samples),
+            static_cast<double>(ingredients.impulses) * static_cast<double>(samples),
+            [&device, ingredients, samples](std::uint32_t seed) -> Numbers {
+                Noise noise(device, ingredients);
+                const ValueStatistics values = measure_values(single(noise), samples, seed);
+                const statistics::Estimate cvm = values.gaussianity.index();
+                return {cvm.value, cvm.low, cvm.high, values.moments.variance()};
+            }};
 }
 
 int side_of(std::span<const float> pixels) {
@@ -163,15 +160,12 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
                 table.rows.push_back(
                     {fmt::format("{},{}", key(ingredients), windows),
                      256.0 * n * static_cast<double>(windows),
-                     in_pieces<statistics::InstanceStationarity>(
-                         [&device, ingredients] { return alone(Noise(device, ingredients)); },
-                         [windows](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
-                             return measure_windows(noise, windows, seed, piece);
-                         },
-                         [](const statistics::InstanceStationarity& w) -> Numbers {
-                             return {w.contrast().median, w.contrast().interdecile,
-                                     shown * w.median_deviation()};
-                         })});
+                     [&device, ingredients, windows](std::uint32_t seed) -> Numbers {
+                         Noise noise(device, ingredients);
+                         const statistics::InstanceStationarity w =
+                             measure_windows(single(noise), windows, seed);
+                         return {w.contrast().median, w.contrast().interdecile, shown * w.median_deviation()};
+                     }});
             }
     return {table};
 }
@@ -179,8 +173,6 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
 // Figure 5: time of the recommended noise, and of the seminal noise of the same quality and of the same N.
 
 namespace {
-
-using Seconds = std::vector<double>;
 
 // N* by Gaussianity where that is measured well; where the noise is too close to a normal distribution, by
 // the excess kurtosis, from which it follows.
@@ -205,36 +197,18 @@ Tables figure5(const vulkan::Device& device, const Effort& effort) {
             {fmt::format("{},{},{}", n, effort.samples, 1 << 2 * bits),
              n * (static_cast<double>(effort.samples) +
                   25.0 * static_cast<double>(effort.timings) * std::pow(4, bits)),
-             in_pieces<ValueStatistics, Seconds>(
-                 [&device, stratified] {
-                     Ingredients poisson = stratified;
-                     poisson.points = Points::poisson;
-                     Noises noises = alone(Noise(device, stratified));
-                     noises->emplace_back(device, poisson);
-                     return noises;
-                 },
-                 // The seminal noise has the N* that the piece has found, which the others' are close to: its
-                 // time is kept per impulse.
-                 [&device, stratified, effort, bits](std::vector<Noise>& noises, std::uint32_t seed,
-                                                     const Piece& piece) {
-                     const ValueStatistics values =
-                         measure_values(std::span(noises).first(1), effort.samples, seed, piece);
-                     if (piece.of(effort.timings).size() == 0)
-                         return std::tuple(values, Seconds());
-                     const double n_star = seminal_equivalent(values, stratified);
-                     noises.emplace_back(device, Ingredients{.impulses = static_cast<int>(n_star)});
-                     Seconds seconds = picture_seconds(noises, bits, effort.timings, piece);
-                     noises.pop_back();
-                     for (std::size_t i = 2; i < seconds.size(); i += 3)
-                         seconds[i] /= n_star;
-                     return std::tuple(values, seconds);
-                 },
-                 [stratified](const ValueStatistics& values, const Seconds& rounds) -> Numbers {
-                     const double n_star = seminal_equivalent(values, stratified);
-                     const Seconds s = median_seconds(rounds, 3);
-                     const double same_quality = n_star * s[2];
-                     return {n_star, s[0], s[1], same_quality, same_quality / s[0], s[1] / s[0]};
-                 })});
+             [&device, stratified, effort, bits](std::uint32_t seed) -> Numbers {
+                 Ingredients poisson = stratified;
+                 poisson.points = Points::poisson;
+                 std::vector<Noise> noises;
+                 noises.emplace_back(device, stratified);
+                 const double n_star =
+                     seminal_equivalent(measure_values(noises, effort.samples, seed), stratified);
+                 noises.emplace_back(device, poisson);
+                 noises.emplace_back(device, Ingredients{.impulses = static_cast<int>(n_star)});
+                 const std::vector<double> s = picture_seconds(noises, bits, effort.timings);
+                 return {n_star, s[0], s[1], s[2], s[2] / s[0], s[1] / s[0]};
+             }});
     }
     return {table};
 }
@@ -246,9 +220,9 @@ namespace {
 // Each real kernel has a lobe on either side of the origin.
 std::vector<Noise> six_lobes(const vulkan::Device& device, const Ingredients& ingredients) {
     std::vector<Noise> sum;
-    sum.emplace_back(device, ingredients, Wave{2.5, 0.35}, 0.5);
-    sum.emplace_back(device, ingredients, Wave{4, 1.4}, 0.3);
-    sum.emplace_back(device, ingredients, Wave{6, 2.45}, 0.2);
+    sum.emplace_back(device, ingredients, PlaneWave{2.5, 0.35}, 0.5);
+    sum.emplace_back(device, ingredients, PlaneWave{4, 1.4}, 0.3);
+    sum.emplace_back(device, ingredients, PlaneWave{6, 2.45}, 0.2);
     return sum;
 }
 
@@ -279,34 +253,20 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         "cvm_seminal_high,cvm_recommended,cvm_recommended_low,cvm_recommended_high,interdecile_seminal,"
         "interdecile_recommended",
         {}};
-    const auto noises = [&device] {
-        auto all = std::make_shared<std::vector<Noise>>(six_lobes(device, seminal));
-        std::ranges::move(six_lobes(device, recommended), std::back_inserter(*all));
-        return all;
-    };
-    const auto measure = [effort](std::span<Noise> all, std::uint32_t seed, const Piece& piece) {
-        const std::span<Noise> slow = all.first(3);
-        const std::span<Noise> fast = all.last(3);
-        return std::tuple(picture_seconds(all, effort.picture_bits, effort.timings, piece),
-                          measure_values(slow, effort.samples, seed, piece),
-                          measure_values(fast, effort.samples, seed, piece),
-                          measure_windows(slow, effort.windows, seed, piece),
-                          measure_windows(fast, effort.windows, seed, piece));
-    };
-    const auto finish = [](const Seconds& rounds, const ValueStatistics& slow_values,
-                           const ValueStatistics& fast_values,
-                           const statistics::InstanceStationarity& slow_windows,
-                           const statistics::InstanceStationarity& fast_windows) {
-        const Seconds seconds = median_seconds(rounds, 6);
+    const auto measure = [&device, effort](std::uint32_t seed) {
+        std::vector<Noise> noises = six_lobes(device, seminal);
+        std::ranges::move(six_lobes(device, recommended), std::back_inserter(noises));
+        const std::vector<double> seconds = picture_seconds(noises, effort.picture_bits, effort.timings);
         const double slow = std::accumulate(seconds.begin(), seconds.begin() + 3, 0.0);
         const double fast = std::accumulate(seconds.begin() + 3, seconds.end(), 0.0);
+        const std::array sums{std::span(noises).first(3), std::span(noises).last(3)};
         Numbers numbers{slow, fast, slow / fast};
-        for (const ValueStatistics* values : {&slow_values, &fast_values}) {
-            const statistics::Estimate cvm = values->gaussianity.index();
+        for (const std::span<Noise>& sum : sums) {
+            const statistics::Estimate cvm = measure_values(sum, effort.samples, seed).gaussianity.index();
             numbers.insert(numbers.end(), {cvm.value, cvm.low, cvm.high});
         }
-        for (const statistics::InstanceStationarity* windows : {&slow_windows, &fast_windows})
-            numbers.push_back(windows->contrast().interdecile);
+        for (const std::span<Noise>& sum : sums)
+            numbers.push_back(measure_windows(sum, effort.windows, seed).contrast().interdecile);
         return numbers;
     };
     const double impulses = 3 * (seminal.impulses + recommended.impulses);
@@ -314,8 +274,7 @@ Tables figure6(const vulkan::Device& device, const Effort& effort) {
         {fmt::format("{},{}", effort.samples, effort.windows),
          impulses * (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows) +
                      static_cast<double>(effort.timings) * std::pow(4, effort.picture_bits)),
-         in_pieces<Seconds, ValueStatistics, ValueStatistics, statistics::InstanceStationarity,
-                   statistics::InstanceStationarity>(noises, measure, finish)});
+         measure});
     return {table};
 }
 

@@ -2,7 +2,7 @@
 
 #include "study/figures.hpp"
 #include "study/lattice.hpp"
-#include "study/pieces.hpp"
+#include "study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -44,34 +44,28 @@ bool dominates(const Numbers& a, const Numbers& b) {
     return better;
 }
 
-Measurement criteria(std::function<Noise()> noise, std::function<SpectralPurity()> spectral_purity,
-                     double visits, double cell, const Effort& effort) {
-    return in_pieces<ValueStatistics, PlaceStatistics, statistics::InstanceStationarity>(
-        [noise] { return alone(noise()); },
-        [cell, effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {
-            return std::tuple(measure_values(sum, effort.samples, seed, piece),
-                              measure_places(sum, cell, effort.places, seed, piece),
-                              measure_windows(sum, effort.windows, seed, piece));
-        },
-        [visits, spectral_purity](const ValueStatistics& values, const PlaceStatistics& places,
-                                  const statistics::InstanceStationarity& windows) -> Numbers {
-            const statistics::Estimate cvm = values.gaussianity.index();
-            const statistics::Estimate at_places = places.mean_cvm();
-            const SpectralPurity purity = spectral_purity();
-            return {visits,
-                    cvm.value,
-                    cvm.low,
-                    cvm.high,
-                    values.moments.variance(),
-                    places.stationarity.variance().interdecile,
-                    places.stationarity.chance_interdecile(),
-                    windows.contrast().interdecile,
-                    purity.sidelobe,
-                    purity.outside,
-                    at_places.value,
-                    at_places.low,
-                    at_places.high};
-        });
+// Every criterion of a noise: the columns of `recipe_columns` after its key. `cell`: its side in kernel
+// radii.
+Numbers criteria(Noise noise, const SpectralPurity& purity, double visits, double cell, const Effort& effort,
+                 std::uint32_t seed) {
+    const std::span<Noise> sum = single(noise);
+    const ValueStatistics values = measure_values(sum, effort.samples, seed);
+    const PlaceStatistics places = measure_places(sum, cell, effort.places, seed);
+    const statistics::Estimate cvm = values.gaussianity.index();
+    const statistics::Estimate at_places = places.mean_cvm();
+    return {visits,
+            cvm.value,
+            cvm.low,
+            cvm.high,
+            values.moments.variance(),
+            places.stationarity.variance().interdecile,
+            places.stationarity.chance_interdecile(),
+            measure_windows(sum, effort.windows, seed).contrast().interdecile,
+            purity.sidelobe,
+            purity.outside,
+            at_places.value,
+            at_places.low,
+            at_places.high};
 }
 
 double cost(double visits, const Effort& effort) {
@@ -86,34 +80,31 @@ Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effor
     return {fmt::format("{},{},{},{:.3f},{:g},{},{:g},{}", variant.window.name, name(variant.lattice),
                         name(variant.magnitudes), variant.floor, variant.jitter, variant.impulses,
                         variant.radius, effort.samples),
-            cost(visits, effort),
-            criteria([&device, variant] { return Noise(device, variant); },
-                     [window = variant.window] { return spectral_purity(window); }, visits,
-                     1 / variant.radius, effort)};
+            cost(visits, effort), [&device, variant, visits, effort](std::uint32_t seed) {
+                return criteria(Noise(device, variant), spectral_purity(variant.window), visits,
+                                1 / variant.radius, effort, seed);
+            }};
 }
 
 Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort) {
     const double visits = noise::visited_impulses(recipe);
     return {fmt::format("lattice {} taps,square,normal,0.000,0,1,{:g},{}", recipe.taps, recipe.radius,
                         effort.samples),
-            cost(visits, effort),
-            criteria([&device, recipe] { return Noise(device, recipe); },
-                     [taps = recipe.taps] {
-                         return spectral_purity([taps](double x) { return lattice_window(taps, x); }, true);
-                     },
-                     visits, 1 / double{recipe.radius}, effort)};
+            cost(visits, effort), [&device, recipe, visits, effort](std::uint32_t seed) {
+                const auto window = [&](double x) { return lattice_window(recipe.taps, x); };
+                return criteria(Noise(device, recipe), spectral_purity(window, true), visits,
+                                1 / double{recipe.radius}, effort, seed);
+            }};
 }
 
 Row seminal_row(const vulkan::Device& device, const Effort& effort) {
     const Ingredients seminal;
     const double visits = 9 * seminal.impulses;
     return {fmt::format("gaussian,poisson,uniform_signed,0.000,1,{},1,{}", seminal.impulses, effort.samples),
-            cost(visits, effort),
-            criteria([&device, seminal] { return Noise(device, seminal); },
-                     [] {
-                         return spectral_purity({"gaussian", Shape::gaussian});
-                     },
-                     visits, 1, effort)};
+            cost(visits, effort), [&device, seminal, visits, effort](std::uint32_t seed) {
+                return criteria(Noise(device, seminal), spectral_purity({"gaussian", Shape::gaussian}),
+                                visits, 1, effort, seed);
+            }};
 }
 
 void mark_pareto(std::vector<Numbers>& rows) {

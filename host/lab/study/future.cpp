@@ -1,7 +1,7 @@
 // The paper's open questions: no weights, regular grids with random phases, several close kernels.
 
 #include "study/figures.hpp"
-#include "study/pieces.hpp"
+#include "study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -26,31 +26,24 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                         {fmt::format("{},{:g},{}", key(noise), frequency, effort.samples),
                          n * (static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
                               256 * static_cast<double>(effort.windows)),
-                         in_pieces<ValueStatistics, PlaceStatistics, statistics::InstanceStationarity>(
-                             [&device, noise, frequency] {
-                                 return alone(Noise(device, noise, Wave{frequency}));
-                             },
-                             [effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {
-                                 return std::tuple(measure_values(sum, effort.samples, seed, piece),
-                                                   measure_places(sum, 1, effort.places, seed, piece),
-                                                   measure_windows(sum, effort.windows, seed, piece));
-                             },
-                             [](const ValueStatistics& values, const PlaceStatistics& measured,
-                                const statistics::InstanceStationarity& windows) -> Numbers {
-                                 const double variance = values.moments.variance();
-                                 const statistics::Estimate cvm =
-                                     values.gaussianity.index(std::sqrt(variance));
-                                 const statistics::ProcessStationarity& places = measured.stationarity;
-                                 return {variance,
-                                         cvm.value,
-                                         cvm.low,
-                                         cvm.high,
-                                         places.variance().interdecile,
-                                         places.chance_interdecile(),
-                                         places.largest_mean(),
-                                         places.chance_largest_mean(),
-                                         windows.contrast().interdecile};
-                             })});
+                         [&device, noise, frequency, effort](std::uint32_t seed) -> Numbers {
+                             Noise made(device, noise, PlaneWave{frequency});
+                             const auto sum = single(made);
+                             const ValueStatistics values = measure_values(sum, effort.samples, seed);
+                             const double variance = values.moments.variance();
+                             const statistics::Estimate cvm = values.gaussianity.index(std::sqrt(variance));
+                             const statistics::ProcessStationarity places =
+                                 measure_places(sum, 1, effort.places, seed).stationarity;
+                             return {variance,
+                                     cvm.value,
+                                     cvm.low,
+                                     cvm.high,
+                                     places.variance().interdecile,
+                                     places.chance_interdecile(),
+                                     places.largest_mean(),
+                                     places.chance_largest_mean(),
+                                     measure_windows(sum, effort.windows, seed).contrast().interdecile};
+                         }});
                 }
     return table;
 }
@@ -80,24 +73,17 @@ Table kernels(const vulkan::Device& device, const Effort& effort) {
                     {fmt::format("{},{:g},{},{}", count, step, n, effort.samples),
                      count * n *
                          (static_cast<double>(effort.samples) + 256 * static_cast<double>(effort.windows)),
-                     in_pieces<ValueStatistics, statistics::InstanceStationarity>(
-                         [&device, count, step, n] {
-                             Ingredients ingredients = recommended;
-                             ingredients.impulses = n;
-                             auto sum = std::make_shared<std::vector<Noise>>();
-                             for (int i = 0; i < count; ++i)
-                                 sum->emplace_back(device, ingredients, Wave{4 + i * step}, 1.0 / count);
-                             return sum;
-                         },
-                         [effort](std::span<Noise> sum, std::uint32_t seed, const Piece& piece) {
-                             return std::tuple(measure_values(sum, effort.samples, seed, piece),
-                                               measure_windows(sum, effort.windows, seed, piece));
-                         },
-                         [](const ValueStatistics& values,
-                            const statistics::InstanceStationarity& windows) -> Numbers {
-                             const statistics::Estimate cvm = values.gaussianity.index();
-                             return {cvm.value, cvm.low, cvm.high, windows.contrast().interdecile};
-                         })});
+                     [&device, count, step, n, effort](std::uint32_t seed) -> Numbers {
+                         Ingredients ingredients = recommended;
+                         ingredients.impulses = n;
+                         std::vector<Noise> sum;
+                         for (int i = 0; i < count; ++i)
+                             sum.emplace_back(device, ingredients, PlaneWave{4 + i * step}, 1.0 / count);
+                         const statistics::Estimate cvm =
+                             measure_values(sum, effort.samples, seed).gaussianity.index();
+                         return {cvm.value, cvm.low, cvm.high,
+                                 measure_windows(sum, effort.windows, seed).contrast().interdecile};
+                     }});
     return table;
 }
 

@@ -152,7 +152,7 @@ std::vector<std::uint32_t> constants(const Ingredients& ingredients) {
             real(hex.overhang)};
 }
 
-double variance(const Ingredients& ingredients, const Wave& wave) {
+double variance(const Ingredients& ingredients, const PlaneWave& wave) {
     const double power = ingredients.weights == Weights::uniform ? 1.0 / 3 : 1;
     const auto energy = [&](double k) {
         return envelope_integral(ingredients.envelope, 2, k * wave.frequency, wave.orientation);
@@ -161,7 +161,7 @@ double variance(const Ingredients& ingredients, const Wave& wave) {
     return ingredients.impulses * power * (energy(0) + (middle == 0 ? 0 : middle * energy(2))) / 2;
 }
 
-double poisson_kurtosis(const Ingredients& ingredients, const Wave& wave) {
+double poisson_kurtosis(const Ingredients& ingredients, const PlaneWave& wave) {
     const double fourth = ingredients.weights == Weights::uniform ? 1.0 / 5 : 1;
     const auto moment = [&](double k) {
         return envelope_integral(ingredients.envelope, 4, k * wave.frequency, wave.orientation);
@@ -172,7 +172,7 @@ double poisson_kurtosis(const Ingredients& ingredients, const Wave& wave) {
            std::pow(variance(ingredients, wave), 2);
 }
 
-double stratified_kurtosis(const Ingredients& ingredients, const Wave& wave) {
+double stratified_kurtosis(const Ingredients& ingredients, const PlaneWave& wave) {
     constexpr int places = 6;
     constexpr int nodes = 48;
     const double second = ingredients.weights == Weights::uniform ? 1.0 / 3 : 1;

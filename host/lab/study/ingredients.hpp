@@ -10,10 +10,12 @@
 namespace gabor::study {
 
 /// The wave of a kernel. The study looks at an oblique one, so that no axis of the grid is special.
-struct Wave {
+struct PlaneWave {
     double frequency = 4;                      ///< cycles per kernel radius
     double orientation = std::numbers::pi / 4; ///< radians
 };
+
+using Wave = PlaneWave; // the window's name for it
 
 /// In the order of shaders/gabor_ingredients.glsl.
 enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
@@ -73,13 +75,13 @@ std::vector<std::uint32_t> constants(const Ingredients& ingredients);
 
 /// Variance of the sum by Campbell's theorem: N E[w^2] times the energy of the kernel. Exact for weights of
 /// mean 0 and for Poisson points; without weights other points have less.
-double variance(const Ingredients& ingredients, const Wave& wave);
+double variance(const Ingredients& ingredients, const PlaneWave& wave);
 
 /// Excess kurtosis of the sum with Poisson points, N E[w^4] integral(g^4) / variance^2 by Campbell's theorem.
-double poisson_kurtosis(const Ingredients& ingredients, const Wave& wave);
+double poisson_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
 /// Excess kurtosis of the sum with stratified points, on average over the places of a cell: with m2 and m4
 /// the moments of one impulse of cell c, sum_c N (m4 - 3 m2^2) / variance^2. For a cosine or a sine.
-double stratified_kurtosis(const Ingredients& ingredients, const Wave& wave);
+double stratified_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
 } // namespace gabor::study

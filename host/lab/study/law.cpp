@@ -8,8 +8,7 @@
 #include "statistics/lines.hpp"
 #include "statistics/moments.hpp"
 #include "study/lattice.hpp"
-#include "study/noise.hpp"
-#include "study/pieces.hpp"
+#include "study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
+#include <optional>
 
 namespace gabor::study {
 
@@ -28,14 +27,14 @@ struct Subject {
     double visited; ///< impulses per value
     double cells_per_radius;
     int taps; ///< of the lattice, else 0
-    std::function<Noise(const vulkan::Device&, const Wave&)> make;
+    std::function<Noise(const vulkan::Device&, const PlaneWave&)> make;
 };
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
     const auto add_ingredients = [&](const char* name, const Ingredients& ingredients) {
         all.push_back({name, 9.0 * ingredients.impulses, 1, 0,
-                       [ingredients](const vulkan::Device& device, const Wave& wave) {
+                       [ingredients](const vulkan::Device& device, const PlaneWave& wave) {
                            return Noise(device, ingredients, wave);
                        }});
     };
@@ -45,27 +44,27 @@ std::vector<Subject> subjects() {
         all.push_back(
             {recipe.is_lattice() ? fmt::format("lattice_{}", recipe.taps) : std::string(recipe.name),
              static_cast<double>(noise::visited_impulses(recipe)), recipe.radius, recipe.taps,
-             [recipe](const vulkan::Device& device, const Wave& wave) {
+             [recipe](const vulkan::Device& device, const PlaneWave& wave) {
                  return Noise(device, recipe, wave);
              }});
     return all;
 }
 
 // A noise that is made when it is first asked for, and then kept for a table's rows.
-using Source = std::function<Noises()>;
+using Source = std::function<Noise&()>;
 
-Source source(const vulkan::Device& device, const Subject& subject, const Wave& wave) {
-    return [&device, make = subject.make, wave, kept = std::make_shared<Noises>()] {
-        if (!*kept)
-            *kept = alone(make(device, wave));
-        return *kept;
+Source source(const vulkan::Device& device, const Subject& subject, const PlaneWave& wave) {
+    return [&device, make = subject.make, wave, made = std::make_shared<std::optional<Noise>>()]() -> Noise& {
+        if (!*made)
+            made->emplace(make(device, wave));
+        return **made;
     };
 }
 
 // Instances with the same seed are the same, and begin at the same places.
-std::vector<float> draw(Noise& noise, const Piece::Range& instances, const Grid& grid, std::uint32_t seed) {
-    std::vector<float> values(instances.size() << 2 * grid.bits);
-    noise.fill(values, grid, static_cast<std::uint32_t>(instances.begin), seed, ~seed);
+std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
+    std::vector<float> values(instances << 2 * grid.bits);
+    noise.fill(values, grid, 0, seed, ~seed);
     return values;
 }
 
@@ -81,55 +80,22 @@ ValueStatistics statistics_of(std::span<const float> values, double deviation = 
 }
 
 constexpr std::string_view law_columns = "cvm,cvm_low,cvm_high,excess_kurtosis,beyond_3.5";
-enum Law : std::size_t { cvm = 0, excess_kurtosis = 3, beyond = 4 };
 
 // The law of one value of each instance.
-Measurement law_of(const Source& noise, const Grid& grid, std::uint64_t instances) {
-    return in_pieces<ValueStatistics, std::vector<double>>(
-        noise,
-        [grid, instances](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
-            const std::vector<float> values = draw(one.front(), piece.of(instances), grid, seed);
-            const auto far =
-                std::ranges::count_if(values, [](float value) { return std::abs(value) > 3.5f; });
-            return std::tuple(statistics_of(values), std::vector{static_cast<double>(far)});
-        },
-        [instances](const ValueStatistics& values, const std::vector<double>& far) {
-            Numbers numbers;
-            append(numbers, values.gaussianity.index());
-            numbers.push_back(values.moments.excess_kurtosis());
-            numbers.push_back(std::reduce(far.begin(), far.end()) / static_cast<double>(instances));
-            return numbers;
-        });
+Numbers law_of(Noise& noise, const Grid& grid, std::uint64_t instances, std::uint32_t seed) {
+    const std::vector<float> values = draw(noise, instances, grid, seed);
+    const ValueStatistics statistics = statistics_of(values);
+    Numbers numbers;
+    append(numbers, statistics.gaussianity.index());
+    const auto far = std::ranges::count_if(values, [](float value) { return std::abs(value) > 3.5f; });
+    numbers.push_back(statistics.moments.excess_kurtosis());
+    numbers.push_back(static_cast<double>(far) / static_cast<double>(instances));
+    return numbers;
 }
 
 constexpr int side = 8; // places of a cell along an axis, the first at its corner
 
-// For each noise, in the order of the subjects, the mean cvm over its places, and the extremes of all.
-using Summaries = std::vector<Numbers>;
-
-void append(Numbers& numbers, const Numbers& more) {
-    numbers.insert(numbers.end(), more.begin(), more.end());
-}
-
-Numbers summary(std::span<const Numbers> places) {
-    const auto extremes = [&](std::size_t column) {
-        return std::ranges::minmax(places, {}, [&](const Numbers& place) { return place[column]; });
-    };
-    double sum = 0;
-    for (const Numbers& place : places)
-        sum += place[cvm];
-    const auto kurtosis = extremes(excess_kurtosis);
-    const auto tails = extremes(beyond);
-    return {sum / static_cast<double>(places.size()),
-            extremes(cvm).max[cvm],
-            kurtosis.min[excess_kurtosis],
-            kurtosis.max[excess_kurtosis],
-            tails.min[beyond],
-            tails.max[beyond]};
-}
-
-Table places(const vulkan::Device& device, const Effort& effort,
-             const std::shared_ptr<Summaries>& summaries) {
+Table places(const vulkan::Device& device, const Effort& effort) {
     Table table{"law_places", fmt::format("noise,x,y,instances,{}", law_columns), {}};
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, {});
@@ -137,32 +103,24 @@ Table places(const vulkan::Device& device, const Effort& effort,
             const double x = place % side / double{side};
             const double y = place / side / double{side};
             const double radius = subject.cells_per_radius;
-            table.rows.push_back(
-                {fmt::format("{},{:g},{:g},{}", subject.name, x, y, effort.law),
-                 subject.visited * static_cast<double>(effort.law),
-                 law_of(noise, {.random = false, .shift = {x / radius, y / radius}}, effort.law)});
+            const Grid grid{.random = false, .shift = {x / radius, y / radius}};
+            table.rows.push_back({fmt::format("{},{:g},{:g},{}", subject.name, x, y, effort.law),
+                                  subject.visited * static_cast<double>(effort.law),
+                                  [noise, grid, instances = effort.law](std::uint32_t seed) {
+                                      return law_of(noise(), grid, instances, seed);
+                                  }});
         }
     }
-    table.derive = [summaries](std::vector<Numbers>& rows) {
-        for (std::span<const Numbers> rest = rows; !rest.empty(); rest = rest.subspan(side * side))
-            summaries->push_back(summary(rest.first(side * side)));
-    };
     return table;
 }
 
-// Pooled over places, beside the summary of the places: that table is complete before this one is.
-Table pooled(const vulkan::Device& device, const Effort& effort,
-             const std::shared_ptr<Summaries>& summaries) {
+Table pooled(const vulkan::Device& device, const Effort& effort) {
     Table table{"law", fmt::format("noise,samples,{}", law_columns), {}};
     for (const Subject& subject : subjects())
         table.rows.push_back({fmt::format("{},{}", subject.name, effort.samples),
                               subject.visited * static_cast<double>(effort.samples),
-                              law_of(source(device, subject, {}), {}, effort.samples)});
-    table.derived = "cvm_mean,cvm_worst,kurtosis_lowest,kurtosis_highest,beyond_lowest,beyond_highest";
-    table.derive = [summaries](std::vector<Numbers>& rows) {
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            append(rows[i], summaries->at(i));
-    };
+                              [noise = source(device, subject, {}), samples = effort.samples](
+                                  std::uint32_t seed) { return law_of(noise(), {}, samples, seed); }});
     return table;
 }
 
@@ -184,29 +142,24 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
             table.rows.push_back(
                 {fmt::format("{},{:g},{},{}", subject.name, lag, degrees, effort.law),
                  2 * subject.visited * static_cast<double>(effort.law),
-                 in_pieces<ValueStatistics, ValueStatistics>(
-                     noise,
-                     [shift, pairs = effort.law](std::span<Noise> one, std::uint32_t seed,
-                                                 const Piece& piece) {
-                         const std::vector<float> here = draw(one.front(), piece.of(pairs), {}, seed);
-                         const std::vector<float> there =
-                             draw(one.front(), piece.of(pairs), {.shift = shift}, seed);
-                         std::vector<float> sums;
-                         std::vector<float> differences;
-                         for (std::size_t i = 0; i < here.size(); ++i) {
-                             sums.push_back(here[i] + there[i]);
-                             differences.push_back(here[i] - there[i]);
-                         }
-                         return std::tuple(statistics_of(sums, largest), statistics_of(differences, largest));
-                     },
-                     [](const ValueStatistics& sum, const ValueStatistics& difference) {
-                         const double of_sum = sum.moments.variance();
-                         const double of_difference = difference.moments.variance();
-                         Numbers numbers{(of_sum - of_difference) / (of_sum + of_difference)};
-                         append(numbers, sum.gaussianity.index(std::sqrt(of_sum) / largest));
-                         append(numbers, difference.gaussianity.index(std::sqrt(of_difference) / largest));
-                         return numbers;
-                     })});
+                 [noise, shift, pairs = effort.law](std::uint32_t seed) {
+                     const std::vector<float> here = draw(noise(), pairs, {}, seed);
+                     const std::vector<float> there = draw(noise(), pairs, {.shift = shift}, seed);
+                     std::vector<float> sums;
+                     std::vector<float> differences;
+                     for (std::size_t i = 0; i < here.size(); ++i) {
+                         sums.push_back(here[i] + there[i]);
+                         differences.push_back(here[i] - there[i]);
+                     }
+                     const ValueStatistics sum = statistics_of(sums, largest);
+                     const ValueStatistics difference = statistics_of(differences, largest);
+                     const double of_sum = sum.moments.variance();
+                     const double of_difference = difference.moments.variance();
+                     Numbers numbers{(of_sum - of_difference) / (of_sum + of_difference)};
+                     append(numbers, sum.gaussianity.index(std::sqrt(of_sum) / largest));
+                     append(numbers, difference.gaussianity.index(std::sqrt(of_difference) / largest));
+                     return numbers;
+                 }});
         }
     }
     return table;
@@ -215,31 +168,28 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
 // The covariance of two values a lag apart at each place of a cell, and how it differs from its mean over the
 // places where the two are in different cells. The wave turns wholly between any two of them, so that their
 // covariance is that of the windows.
-constexpr Wave whole_turns{4, 0};
+constexpr PlaneWave whole_turns{4, 0};
 
 constexpr std::size_t place_count = side * side;
 
-// At each place the sum of the products of the two values.
-std::vector<double> products(Noise& noise, const std::array<double, 2>& lag, double cells_per_radius,
-                             const Piece::Range& instances, std::uint32_t seed) {
+// At each place of a cell the mean product of values a lag apart.
+std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
+                                            double cells_per_radius, std::uint64_t instances,
+                                            std::uint32_t seed) {
     const double half = 0.5 / side / cells_per_radius; // places are in the middle of their squares
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;
     second.shift = {lag[0] - half, lag[1] - half};
     const std::vector<float> here = draw(noise, instances, first, seed);
     const std::vector<float> there = draw(noise, instances, second, seed);
-    std::vector<double> sums(place_count);
+    std::array<double, place_count> means{};
     for (std::size_t i = 0; i < here.size(); ++i)
-        sums[i % place_count] += double{here[i]} * there[i];
-    return sums;
+        means[i % place_count] += double{here[i]} * there[i] / static_cast<double>(instances);
+    return means;
 }
 
-// Of the products that the pieces have summed, place by place.
-Numbers covariance(std::span<const double> sums, const std::array<double, 2>& lag, double cells_per_radius,
-                   std::uint64_t instances) {
-    std::array<double, place_count> covariances{};
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        covariances[i % place_count] += sums[i] / static_cast<double>(instances);
+Numbers covariance_row(std::span<const double, place_count> covariances, const std::array<double, 2>& lag,
+                       double cells_per_radius, std::uint64_t instances) {
     double mean = 0;
     for (const double value : covariances)
         mean += value / place_count;
@@ -282,23 +232,19 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
             const CovarianceOverCell expected =
                 subject.taps > 0 ? lattice_covariance(subject.taps, lag, side) : CovarianceOverCell();
             theory.push_back({expected.rms, expected.largest});
-            table.rows.push_back(
-                {fmt::format("{},{:g},{:g},{}", subject.name, lag[0], lag[1], instances),
-                 2.0 * side * side * subject.visited * static_cast<double>(instances),
-                 in_pieces<std::vector<double>>(
-                     noise,
-                     [lag, radius, instances](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
-                         return products(one.front(), lag, radius, piece.of(instances), seed);
-                     },
-                     [lag, radius, instances](const std::vector<double>& sums) {
-                         return covariance(sums, lag, radius, instances);
-                     })});
+            table.rows.push_back({fmt::format("{},{:g},{:g},{}", subject.name, lag[0], lag[1], instances),
+                                  2.0 * side * side * subject.visited * static_cast<double>(instances),
+                                  [noise, lag, radius, instances](std::uint32_t seed) {
+                                      return covariance_row(
+                                          covariances(noise(), lag, radius, instances, seed), lag, radius,
+                                          instances);
+                                  }});
         }
     }
     table.derived = "rms_theory,largest_theory";
     table.derive = [theory](std::vector<Numbers>& rows) {
         for (std::size_t i = 0; i < rows.size(); ++i)
-            append(rows[i], theory[i]);
+            rows[i].insert(rows[i].end(), theory[i].begin(), theory[i].end());
     };
     return table;
 }
@@ -312,27 +258,17 @@ Table spectra(const vulkan::Device& device, const Effort& effort) {
         const Grid grid{.bits = static_cast<unsigned>(effort.picture_bits),
                         .side = pixels / statistics::Lines::pixels_per_cell / subject.cells_per_radius,
                         .random = false};
-        table.rows.push_back(
-            {fmt::format("{},{},{}", subject.name, pictures, pixels),
-             subject.visited * static_cast<double>(pictures) * pixels * pixels,
-             in_pieces<std::vector<double>>(
-                 source(device, subject, {}),
-                 [grid, pixels](std::span<Noise> one, std::uint32_t seed, const Piece& piece) {
-                     const std::vector<float> values = draw(one.front(), piece.of(pictures), grid, seed);
-                     statistics::NoiseLines lines(pixels);
-                     const auto width = static_cast<std::size_t>(pixels);
-                     for (std::size_t i = 0; i < values.size(); i += width)
-                         lines.add_row(std::span(values).subspan(i, width));
-                     return lines.powers();
-                 },
-                 [pixels](const std::vector<double>& powers) {
-                     statistics::NoiseLines lines(pixels);
-                     const std::size_t each = powers.size() / pieces_per_row;
-                     for (std::size_t i = 0; i < powers.size(); i += each)
-                         lines.add_powers(std::span(powers).subspan(i, each));
-                     const auto largest = lines.largest();
-                     return Numbers(largest.begin(), largest.end());
-                 })});
+        table.rows.push_back({fmt::format("{},{},{}", subject.name, pictures, pixels),
+                              subject.visited * static_cast<double>(pictures) * pixels * pixels,
+                              [noise = source(device, subject, {}), grid, pixels](std::uint32_t seed) {
+                                  const std::vector<float> values = draw(noise(), pictures, grid, seed);
+                                  statistics::NoiseLines lines(pixels);
+                                  const auto width = static_cast<std::size_t>(pixels);
+                                  for (std::size_t i = 0; i < values.size(); i += width)
+                                      lines.add_row(std::span(values).subspan(i, width));
+                                  const auto largest = lines.largest();
+                                  return Numbers(largest.begin(), largest.end());
+                              }});
     }
     return table;
 }
@@ -340,9 +276,8 @@ Table spectra(const vulkan::Device& device, const Effort& effort) {
 } // namespace
 
 Tables law(const vulkan::Device& device, const Effort& effort) {
-    const auto summaries = std::make_shared<Summaries>();
-    return {places(device, effort, summaries), pooled(device, effort, summaries), pairs(device, effort),
-            stationary(device, effort), spectra(device, effort)};
+    return {places(device, effort), pooled(device, effort), pairs(device, effort), stationary(device, effort),
+            spectra(device, effort)};
 }
 
 // Side by side: a noise in each column; in the rows frequency 1.5 and 4 over eight kernel radii, both zoomed
@@ -368,7 +303,7 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
             const Subject& subject = *std::ranges::find(all, columns[column], &Subject::name);
             Noise noise = subject.make(device, {view.frequency, 0.5});
             const Grid grid{bits, view.radii + view.cells / subject.cells_per_radius, false};
-            const std::vector<float> values = draw(noise, {0, 1}, grid, 1);
+            const std::vector<float> values = draw(noise, 1, grid, 1);
             for (std::size_t i = 0; i < values.size(); ++i)
                 pixels[top + i / across * width + column * (across + gap) + i % across] =
                     0.5f + 0.25f * values[i];

@@ -27,20 +27,21 @@ constexpr render::RecipeModules drop_in_modules{
 
 } // namespace
 
-Noise::Noise(const vulkan::Device& device, const Ingredients& ingredients, const Wave& wave, double variance)
+Noise::Noise(const vulkan::Device& device, const Ingredients& ingredients, const PlaneWave& wave,
+             double variance)
     : Noise(device, ingredients_spirv, constants(ingredients), wave,
             std::sqrt(variance / study::variance(ingredients, wave)), 1) {}
 
-Noise::Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave, double variance)
+Noise::Noise(const vulkan::Device& device, const Variant& variant, const PlaneWave& wave, double variance)
     : Noise(device, variants_spirv, constants(variant), wave, std::sqrt(variance / study::variance(variant)),
             variant.radius) {}
 
-Noise::Noise(const vulkan::Device& device, const noise::Recipe& recipe, const Wave& wave)
+Noise::Noise(const vulkan::Device& device, const noise::Recipe& recipe, const PlaneWave& wave)
     : Noise(device, drop_in_modules.of(recipe), render::recipe_constants(recipe), wave, 1,
             double{recipe.radius}) {}
 
 Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
-             std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
+             std::span<const std::uint32_t> constants, const PlaneWave& wave, double amplitude,
              double cells_per_radius)
     : wave_(wave), amplitude_(amplitude), cells_per_radius_(cells_per_radius),
       pass_(device, spirv, {1, sizeof(passes::PlacesPush)}, constants),

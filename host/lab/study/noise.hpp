@@ -25,12 +25,13 @@ struct Grid {
 /// A noise on the device, of the variance that is asked for.
 class Noise {
   public:
-    Noise(const vulkan::Device& device, const Ingredients& ingredients, const Wave& wave = {},
+    Noise(const vulkan::Device& device, const Ingredients& ingredients, const PlaneWave& wave = {},
           double variance = 1);
-    Noise(const vulkan::Device& device, const Variant& variant, const Wave& wave = {}, double variance = 1);
+    Noise(const vulkan::Device& device, const Variant& variant, const PlaneWave& wave = {},
+          double variance = 1);
 
     /// The drop-in's own, which has variance 1.
-    Noise(const vulkan::Device& device, const noise::Recipe& recipe, const Wave& wave = {});
+    Noise(const vulkan::Device& device, const noise::Recipe& recipe, const PlaneWave& wave = {});
 
     /// The values of one instance after the other, from `first` on. Instances with the same `place_seed`
     /// begin at the same places. Returns the seconds that it took on the device, NaN where that cannot be
@@ -40,10 +41,10 @@ class Noise {
 
   private:
     Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
-          std::span<const std::uint32_t> constants, const Wave& wave, double amplitude,
+          std::span<const std::uint32_t> constants, const PlaneWave& wave, double amplitude,
           double cells_per_radius);
 
-    Wave wave_;
+    PlaneWave wave_;
     double amplitude_;
     double cells_per_radius_;
     vulkan::Pass pass_;

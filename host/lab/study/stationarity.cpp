@@ -1,7 +1,7 @@
 // The noise at each place of a cell, and the means of whole instances.
 
 #include "study/figures.hpp"
-#include "study/pieces.hpp"
+#include "study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -14,32 +14,26 @@ namespace {
 Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std::uint64_t instances) {
     return {fmt::format("{},{}", key(ingredients), instances),
             64.0 * ingredients.impulses * static_cast<double>(instances),
-            in_pieces<PlaceStatistics>(
-                [&device, ingredients] { return alone(Noise(device, ingredients)); },
-                [instances](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
-                    return measure_places(noise, 1, instances, seed, piece);
-                },
-                [](const PlaceStatistics& measured) -> Numbers {
-                    const statistics::ProcessStationarity& places = measured.stationarity;
-                    return {places.variance().median, places.variance().interdecile,
-                            places.chance_interdecile(), places.largest_mean(), places.chance_largest_mean()};
-                })};
+            [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
+                Noise noise(device, ingredients);
+                const statistics::ProcessStationarity places =
+                    measure_places(single(noise), 1, instances, seed).stationarity;
+                return {places.variance().median, places.variance().interdecile, places.chance_interdecile(),
+                        places.largest_mean(), places.chance_largest_mean()};
+            }};
 }
 
 Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::uint64_t instances) {
     return {fmt::format("{},{},{}", key(ingredients), ingredients.period, instances),
             4096.0 * ingredients.impulses * static_cast<double>(instances),
-            in_pieces<std::vector<double>>(
-                [&device, ingredients] { return alone(Noise(device, ingredients)); },
-                [instances](std::span<Noise> noise, std::uint32_t seed, const Piece& piece) {
-                    return measure_means(noise, 3, instances, seed, piece);
-                },
-                [](const std::vector<double>& means) -> Numbers {
-                    const auto quantile = [&](double share) { return statistics::quantile(means, share); };
-                    constexpr double percent = 100.0 / 4; // of the range of four standard deviations
-                    return {percent * quantile(0.5), percent * (quantile(0.9) - quantile(0.1)),
-                            percent * std::max(quantile(1), -quantile(0))};
-                })};
+            [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
+                Noise noise(device, ingredients);
+                const std::vector<double> means = measure_means(single(noise), 3, instances, seed);
+                const auto quantile = [&](double share) { return statistics::quantile(means, share); };
+                constexpr double percent = 100.0 / 4; // of the range of four standard deviations
+                return {percent * quantile(0.5), percent * (quantile(0.9) - quantile(0.1)),
+                        percent * std::max(quantile(1), -quantile(0))};
+            }};
 }
 
 } // namespace

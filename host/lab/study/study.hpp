@@ -20,7 +20,7 @@ struct Effort {
     std::vector<int> impulses; ///< N along the axis of a figure
     std::vector<double> radii; ///< R of recipes, cells
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
-    std::uint64_t timings;     ///< of which the median is taken
+    int timings;               ///< of which the median is taken
 
     /// The paper's seven million samples, and N up to 30: all up to 10, then fewer.
     static Effort full();

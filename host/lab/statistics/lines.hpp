@@ -28,11 +28,6 @@ class Lines {
     /// variable of shape K does. NaN without a picture.
     double largest() const;
 
-    /// Plain numbers that hold all whole pictures, for another to add that has seen others of the same side.
-    const std::vector<double>& powers() const { return powers_; }
-    /// Throws std::invalid_argument when their number is wrong.
-    void add_powers(std::span<const double> powers);
-
   private:
     using Complex = std::complex<double>;
     static constexpr int reach = 2; ///< of the surroundings, in steps of 1 / side cycles per pixel
@@ -63,10 +58,6 @@ class NoiseLines {
 
     /// Of each function, in the order of the names.
     std::array<double, count> largest() const;
-
-    /// As those of Lines, of one function after the other.
-    std::vector<double> powers() const;
-    void add_powers(std::span<const double> powers);
 
   private:
     std::vector<Lines> lines_;

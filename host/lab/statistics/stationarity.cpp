@@ -11,10 +11,6 @@ void InstanceStationarity::add(std::span<const float> window) {
     contrasts_.push_back(moments.variance());
 }
 
-void InstanceStationarity::add_contrasts(std::span<const double> contrasts) {
-    contrasts_.insert(contrasts_.end(), contrasts.begin(), contrasts.end());
-}
-
 double InstanceStationarity::median_deviation() const {
     std::vector<double> deviations;
     std::ranges::transform(contrasts_, std::back_inserter(deviations), [](double c) { return std::sqrt(c); });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -85,12 +84,6 @@ void Lines::end_picture() {
     row_ = 0;
 }
 
-void Lines::add_powers(std::span<const double> powers) {
-    if (powers.size() != powers_.size())
-        throw std::invalid_argument("these are not the powers of lines");
-    std::ranges::transform(powers_, powers, powers_.begin(), std::plus<>());
-}
-
 double Lines::largest() const {
     double result = std::numeric_limits<double>::quiet_NaN();
     constexpr std::size_t around = std::size_t{steps} * steps;
@@ -120,19 +113,6 @@ std::array<double, NoiseLines::count> NoiseLines::largest() const {
     std::array<double, count> result{};
     std::ranges::transform(lines_, result.begin(), &Lines::largest);
     return result;
-}
-
-std::vector<double> NoiseLines::powers() const {
-    std::vector<double> all;
-    for (const Lines& lines : lines_)
-        all.insert(all.end(), lines.powers().begin(), lines.powers().end());
-    return all;
-}
-
-void NoiseLines::add_powers(std::span<const double> powers) {
-    const std::size_t each = powers.size() / count;
-    for (std::size_t f = 0; f < count; ++f)
-        lines_[f].add_powers(powers.subspan(f * each, each));
 }
 
 } // namespace gabor::statistics

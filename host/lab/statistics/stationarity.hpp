@@ -15,10 +15,7 @@ class InstanceStationarity {
   public:
     /// All pixels of one window.
     void add(std::span<const float> window);
-    /// Windows of which another has the contrasts.
-    void add_contrasts(std::span<const double> contrasts);
 
-    const std::vector<double>& contrasts() const { return contrasts_; }
     Dispersion contrast() const { return dispersion(contrasts_); }
     /// Median of the square root of the contrast.
     double median_deviation() const;

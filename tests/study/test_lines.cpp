@@ -51,27 +51,6 @@ TEST_CASE("white noise, and a wave beside the frequencies of the cells, are no l
     CHECK(largest_with(0.2, 1.5, 0.25) < 2);
 }
 
-TEST_CASE("lines of pictures that two have seen are those of all, in any order", "[lines]") {
-    std::mt19937 random(6);
-    std::normal_distribution<double> normal;
-    std::array<NoiseLines, 3> lines{NoiseLines(side), NoiseLines(side), NoiseLines(side)};
-    NoiseLines& all = lines[2];
-    std::vector<float> row(side);
-    for (int y = 0; y < 5 * side; ++y) {
-        std::ranges::generate(row, [&] { return static_cast<float>(normal(random)); });
-        all.add_row(row);
-        lines[y < 2 * side ? 0 : 1].add_row(row);
-    }
-    NoiseLines merged(side);
-    merged.add_powers(lines[1].powers());
-    merged.add_powers(lines[0].powers());
-    for (std::size_t f = 0; f < NoiseLines::count; ++f) {
-        CHECK(merged.largest()[f] == Approx(all.largest()[f]).epsilon(1e-12));
-        CHECK(lines[0].largest()[f] != Approx(all.largest()[f]).epsilon(1e-3));
-    }
-    CHECK_THROWS_AS(merged.add_powers(std::vector<double>(7)), std::invalid_argument);
-}
-
 TEST_CASE("lines without a picture, and of parts of cells", "[lines]") {
     CHECK(std::isnan(Lines(side).largest()));
     CHECK_THROWS_AS(Lines(30), std::invalid_argument);
