@@ -34,7 +34,7 @@ void save(image::OutputFile& file, const std::string& text) {
     file.commit();
 }
 
-// A share of progress that other work goes on from.
+// Reports a share of the whole progress.
 fit::Advance part_of(Progress& progress, double from, double to) {
     return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
         check_interrupt();
@@ -106,6 +106,7 @@ void add_fit_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
     command
         ->add_option("IMAGE", options->image, "The photograph: PNG, JPEG or OpenEXR, at least 128x128 pixels")
+        ->type_name("FILE")
         ->required();
     command
         ->add_option("-o,--output", options->output,

@@ -6,8 +6,11 @@ namespace gabor::cli {
 Program gabor_program() {
     return {"gabor",
             "Renders Gabor noise, and measures it.",
-            {add_render_command, add_join_command, add_stats_command, add_fit_command, add_devices_command,
-             add_recipes_command}};
+            {add_render_command, add_join_command, add_stats_command,
+#if GABOR_FIT
+             add_fit_command,
+#endif
+             add_devices_command, add_recipes_command}};
 }
 
 } // namespace gabor::cli

@@ -34,8 +34,8 @@ void join(const JoinOptions& options) {
     for (const std::filesystem::path& region : options.regions) {
         std::error_code ignored;
         if (std::filesystem::equivalent(region, options.output, ignored))
-            throw RequestError(fmt::format(
-                "cannot join: -o '{}' is one of the regions: it takes another file", options.output));
+            throw RequestError(fmt::format("cannot join: -o '{}' is one of the regions; choose another file",
+                                           options.output));
         const image::Window window = image::ExrReader(region).window();
         pixels += static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height);
     }
@@ -57,16 +57,15 @@ void join(const JoinOptions& options) {
 void add_join_command(CLI::App& app) {
     auto options = std::make_shared<JoinOptions>();
     CLI::App* command =
-        app.add_subcommand("join", "Put regions of one picture together, exactly as if rendered at once");
+        app.add_subcommand("join", "Join regions of one picture, exactly as if rendered at once");
     command->add_option("REGION", options->regions, "EXR files of `gabor render --region`, in any order")
         ->type_name("FILE")
         ->required();
     command->add_option("-o,--output", options->output, "The EXR of the whole picture")
         ->type_name("FILE")
         ->required();
-    command->add_flag(
-        "--texture", options->texture,
-        "Of all levels that `gabor render --level` draws make the texture of `gabor render --texture`");
+    command->add_flag("--texture", options->texture,
+                      "Assemble a texture from the levels that `gabor render --level` draws");
     command->add_flag("--half", options->half, "A texture of 16-bit floats");
     command->callback([options] { join(*options); });
 }

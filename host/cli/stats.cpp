@@ -30,10 +30,10 @@ using statistics::Estimate;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
 
-// What can be seen of a deviation from the normal law begins here.
+// Deviations from the normal distribution become visible here.
 constexpr double visible_cvm = 0.5;
 
-// Ours are flat. Deeper ones count as none: what writes them again would overflow the stack.
+// Ours are flat. Deeper ones are ignored: writing them would overflow the stack.
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
@@ -42,7 +42,7 @@ struct StatsOptions {
     std::optional<std::string> json;
 };
 
-// What the file says of itself, and what was measured.
+// The file's header, and the measurements.
 struct Measured {
     int width = 0;
     int height = 0;
@@ -54,8 +54,7 @@ struct Measured {
     PictureReport report;
 };
 
-// Reads a picture's channel. Values of pixels that the channel A, where there is one, says to be outside are
-// NaN. Returns how many there are.
+// Reads a picture's channel. Where there is a channel A, pixels with A below 1 become NaN. Returns how many.
 template <typename Use>
 std::uint64_t read_bands(const StatsOptions& options, const std::string& channel, Progress& progress,
                          Use use) {
@@ -84,7 +83,7 @@ std::uint64_t read_bands(const StatsOptions& options, const std::string& channel
     return outside;
 }
 
-// What theory says of the variance of a channel around 0, from the parameters in the file's header.
+// The theoretical variance of a channel around 0, from the parameters in the file's header.
 std::optional<double> known_variance(const std::string& channel, const std::string& parameters) {
     try {
         return render::known_variance(render::from_json(parameters), channel);
@@ -93,7 +92,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// A channel of which nothing is known is first read for its own mean and variance.
+// A channel without a known variance is read twice: first for its own mean and variance.
 Measured measure(const StatsOptions& options) {
     const image::ExrReader reader(options.files, options.channel);
     Measured measured;
@@ -139,7 +138,7 @@ double reference_variance(const Measured& measured) {
     return measured.expected.deviation * measured.expected.deviation;
 }
 
-// On a body waves turn away from the eye: a picture of it has no one spectrum.
+// Perspective distorts the frequencies on a body.
 bool has_spectrum(const Measured& measured) {
     return measured.report.spectrum && measured.outside == 0;
 }
@@ -212,34 +211,43 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
         print_line("peak frequency", peak->frequency, "cycles per pixel" + per_radius(peak->frequency));
         print_line("peak orientation", peak->orientation, "degrees from right towards down");
     } else {
-        fmt::print("  {:<18}{:>13}  nowhere that can be told from frequency 0\n", "peak frequency", "none");
+        fmt::print("  {:<18}{:>13}  indistinguishable from 0\n", "peak frequency", "none");
     }
     print_line("bandwidth", spectrum.bandwidth, "cycles per pixel" + per_radius(spectrum.bandwidth));
-    print_line("resolution", spectrum.resolution, "cycles per pixel, the least bandwidth that can be seen");
+    print_line("resolution", spectrum.resolution, "cycles per pixel; narrower peaks look as wide");
     print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
 }
 
-// What the picture is too small for.
+// A small picture cannot tell a visible deviation from chance.
+bool has_cvm(const std::optional<BlockEstimates>& blocks) {
+    return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
+}
+
+// The side of the smallest square, a power of two, whose cvm has the smallest visible value: what can be told
+// from chance is inversely proportional to the number of pixels.
+double side_for_cvm(const Measured& measured, const BlockEstimates& blocks) {
+    const double pixels = static_cast<double>(measured.report.moments.count());
+    const double needed = std::sqrt(pixels * blocks.smallest_cvm / visible_cvm);
+    return std::exp2(std::ceil(std::log2(needed)));
+}
+
 void print_limits(const Measured& measured) {
     const PictureReport& report = measured.report;
     const auto& blocks = report.blocks;
     if (report.moments.variance() == 0) {
         fmt::print("  No intervals and no cvm: all pixels are equal.\n");
     } else if (!report.spectrum) {
-        fmt::print("  No spectrum, intervals and cvm: the picture is smaller than 16 x 16 pixels.\n");
+        fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
     } else if (!blocks) {
         fmt::print("  No intervals and no cvm: pixels correlate over about {:.0f} pixels, and the picture is "
                    "less than 8 times as long.\n",
                    report.spectrum->correlation);
     } else {
-        fmt::print("  Pixels correlate over about {0:.0f} pixels: intervals and cvm come from {1} x {1} "
-                   "blocks, the cvm from pairs that do not touch.\n",
-                   report.spectrum->correlation, blocks->blocks_per_side);
-        if (blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm)
-            fmt::print(
-                "  The picture is too small for its cvm to tell it from normal noise, which shows up to "
-                "{:.2g} at this size; to see a cvm of {} it takes about {:.0f} times as many pixels.\n",
-                blocks->smallest_cvm, visible_cvm, std::ceil(blocks->smallest_cvm / visible_cvm));
+        fmt::print("  Intervals come from {0} x {0} blocks; pixels correlate over about {1:.0f} pixels.\n",
+                   blocks->blocks_per_side, report.spectrum->correlation);
+        if (!has_cvm(blocks))
+            fmt::print("  The picture is too small to test its distribution; render {0} x {0} for that.\n",
+                       side_for_cvm(measured, *blocks));
     }
 }
 
@@ -266,7 +274,7 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     print_line("excess kurtosis", moments.excess_kurtosis());
     print_line("minimum", moments.minimum());
     print_line("maximum", moments.maximum());
-    if (report.blocks)
+    if (has_cvm(report.blocks))
         print_line("cvm", report.blocks->cvm.value,
                    fmt::format("{}, against a normal law of {} mean {:.6g} and variance {:.6g}",
                                between(&BlockEstimates::cvm), reference_name(measured),
@@ -274,7 +282,7 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     if (has_spectrum(measured) && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
     if (measured.outside > 0)
-        fmt::print("  No spectrum: a body turns waves away from the eye.\n");
+        fmt::print("  No spectrum: perspective distorts frequencies.\n");
     print_limits(measured);
 }
 
@@ -309,10 +317,8 @@ void add_stats_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
     command
-        ->add_option(
-            "FILE", options->files,
-            "The EXR to measure, or all regions of one picture, in any order: the same numbers as of "
-            "the whole")
+        ->add_option("FILE", options->files,
+                     "The EXR to measure; several regions of one picture are measured as one")
         ->type_name("")
         ->required();
     command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]")

@@ -10,7 +10,7 @@ namespace gabor::fit {
 namespace {
 
 // Of some rows of spectra.
-struct Rows {
+struct SpectrumRows {
     Eigen::Index begin;
     Eigen::ArrayXd measure;
 
@@ -28,8 +28,8 @@ struct Rows {
 };
 
 // Frequencies below 1 / window_side cycles per pixel.
-Rows low_rows(const Scale& scale) {
-    Rows rows{scale.begin, measures({scale}).tail(std::ssize(scale.frequencies))};
+SpectrumRows low_rows(const Scale& scale) {
+    SpectrumRows rows{scale.begin, measures({scale}).tail(std::ssize(scale.frequencies))};
     const double limit = static_cast<double>(scale.grid) * scale.spacing / window_side;
     Eigen::Index row = 0;
     for (const Scale::Frequency& k : scale.frequencies) {
@@ -81,12 +81,12 @@ FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     const Eigen::ArrayXd power = estimate.total();
     const Eigen::ArrayXd apart = difference.total().abs();
     const std::vector<Scale>& scales = *estimate.scales;
-    const Rows first{0, measures({scales.front()})};
+    const SpectrumRows first{0, measures({scales.front()})};
     FitError error;
     error.l1 = first.sum(apart) / first.sum(power);
     error.l2 = std::sqrt(first.squares(difference) / first.squares(estimate));
     if (scales.size() > 1) {
-        const Rows low = low_rows(scales.back());
+        const SpectrumRows low = low_rows(scales.back());
         error.low = low.sum(apart) / low.sum(power);
     }
 

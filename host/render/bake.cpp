@@ -19,8 +19,8 @@ namespace gabor::render {
 
 namespace {
 
-constexpr RecipeModules modules{bake_spirv,
-                                {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
+constexpr RecipeModules bake_modules{bake_spirv,
+                                     {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
 
 constexpr std::uint32_t bake_buffers = 5;
 
@@ -140,7 +140,7 @@ std::vector<std::uint32_t> bake_constants(const Request& request, int block_colu
 vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
                             int fixed_rows, Code code) {
     return {device,
-            code_or(code, modules.of(drawing_recipe(request))),
+            code_or(code, bake_modules.of(drawing_recipe(request))),
             {bake_buffers, sizeof(passes::BakePush), fixed_rows > 0},
             bake_constants(request, block_columns, fixed_rows)};
 }

@@ -23,13 +23,13 @@ namespace gabor::render {
 namespace {
 
 // A pass for each material, in their order: of one pass for all compilers take minutes.
-constexpr std::array<std::span<const std::uint32_t>, materials.size()> modules{
+constexpr std::array<std::span<const std::uint32_t>, materials.size()> material_modules{
     material_wood_spirv,  material_fabric_spirv,  material_leather_spirv,       material_marble_spirv,
     material_sand_spirv,  material_ripples_spirv, material_brushed_metal_spirv, material_scratches_spirv,
     material_zebra_spirv, material_bark_spirv,    material_carbon_fibre_spirv,  material_strata_spirv};
 
 std::span<const std::uint32_t> module_of(const Request& request) {
-    return modules.at(
+    return material_modules.at(
         static_cast<std::size_t>(std::ranges::find(materials, request.material) - materials.begin()));
 }
 

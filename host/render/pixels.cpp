@@ -15,8 +15,8 @@ namespace gabor::render {
 
 namespace {
 
-constexpr RecipeModules modules{pixels_spirv,
-                                {pixels_lattice_2_spirv, pixels_lattice_3_spirv, pixels_lattice_4_spirv}};
+constexpr RecipeModules pixels_modules{
+    pixels_spirv, {pixels_lattice_2_spirv, pixels_lattice_3_spirv, pixels_lattice_4_spirv}};
 
 // Pixel i is centred at (i + 0.5) / scale kernel radii, or in perspective (i + 0.5) - origin pixels on.
 std::vector<passes::Line> lines_along(const Request& request, int side, int first, int count, double origin) {
@@ -140,7 +140,7 @@ passes::PixelsPush pixels_push(const Request& request, int width, int height) {
 
 std::shared_ptr<const vulkan::Pass> Pixels::make_pass(const vulkan::Device& device, const Request& request,
                                                       Code code) {
-    return std::make_shared<vulkan::Pass>(device, code_or(code, modules.of(request.recipe)),
+    return std::make_shared<vulkan::Pass>(device, code_or(code, pixels_modules.of(request.recipe)),
                                           vulkan::Pass::Interface{6, sizeof(passes::PixelsPush)},
                                           pixels_constants(request));
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int finest = 16;  ///< blocks per side
 constexpr int coarsest = 8; ///< 64 blocks, 16 groups
-constexpr std::size_t bin_count =
+constexpr std::size_t bins_per_block =
     256; ///< the deviation from a normal distribution is smooth: see test_blocks.cpp
 
 /// The jackknife leaves out groups of blocks, a sixteenth of the picture each, so that correlation across a
@@ -90,7 +90,7 @@ struct PairIndex {
 /// noise in both.
 PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
                      const Grid& grid) {
-    std::vector<double> sum(bin_count);
+    std::vector<double> sum(bins_per_block);
     double pixels = 0;
     std::vector<double> products(groups * groups);
     std::vector<double> weights(groups * groups);
@@ -142,7 +142,7 @@ NormalDistribution fitted_normal(const Moments& moments) {
 
 Blocks::Blocks(int width, int height, const NormalDistribution& expected)
     : width_(width), height_(height), expected_(expected), moments_(finest * finest),
-      counts_(finest * finest, Counts(bin_count)) {}
+      counts_(finest * finest, Counts(bins_per_block)) {}
 
 void Blocks::add(int x, int y, std::span<const float> pixels) {
     const int row = block_of(y, height_);
@@ -173,7 +173,7 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
     while (grid.side > coarsest && shortest / grid.side < correlation) {
         moments = coarsen(moments, grid.side, [](Moments& into, const Moments& from) { into.merge(from); });
         counts = coarsen(counts, grid.side, [](Counts& into, const Counts& from) {
-            into.resize(bin_count);
+            into.resize(bins_per_block);
             std::transform(into.begin(), into.end(), from.begin(), into.begin(), std::plus<>());
         });
         grid.side /= 2;
@@ -200,8 +200,8 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
             continue;
         // A normal distribution fitted to all blocks ties them together. To first order, this is what block i
         // would have shown against its own mean and variance, which depend on no other block.
-        for (std::size_t k = 0; k + 1 < bin_count; ++k) {
-            const double z = normal_quantile(static_cast<double>(k + 1) / bin_count);
+        for (std::size_t k = 0; k + 1 < bins_per_block; ++k) {
+            const double z = normal_quantile(static_cast<double>(k + 1) / bins_per_block);
             deviation[i][k] +=
                 normal_density(z) * (mean_excess[i] / sigma + z * variance_excess[i] / (2 * all.variance()));
         }

@@ -22,7 +22,7 @@ constexpr int largest_shown = 2048; // pixels
 
 static_assert(Fitter::most_lobes == fit::most_lobes);
 
-struct Cancelled {};
+struct FitCancelled {};
 
 Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
     const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
@@ -128,7 +128,7 @@ void Fitter::work(const Wanted& wanted) {
     const auto part = [this](double from, double to) {
         return [this, from, to](double share) {
             if (cancelled_)
-                throw Cancelled();
+                throw FitCancelled();
             progress_ = from + (to - from) * share;
         };
     };
@@ -148,7 +148,7 @@ void Fitter::work(const Wanted& wanted) {
         result_ = FittedPreset{fit::request_of(*exemplar_, fitted),
                                fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, fitted),
                                lines_of(*exemplar_, fitted)};
-    } catch (const Cancelled&) {
+    } catch (const FitCancelled&) {
         // for something else
     } catch (const std::exception& error) {
         failure_ = error.what();

@@ -26,6 +26,7 @@ class Help(ProgramTest):
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
                               "--zoom", "--material"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
+                   "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",)}
         for command, names in options.items():
             text = self.succeed(command, "--help")

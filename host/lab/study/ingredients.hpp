@@ -15,9 +15,7 @@ struct PlaneWave {
     double orientation = std::numbers::pi / 4; ///< radians
 };
 
-using Wave = PlaneWave; // the window's name for it
-
-/// In the order of shaders/gabor_ingredients.glsl.
+/// In the order of passes/gabor_ingredients.glsl.
 enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
 enum class Weights { uniform, bernoulli, none };
 enum class Kernel { cosine, sine, random_phase };

@@ -20,7 +20,7 @@ namespace gabor::study {
 
 namespace {
 
-constexpr std::size_t batch = std::size_t{1} << 20; // values
+constexpr std::size_t dispatch_size = std::size_t{1} << 20; // values
 
 constexpr render::RecipeModules drop_in_modules{
     drop_in_spirv, {drop_in_lattice_2_spirv, drop_in_lattice_3_spirv, drop_in_lattice_4_spirv}};
@@ -45,11 +45,11 @@ Noise::Noise(const vulkan::Device& device, std::span<const std::uint32_t> spirv,
              double cells_per_radius)
     : wave_(wave), amplitude_(amplitude), cells_per_radius_(cells_per_radius),
       pass_(device, spirv, {1, sizeof(passes::PlacesPush)}, constants),
-      values_(device, batch * sizeof(float),
+      values_(device, dispatch_size * sizeof(float),
               device.unified() ? vulkan::Memory::readback : vulkan::Memory::device),
       job_(device, pass_, {values_}) {
     if (!device.unified())
-        staging_.emplace(device, batch * sizeof(float), vulkan::Memory::readback);
+        staging_.emplace(device, dispatch_size * sizeof(float), vulkan::Memory::readback);
 }
 
 double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
@@ -67,8 +67,8 @@ double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t firs
     push.place_seed = place_seed;
     push.noise_seed = noise_seed;
     double seconds = 0;
-    for (std::size_t done = 0; done < values.size(); done += batch) {
-        const std::span<float> part = values.subspan(done, std::min(batch, values.size() - done));
+    for (std::size_t done = 0; done < values.size(); done += dispatch_size) {
+        const std::span<float> part = values.subspan(done, std::min(dispatch_size, values.size() - done));
         push.first = first + static_cast<std::uint32_t>(done >> 2 * grid.bits);
         push.count = static_cast<std::uint32_t>(part.size());
         std::optional<vulkan::Job::Copy> copy;
