@@ -15,7 +15,7 @@ OSL_SHADER = NODES / "osl" / "gabor_lattice.osl"
 
 # What the library takes from the drop-in as it is.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
-             "gabor_impl_product", "gabor_impl_wave"]
+             "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
 TAKEN = r"(// ---- From gabor_lattice\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
 FUNCTION = re.compile(r"^(?P<type>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\)\s*\{\n(?P<body>.*?)^\}\n",
                       re.MULTILINE | re.DOTALL)

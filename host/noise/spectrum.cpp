@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gabor::noise {
 
@@ -89,32 +88,6 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed) {
 
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
     return waves(lobes, seed, true);
-}
-
-std::vector<Wave> directed_waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
-    std::vector<Wave> all;
-    for (const Wave& wave : waves_in_space(lobes, seed)) {
-        if (!wave.isotropic) {
-            all.push_back(wave);
-            continue;
-        }
-        // Along a spiral over half the sphere: gabor_impl_direction of shaders/gabor_lattice_3d.glsl.
-        const double frequency = wave.frequency * wave.radius;
-        const double count = 8 + 8 * std::min(frequency * frequency, 64.0);
-        const auto power = [](double size) { return size * size * 1.05 / (size + 0.05); };
-        const double whole = std::floor(count);
-        for (int i = 0; i < count; ++i) {
-            const double size = std::min(count - i, 1.0);
-            Wave directed = wave;
-            directed.isotropic = false;
-            directed.rise = (i + size / 2) / count;
-            directed.angle = 2 * std::numbers::pi * (0.61803399 * i - std::floor(0.61803399 * i));
-            directed.share *= power(size) / (whole + power(count - whole));
-            directed.seed = lobe_seed(wave.seed, i);
-            all.push_back(directed);
-        }
-    }
-    return all;
 }
 
 std::vector<double> radii(std::span<const Wave> waves) {

@@ -17,7 +17,6 @@ struct Wave {
     std::uint32_t seed = 0;
     /// In space: whether it goes in all directions. `angle` is then without meaning.
     bool isotropic = false;
-    double rise = 0; ///< in space: the sine of its angle with the plane z = 0
 };
 
 /// The noises whose sum has a plane's power spectrum, those of shaders/gabor_spectrum.glsl. A single lobe has
@@ -27,10 +26,6 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed);
 /// The same in space, where an orientation spread of 90 degrees is every direction, and others spread in the
 /// plane z = 0.
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
-
-/// The same with a wave for each of the directions that shaders/gabor_lattice_3d.glsl adds up to isotropic
-/// noise.
-std::vector<Wave> directed_waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
 
 /// The different kernel radii among them, in the order in which they come.
 std::vector<double> radii(std::span<const Wave> waves);

@@ -45,9 +45,8 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
-    const double level = frequency * std::sqrt(1 - wave.rise * wave.rise);
-    const double wave_x = level * std::cos(wave.angle);
-    const double wave_y = level * std::sin(wave.angle);
+    const double wave_x = frequency * std::cos(wave.angle);
+    const double wave_y = frequency * std::sin(wave.angle);
     // The sparse noise's variance is in proportion to the number of impulses per unit area.
     const double normalized =
         recipe.is_lattice()
@@ -60,14 +59,13 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
                             turn(wave_y / scale),
                             static_cast<float>(amplitude * normalized),
                             wave.seed,
-                            static_cast<float>(frequency * wave.rise),
                             {}};
     put_weights(result.weights, request, index);
     return result;
 }
 
 std::vector<noise::Wave> waves_of(const Request& request) {
-    return in_space(request) ? noise::directed_waves_in_space(request.lobes, request.seed)
+    return in_space(request) ? noise::waves_in_space(request.lobes, request.seed)
                              : noise::waves(request.lobes, request.seed);
 }
 
@@ -147,7 +145,8 @@ vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request
 
 bool Bake::can_fill(const Request& request) {
     const bool flat =
-        std::holds_alternative<Plane>(request.view) || std::holds_alternative<Slice>(request.view);
+        std::holds_alternative<Plane>(request.view) ||
+        (std::holds_alternative<Slice>(request.view) && std::ranges::none_of(request.lobes, is_isotropic));
     return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
 }
 

@@ -100,7 +100,7 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
 class Bake : public RegionRenderer {
   public:
     /// Whether it can: flat pictures and slices seen sharply, without paint, of channels that add up as
-    /// noises do, or in colour.
+    /// noises do, or in colour. Isotropic noise in space has no wave that all nodes share.
     static bool can_fill(const Request& request);
 
     /// `request` must have passed `check`, and `region` lie within it.

@@ -13,8 +13,8 @@
 //
 // For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
-// A slice of the noise in space is noise in the plane too, with the sum of three nodes along z, each times its window and
-// wave, for an amplitude.
+// A slice of the noise in space, whose waves are level, is noise in the plane too: the sum of three nodes along z, each
+// times its window, is an amplitude.
 //
 // A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
 // of which passes/bake_colour.comp makes colours.
@@ -61,10 +61,10 @@ vec2 rotated(vec2 z, vec2 by) {
 // The nodes along z that reach the slice: a word and a factor for each.
 struct Depth {
     uint word[3];
-    vec2 factor[3];
+    float factor[3];
 };
 
-Depth depth_of(float wave, uint salt) {
+Depth depth_of(uint salt) {
     Depth depth;
 #if GABOR_TAPS == 3
     if (slice) {
@@ -73,8 +73,7 @@ Depth depth_of(float wave, uint salt) {
         gabor_impl_windows(slice_offset, windows, slopes);
         [[unroll]] for (int i = 0; i < 3; ++i) {
             depth.word[i] = gabor_impl_line_word(first_slice + i, salt ^ GABOR_IMPL_SLICES);
-            depth.factor[i] = inversesqrt(GABOR_IMPL_ENERGY) * windows[i]
-                            * gabor_impl_wave(wave * (slice_offset + 1.0 - float(i)) / GABOR_RADIUS);
+            depth.factor[i] = inversesqrt(GABOR_IMPL_ENERGY) * windows[i];
         }
     }
 #endif
@@ -87,7 +86,7 @@ vec2 node_amplitude(uint column, uint row, Depth depth) {
         vec2 sum = vec2(0.0);
         [[unroll]] for (int i = 0; i < 3; ++i) {
             uint word = column * gabor_impl_slice_word(row, depth.word[i]);
-            sum += rotated(gabor_impl_amplitude_at(word, animated, time), depth.factor[i]);
+            sum += depth.factor[i] * gabor_impl_amplitude_at(word, animated, time);
         }
         return sum;
     }
@@ -130,7 +129,7 @@ void fill(Run across, Run down, uint index) {
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
     uint salt = gabor_impl_salt(seed);
-    Depth depth = depth_of(waves[index].depth_wave, salt);
+    Depth depth = depth_of(salt);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
         vec2 node[GABOR_TAPS];

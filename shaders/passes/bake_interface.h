@@ -24,8 +24,7 @@ struct BakeWave {
     vec2 row_turn;    // and from one row to the next
     float amplitude;  // what it is multiplied with; for the sparse noise, what normalizes it too
     uint seed;
-    float depth_wave; // of a slice of space: the third of `wave`
-    vec2 weights[3];  // in the components of colours, of (quadrature, noise)
+    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
 };
 
 // The noises of one kernel radius: their pixels fall into the same runs.

@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for WGSL.
 //
 // Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 76f11df77f1fecc6
+// Digest of the GLSL and of this file: 117bcbdf34de2f38
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -81,7 +81,7 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
     var x_5: vec4<f32>;
-    var y_6: vec4<f32>;
+    var y_5: vec4<f32>;
     var slope_x_1: vec4<f32>;
     var slope_y_1: vec4<f32>;
     var salt_5: u32;
@@ -104,7 +104,7 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     gabor_impl_splines((_e13.local.x - _e16.x), (&x_5), (&slope_x_1));
     let _e23 = place_8;
     let _e26 = zero_1;
-    gabor_impl_splines((_e23.local.y - _e26.y), (&y_6), (&slope_y_1));
+    gabor_impl_splines((_e23.local.y - _e26.y), (&y_5), (&slope_y_1));
     let _e33 = gabor_impl_salt(seed);
     salt_5 = _e33;
     let _e35 = place_8;
@@ -123,28 +123,28 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     let _e73 = rows;
     let _e76 = x_5;
     let _e77 = slope_x_1;
-    let _e78 = y_6;
+    let _e78 = y_5;
     let _e80 = slope_y_1;
     gabor_impl_add_hills((&hills), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
     let _e84 = columns;
     let _e85 = rows;
     let _e88 = x_5;
     let _e89 = slope_x_1;
-    let _e90 = y_6;
+    let _e90 = y_5;
     let _e92 = slope_y_1;
     gabor_impl_add_hills((&hills), (_e84 * _e85.y), _e88, _e89, _e90.y, _e92.y);
     let _e96 = columns;
     let _e97 = rows;
     let _e100 = x_5;
     let _e101 = slope_x_1;
-    let _e102 = y_6;
+    let _e102 = y_5;
     let _e104 = slope_y_1;
     gabor_impl_add_hills((&hills), (_e96 * _e97.z), _e100, _e101, _e102.z, _e104.z);
     let _e108 = columns;
     let _e109 = rows;
     let _e112 = x_5;
     let _e113 = slope_x_1;
-    let _e114 = y_6;
+    let _e114 = y_5;
     let _e116 = slope_y_1;
     gabor_impl_add_hills((&hills), (_e108 * _e109.w), _e112, _e113, _e114.w, _e116.w);
     let _e120 = hills;

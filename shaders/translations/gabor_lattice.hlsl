@@ -238,15 +238,19 @@ void gabor_impl_add(inout float4 sums, float4 pair, float2 z) {
     sums = sums + z.x * pair + z.y * float4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
+// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+float2 gabor_impl_half_turn(float t) {
+    float s = t * t, r = s * s;
+    return float2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
+                t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
+}
+
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 float2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
-    float y = abs(t) - 0.25;
-    float s = y * y, r = s * s;
-    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
-    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
-    return float2(y * cosine, t < 0.0 ? -sine : sine);
+    float2 turn = gabor_impl_half_turn(0.25 - abs(t));
+    return float2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per

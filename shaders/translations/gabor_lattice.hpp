@@ -514,15 +514,19 @@ GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
+// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+GABOR_INLINE gabor_vec2 gabor_impl_half_turn(float t) {
+    float s = t * t, r = s * s;
+    return gabor_vec2((1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r),
+                t * ((6.2831852f - 41.341655f * s) + r * ((81.601004f - 76.549782f * s) + 39.536707f * r)));
+}
+
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
+// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
     t -= gabor_cpp_floor(t + 0.5f);
-    float y = gabor_cpp_abs(t) - 0.25f;
-    float s = y * y, r = s * s;
-    float cosine = (41.341655f * s - 6.2831852f) + r * ((76.549782f * s - 81.601004f) - 39.536707f * r);
-    float sine = (1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r);
-    return gabor_vec2(y * cosine, t < 0.0f ? -sine : sine);
+    gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(t));
+    return gabor_vec2(turn.y, t < 0.0f ? -turn.x : turn.x);
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per

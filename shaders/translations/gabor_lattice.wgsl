@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 84ecea655d8da24a
+// Digest of the GLSL and of this file: 008b228a399f36bf
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -508,8 +508,45 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var salt_3: u32;
         var x_3: GaborAxis;
+        var y_2: GaborAxis;
+        var turn_5: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_2 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_2;
+        let _e44 = y_2;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_5 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_2;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_5;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
+        return _e72;
+    } else if GABOR_TAPS == 4 {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
         var y_3: GaborAxis;
-        var turn_4: vec2<f32>;
+        var turn_5: vec2<f32>;
         var sum_3: vec4<f32>;
         var slope_5: vec4<f32>;
 
@@ -531,50 +568,13 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e42 = y_3;
         let _e44 = y_3;
         let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
+        turn_5 = _e48;
         let _e52 = x_3;
         let _e53 = y_3;
         gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
         let _e60 = sum_3;
         let _e61 = slope_5;
-        let _e62 = turn_4;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
-        return _e72;
-    } else if GABOR_TAPS == 4 {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_4: GaborAxis;
-        var turn_4: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_4 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_4;
-        let _e44 = y_4;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_4;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_4;
+        let _e62 = turn_5;
         let _e63 = kernel_1;
         let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
         return _e72;
@@ -582,8 +582,8 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         var kernel_1: GaborKernel;
         var salt_3: u32;
         var x_3: GaborAxis;
-        var y_4: GaborAxis;
-        var turn_4: vec2<f32>;
+        var y_3: GaborAxis;
+        var turn_5: vec2<f32>;
         var sum_3: vec4<f32>;
         var slope_5: vec4<f32>;
 
@@ -599,19 +599,19 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
         let _e29 = salt_3;
         let _e30 = kernel_1;
         let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_4 = _e35;
+        y_3 = _e35;
         let _e37 = x_3;
         let _e39 = x_3;
-        let _e42 = y_4;
-        let _e44 = y_4;
+        let _e42 = y_3;
+        let _e44 = y_3;
         let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_4 = _e48;
+        turn_5 = _e48;
         let _e52 = x_3;
-        let _e53 = y_4;
+        let _e53 = y_3;
         gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
         let _e60 = sum_3;
         let _e61 = slope_5;
-        let _e62 = turn_4;
+        let _e62 = turn_5;
         let _e63 = kernel_1;
         let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
         return _e72;
@@ -725,63 +725,63 @@ fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>)
     return;
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = |t| - 1/4, cos(2 pi t) = -sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), |2 pi y| <= pi/2: minimax polynomials.
-fn gabor_impl_wave(t: f32) -> vec2<f32> {
-    var t_1: f32;
-    var y: f32;
+// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     var s: f32;
     var r: f32;
-    var cosine: f32;
-    var sine: f32;
+
+    s = (t * t);
+    let _e3 = s;
+    let _e4 = s;
+    r = (_e3 * _e4);
+    let _e9 = s;
+    let _e12 = r;
+    let _e15 = s;
+    let _e19 = r;
+    let _e26 = s;
+    let _e29 = r;
+    let _e32 = s;
+    let _e36 = r;
+    return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
+}
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+fn gabor_impl_wave(t: f32) -> vec2<f32> {
+    var t_2: f32;
+    var turn: vec2<f32>;
     var local: f32;
 
-    t_1 = t;
-    let _e2 = t_1;
-    let _e3 = t_1;
-    t_1 = (_e2 - floor((_e3 + 0.5f)));
-    let _e8 = t_1;
-    y = (abs(_e8) - 0.25f);
-    let _e13 = y;
-    let _e14 = y;
-    s = (_e13 * _e14);
-    let _e17 = s;
-    let _e18 = s;
-    r = (_e17 * _e18);
-    let _e22 = s;
-    let _e26 = r;
-    let _e28 = s;
-    let _e33 = r;
-    cosine = (((41.341656f * _e22) - 6.283185f) + (_e26 * (((76.54978f * _e28) - 81.601006f) - (39.53671f * _e33))));
-    let _e41 = s;
-    let _e44 = r;
-    let _e47 = s;
-    let _e51 = r;
-    sine = ((1f - (19.73917f * _e41)) + (_e44 * ((64.93459f - (85.24033f * _e47)) + (56.24243f * _e51))));
-    let _e57 = y;
-    let _e58 = cosine;
-    let _e60 = t_1;
-    if (_e60 < 0f) {
-        let _e63 = sine;
-        local = -(_e63);
+    t_2 = t;
+    let _e2 = t_2;
+    let _e3 = t_2;
+    t_2 = (_e2 - floor((_e3 + 0.5f)));
+    let _e9 = t_2;
+    let _e12 = gabor_impl_half_turn((0.25f - abs(_e9)));
+    turn = _e12;
+    let _e14 = turn;
+    let _e16 = t_2;
+    if (_e16 < 0f) {
+        let _e19 = turn;
+        local = -(_e19.x);
     } else {
-        let _e65 = sine;
-        local = _e65;
+        let _e22 = turn;
+        local = _e22.x;
     }
-    let _e67 = local;
-    return vec2<f32>((_e57 * _e58), _e67);
+    let _e25 = local;
+    return vec2<f32>(_e14.y, _e25);
 }
 
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     if GABOR_TAPS == 2 {
-        var t_2: f32;
+        var t_3: f32;
         var s_1: f32;
         var scale: f32;
 
-        t_2 = (x + 1f);
-        let _e6 = t_2;
-        let _e7 = t_2;
-        let _e11 = t_2;
+        t_3 = (x + 1f);
+        let _e6 = t_3;
+        let _e7 = t_3;
+        let _e11 = t_3;
         s_1 = ((_e6 * _e7) * (3f - (2f * _e11)));
         let _e18 = s_1;
         let _e21 = s_1;
@@ -790,8 +790,8 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         let _e29 = s_1;
         let _e31 = s_1;
         (*value) = (_e27 * vec4<f32>((1f - _e29), _e31, 0f, 0f));
-        let _e37 = t_2;
-        let _e40 = t_2;
+        let _e37 = t_3;
+        let _e40 = t_3;
         let _e43 = scale;
         let _e45 = scale;
         let _e47 = scale;
@@ -801,30 +801,30 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         return;
     } else if GABOR_TAPS == 4 {
         var z_1: f32;
-        var y_1: f32;
-        var cosine_1: f32;
-        var sine_1: f32;
+        var y: f32;
+        var cosine: f32;
+        var sine: f32;
         var c: f32;
         var s_1: f32;
 
         z_1 = (x - 0.5f);
         let _e6 = z_1;
         let _e7 = z_1;
-        y_1 = (_e6 * _e7);
-        let _e11 = y_1;
-        let _e13 = y_1;
-        let _e15 = y_1;
-        cosine_1 = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
+        y = (_e6 * _e7);
+        let _e11 = y;
+        let _e13 = y;
+        let _e15 = y;
+        cosine = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
         let _e24 = z_1;
-        let _e26 = y_1;
-        let _e28 = y_1;
-        let _e30 = y_1;
-        sine_1 = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
-        let _e40 = cosine_1;
-        let _e41 = sine_1;
+        let _e26 = y;
+        let _e28 = y;
+        let _e30 = y;
+        sine = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
+        let _e40 = cosine;
+        let _e41 = sine;
         c = (_e40 - _e41);
-        let _e44 = cosine_1;
-        let _e45 = sine_1;
+        let _e44 = cosine;
+        let _e45 = sine;
         s_1 = (_e44 + _e45);
         let _e49 = s_1;
         let _e51 = c;
@@ -838,20 +838,20 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
         (*slope) = (3.1415927f * vec4<f32>(-(_e59), -(_e61), _e63, _e64));
         return;
     } else {
-        var y_1: f32;
+        var y: f32;
         var c: f32;
         var s_1: f32;
         var a_1: f32;
         var b_1: f32;
 
-        y_1 = (x * x);
-        let _e6 = y_1;
-        let _e8 = y_1;
-        let _e10 = y_1;
+        y = (x * x);
+        let _e6 = y;
+        let _e8 = y;
+        let _e10 = y;
         c = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
-        let _e20 = y_1;
-        let _e22 = y_1;
-        let _e24 = y_1;
+        let _e20 = y;
+        let _e22 = y;
+        let _e24 = y;
         s_1 = (x * (0.9068996f - (_e20 * (0.66301125f - (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
         let _e36 = c;
         a_1 = (0.5f - (0.5f * _e36));
@@ -909,7 +909,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         var zero: f32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
-        var turn: vec2<f32>;
+        var turn_1: vec2<f32>;
         var back: vec2<f32>;
         var twice: vec2<f32>;
         var first: i32;
@@ -922,19 +922,19 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
         let _e42 = axis;
         let _e44 = gabor_impl_wave(_e42.turns);
-        turn = _e44;
-        let _e46 = turn;
-        let _e48 = turn;
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
         back = vec2<f32>(_e46.x, -(_e48.y));
         let _e53 = back;
         let _e54 = back;
         let _e55 = gabor_impl_product(_e53, _e54);
         twice = _e55;
         let _e60 = value_1;
-        let _e62 = turn;
+        let _e62 = turn_1;
         let _e63 = (_e60.x * _e62);
         let _e64 = slope_1;
-        let _e66 = turn;
+        let _e66 = turn_1;
         let _e67 = (_e64.x * _e66);
         axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
         let _e76 = value_1;
@@ -979,7 +979,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         var zero: f32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
-        var turn: vec2<f32>;
+        var turn_1: vec2<f32>;
         var back: vec2<f32>;
         var twice: vec2<f32>;
         var first: i32;
@@ -992,19 +992,19 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
         let _e42 = axis;
         let _e44 = gabor_impl_wave(_e42.turns);
-        turn = _e44;
-        let _e46 = turn;
-        let _e48 = turn;
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
         back = vec2<f32>(_e46.x, -(_e48.y));
         let _e53 = back;
         let _e54 = back;
         let _e55 = gabor_impl_product(_e53, _e54);
         twice = _e55;
         let _e60 = value_1;
-        let _e62 = turn;
+        let _e62 = turn_1;
         let _e63 = (_e60.x * _e62);
         let _e64 = slope_1;
-        let _e66 = turn;
+        let _e66 = turn_1;
         let _e67 = (_e64.x * _e66);
         axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
         let _e76 = value_1;
@@ -1049,7 +1049,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         var zero: f32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
-        var turn: vec2<f32>;
+        var turn_1: vec2<f32>;
         var back: vec2<f32>;
         var twice: vec2<f32>;
         var first: i32;
@@ -1062,19 +1062,19 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
         let _e42 = axis;
         let _e44 = gabor_impl_wave(_e42.turns);
-        turn = _e44;
-        let _e46 = turn;
-        let _e48 = turn;
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
         back = vec2<f32>(_e46.x, -(_e48.y));
         let _e53 = back;
         let _e54 = back;
         let _e55 = gabor_impl_product(_e53, _e54);
         twice = _e55;
         let _e60 = value_1;
-        let _e62 = turn;
+        let _e62 = turn_1;
         let _e63 = (_e60.x * _e62);
         let _e64 = slope_1;
-        let _e66 = turn;
+        let _e66 = turn_1;
         let _e67 = (_e64.x * _e66);
         axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
         let _e76 = value_1;
@@ -1123,7 +1123,7 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second: u32;
     var third: u32;
-    var turn_1: vec2<f32>;
+    var turn_2: vec2<f32>;
 
     let _e3 = gabor_impl_amplitude(word);
     amplitude = _e3;
@@ -1136,13 +1136,13 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     let _e14 = second;
     third = ((_e13 ^ (_e14 >> 15u)) * 3545902487u);
     let _e21 = gabor_impl_wave(time);
-    turn_1 = _e21;
-    let _e25 = turn_1;
+    turn_2 = _e21;
+    let _e25 = turn_2;
     let _e29 = amplitude;
-    let _e33 = turn_1;
+    let _e33 = turn_2;
     let _e37 = second;
     let _e38 = gabor_impl_amplitude(_e37);
-    let _e42 = turn_1;
+    let _e42 = turn_2;
     let _e45 = third;
     let _e46 = gabor_impl_amplitude(_e45);
     return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
@@ -1285,89 +1285,89 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
 // times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
-        var turn_3: vec2<f32>;
+        var turn_4: vec2<f32>;
         var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
-        turn_3 = turn;
-        let _e6 = turn_3;
+        turn_4 = turn;
+        let _e6 = turn_4;
         if true {
             local_3 = 1f;
         } else {
             local_3 = 0.75f;
         }
         let _e18 = local_3;
-        turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);
         value_2 = _e24;
         let _e27 = value_2;
         let _e30 = value_2;
         turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
         let _e35 = value_2;
-        let _e38 = turn_3;
+        let _e38 = turn_4;
         let _e39 = gabor_impl_product(sum.zw, _e38);
         let _e42 = turned;
-        let _e47 = turn_3;
+        let _e47 = turn_4;
         let _e48 = gabor_impl_product(slope.xy, _e47);
         let _e51 = turned;
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else if GABOR_TAPS == 4 {
-        var turn_3: vec2<f32>;
+        var turn_4: vec2<f32>;
         var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
-        turn_3 = turn;
-        let _e6 = turn_3;
+        turn_4 = turn;
+        let _e6 = turn_4;
         if false {
             local_3 = 1f;
         } else {
             local_3 = 1.5f;
         }
         let _e18 = local_3;
-        turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);
         value_2 = _e24;
         let _e27 = value_2;
         let _e30 = value_2;
         turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
         let _e35 = value_2;
-        let _e38 = turn_3;
+        let _e38 = turn_4;
         let _e39 = gabor_impl_product(sum.zw, _e38);
         let _e42 = turned;
-        let _e47 = turn_3;
+        let _e47 = turn_4;
         let _e48 = gabor_impl_product(slope.xy, _e47);
         let _e51 = turned;
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else {
-        var turn_3: vec2<f32>;
+        var turn_4: vec2<f32>;
         var local_3: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
-        turn_3 = turn;
-        let _e6 = turn_3;
+        turn_4 = turn;
+        let _e6 = turn_4;
         if false {
             local_3 = 1f;
         } else {
             local_3 = 1.125f;
         }
         let _e18 = local_3;
-        turn_3 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);
         value_2 = _e24;
         let _e27 = value_2;
         let _e30 = value_2;
         turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
         let _e35 = value_2;
-        let _e38 = turn_3;
+        let _e38 = turn_4;
         let _e39 = gabor_impl_product(sum.zw, _e38);
         let _e42 = turned;
-        let _e47 = turn_3;
+        let _e47 = turn_4;
         let _e48 = gabor_impl_product(slope.xy, _e47);
         let _e51 = turned;
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: materials made of Gabor noise: for WGSL.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: dc714f98e0ab72f9
+// Digest of the GLSL and of this file: 5ee13d0cb9161960
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -278,15 +278,15 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 
 // The place in axes turned by an angle.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_9: vec2<f32>;
+    var turn_10: vec2<f32>;
 
     let _e5 = gabor_impl_wave((-0.15915494f * angle));
-    turn_9 = _e5;
-    let _e7 = turn_9;
+    turn_10 = _e5;
+    let _e7 = turn_10;
     let _e9 = gabor_impl_product(_e7, pixel.p);
-    let _e10 = turn_9;
+    let _e10 = turn_10;
     let _e12 = gabor_impl_product(_e10, pixel.dx);
-    let _e13 = turn_9;
+    let _e13 = turn_10;
     let _e15 = gabor_impl_product(_e13, pixel.dy);
     return GaborPixel(_e9, _e12, _e15, pixel.filtered);
 }
@@ -1164,7 +1164,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_10: f32;
+    var turn_11: f32;
     var first_3: bool;
     var local_32: vec3<f32>;
     var fibre_2: vec3<f32>;
@@ -1200,8 +1200,8 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     within_2 = ((_e38 * _e39.p) - _e42);
     let _e47 = tow;
     let _e49 = tow;
-    turn_10 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
-    let _e60 = turn_10;
+    turn_11 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
+    let _e60 = turn_11;
     first_3 = (_e60 < 1.5f);
     let _e64 = first_3;
     if _e64 {
@@ -1224,7 +1224,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e75 = local_33;
     along_across = _e75;
     let _e78 = along_across;
-    let _e81 = turn_10;
+    let _e81 = turn_11;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
         local_34 = 0f;
     } else {

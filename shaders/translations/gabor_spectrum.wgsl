@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise of any power spectrum, and without aliasing: for WGSL.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: cfbd7f03926f4411
+// Digest of the GLSL and of this file: b89ce8aac15d84b7
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
@@ -1037,7 +1037,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var part_1: vec2<f32>;
     var inside: vec2<f32>;
     var fade: vec2<f32>;
-    var turn_5: vec2<f32>;
+    var turn_6: vec2<f32>;
     var value_6: vec4<f32>;
     var slope_8: vec4<f32>;
 
@@ -1058,14 +1058,14 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     fade = (_e53 * (_e54 * (vec2(3f) - (2f * _e57))));
     let _e63 = (*axis);
     let _e65 = gabor_impl_wave(_e63.turns);
-    turn_5 = _e65;
+    turn_6 = _e65;
     let _e69 = (*axis);
     gabor_impl_windows(_e69.offset, (&value_6), (&slope_8));
     let _e78 = value_6;
     let _e80 = slope_8;
     let _e82 = part_1;
     let _e83 = fade;
-    let _e85 = turn_5;
+    let _e85 = turn_6;
     let _e87 = gabor_impl_filtered_node(_e78.x, _e80.x, _e82, (_e83.x * _e85));
     (*axis).node[0i] = _e87;
     let _e91 = value_6;
@@ -1077,8 +1077,8 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e105 = slope_8;
     let _e107 = part_1;
     let _e108 = fade;
-    let _e110 = turn_5;
-    let _e112 = turn_5;
+    let _e110 = turn_6;
+    let _e112 = turn_6;
     let _e117 = gabor_impl_filtered_node(_e103.z, _e105.z, _e107, (_e108.y * vec2<f32>(_e110.x, -(_e112.y))));
     (*axis).node[2i] = _e117;
     return;
@@ -1089,7 +1089,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var blurred_1: vec2<f32>;
     var columns: GaborAxis;
     var rows: GaborAxis;
-    var turn_6: vec2<f32>;
+    var turn_7: vec2<f32>;
     var sum_7: vec4<f32>;
     var slope_9: vec4<f32>;
 
@@ -1104,7 +1104,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     let _e39 = rows;
     let _e41 = rows;
     let _e45 = gabor_impl_wave(((_e34.offset * _e36.turns) + (_e39.offset * _e41.turns)));
-    turn_6 = _e45;
+    turn_7 = _e45;
     let _e49 = blurred_1;
     gabor_impl_filter((&columns), s.x, _e49.x);
     let _e54 = blurred_1;
@@ -1119,7 +1119,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     let _e78 = sum_7;
     let _e79 = slope_9;
     let _e82 = blurred_1;
-    let _e86 = turn_6;
+    let _e86 = turn_7;
     let _e90 = gabor_impl_field(_e78, _e79, (exp((-19.739208f * dot(wave, _e82))) * _e86), wave, vec2(1f));
     return _e90;
 }
@@ -1162,7 +1162,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     var fall: f32;
     var rise_1: f32;
     var sink: f32;
-    var t_2: f32;
+    var t_3: f32;
     var wave_13: vec3<f32>;
     var fall_4_: f32;
     var above: vec3<f32>;
@@ -1224,9 +1224,9 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     let _e100 = rise_1;
     sink = (1f / _e100);
     let _e103 = b_2;
-    t_2 = (_e103.reach - 2f);
-    let _e113 = t_2;
-    let _e119 = t_2;
+    t_3 = (_e103.reach - 2f);
+    let _e113 = t_3;
+    let _e119 = t_3;
     wave_13 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e130 = fall;
     let _e131 = fall;
@@ -1390,12 +1390,12 @@ struct GaborColumns {
 
 fn gabor_impl_columns(b: GaborBand) -> GaborColumns {
     var columns_1: GaborColumns;
-    var turn_8: vec2<f32>;
+    var turn_9: vec2<f32>;
 
     let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
-    turn_8 = _e7;
+    turn_9 = _e7;
     columns_1.five = (b.count == 5i);
-    let _e15 = turn_8;
+    let _e15 = turn_9;
     let _e20 = gabor_impl_fade(b, 0i);
     let _e21 = gabor_impl_filtered_line(b, 0i, _e15, vec2<f32>(1f, 0f), _e20);
     columns_1.column_0_ = _e21;
@@ -1507,7 +1507,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var mean: vec2<f32>;
     var before: vec2<f32>;
     var x_5: vec2<f32>;
-    var y_5: vec2<f32>;
+    var y_4: vec2<f32>;
     var local_19: f32;
     var scale_1: f32;
 
@@ -1640,7 +1640,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e257 = next_y;
     let _e259 = before;
     let _e261 = next_x;
-    y_5 = (6.2831855f * (((_e253.y * _e255) + _e257) - (_e259.y * _e261)));
+    y_4 = (6.2831855f * (((_e253.y * _e255) + _e257) - (_e259.y * _e261)));
     let _e267 = lambda;
     let _e268 = lambda;
     let _e272 = exponent_1;
@@ -1657,8 +1657,8 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e294 = x_5;
     let _e297 = x_5;
     let _e301 = scale_1;
-    let _e302 = y_5;
-    let _e305 = y_5;
+    let _e302 = y_4;
+    let _e305 = y_4;
     return GaborField((_e290 * _e291), (_e293 * vec2<f32>(-(_e294.y), _e297.x)), (_e301 * vec2<f32>(-(_e302.y), _e305.x)));
 }
 
@@ -1719,7 +1719,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var pairs: vec3<f32>;
     var w_2: vec3<f32>;
     var x_6: GaborBand;
-    var y_6: GaborBand;
+    var y_5: GaborBand;
     var z_2: GaborBand;
     var columns_4: GaborColumns;
     var first_1: GaborLine;
@@ -1784,7 +1784,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e97 = c_5;
     let _e110 = gabor_impl_wave((wave.y / 1.5f));
     let _e111 = gabor_impl_band(sqrt(s.diagonal.y), _e95.y, _e97.y, cell.y, local.y, period.y, (salt ^ 1540483477u), _e110);
-    y_6 = _e111;
+    y_5 = _e111;
     let _e116 = d_1;
     let _e118 = c_5;
     let _e131 = gabor_impl_wave((wave.z / 1.5f));
@@ -1793,20 +1793,20 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e134 = x_6;
     let _e135 = gabor_impl_columns(_e134);
     columns_4 = _e135;
-    let _e137 = y_6;
-    let _e138 = y_6;
-    let _e141 = y_6;
+    let _e137 = y_5;
+    let _e138 = y_5;
+    let _e141 = y_5;
     let _e146 = gabor_impl_line_before(_e137, vec2<f32>(_e138.back.x, -(_e141.back.y)));
     first_1 = _e146;
     let _e148 = z_2;
     let _e149 = x_6;
-    let _e151 = y_6;
+    let _e151 = y_5;
     let _e153 = z_2;
     let _e164 = gabor_impl_wave((dot(wave, vec3<f32>(_e149.offset, _e151.offset, (_e153.offset + 1f))) / 1.5f));
     let _e165 = gabor_impl_line_before(_e148, _e164);
     slice_2 = _e165;
     if wanted {
-        let _e173 = y_6;
+        let _e173 = y_5;
         local_21 = _e173.count;
     } else {
         local_21 = 0i;
@@ -1843,9 +1843,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
             loop {
                 {
                     let _e216 = row_5;
-                    let _e217 = y_6;
+                    let _e217 = y_5;
                     let _e218 = j_3;
-                    let _e219 = y_6;
+                    let _e219 = y_5;
                     let _e220 = j_3;
                     let _e221 = gabor_impl_fade(_e219, _e220);
                     let _e222 = gabor_impl_next_line(_e216, _e217, _e218, _e221);

@@ -218,6 +218,8 @@ void see_all(int i) {
     SEE(gabor_noise_3d_animated(s.q, s.time, s.frequency, s.direction, s.seed))
     SEE(kept(gabor_noise_3d_filtered(s.q, s.dx_3d, s.dy_3d, s.frequency, s.direction, s.seed)))
     SEE(gabor_noise_3d_isotropic(s.q, s.frequency, s.seed))
+    SEE(kept(gabor_noise_3d_isotropic_gradient(s.q, s.frequency, s.seed) * vec4(1.0f, 0.1f, 0.1f, 0.1f)))
+    SEE(kept(gabor_noise_3d_isotropic_filtered(s.q, s.dx_3d, s.dy_3d, s.frequency, s.seed)))
     SEE(gabor_noise_surface(s.q, s.normal, s.frequency, s.direction, s.seed))
     SEE(gabor_noise_surface_isotropic(s.q, s.normal, 2.0f * s.frequency, s.seed))
     SEE(kept(gabor_field_3d(place, s.frequency, s.direction, s.seed)))

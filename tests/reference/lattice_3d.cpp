@@ -46,19 +46,6 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// Lobe `index` of a range of `count`, a real number: the middle of its share, from 0 to 1, and its power, in
-// proportion to s^2 / (s + 1/20) for a share of size s.
-std::array<double, 2> share(int index, double count) {
-    const auto power = [&](int i) {
-        const double size = std::min(count - i, 1.0);
-        return size * size / (size + 0.05);
-    };
-    double all = 0;
-    for (int i = 0; i < count; ++i)
-        all += power(i);
-    return {(index + std::min(count - index, 1.0) / 2) / count, power(index) / all};
-}
-
 // Of a normal filter: its two principal axes, as long as its standard deviations.
 std::array<Vector, 2> principal_axes(const Vector& dx, const Vector& dy) {
     const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));
@@ -197,20 +184,6 @@ double Lattice3d::removed(const Place& place, const Vector& dx, const Vector& dy
     return 1 - kept;
 }
 
-std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed) {
-    const double count = 8 + 8 * std::pow(std::min(frequency, 8.0), 2);
-    std::vector<WeightedWave> waves;
-    for (int i = 0; i < count; ++i) {
-        const auto [height, power] = share(i, count);
-        const double azimuth = 2 * pi * (std::sqrt(5.0) - 1) / 2 * i;
-        const double across = std::sqrt(1 - height * height);
-        waves.push_back({std::sqrt(power),
-                         scaled(frequency, {across * std::cos(azimuth), across * std::sin(azimuth), height}),
-                         lattice_lobe_seed(seed, i)});
-    }
-    return waves;
-}
-
 std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, const Vector& direction,
                                         std::uint32_t seed) {
     const Vector axis = std::abs(direction[2]) < 0.7 ? Vector{0, 0, 1} : Vector{1, 0, 0};
@@ -227,27 +200,164 @@ std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, 
     return waves;
 }
 
-std::vector<WeightedWave> surface_isotropic_waves(const Vector& normal, double frequency,
-                                                  std::uint32_t seed) {
-    const double count = 2 + 4.5 * std::min(frequency, 32.0);
+Isotropic3d::Isotropic3d(double frequency, std::uint32_t seed, bool animated)
+    : frequency_(frequency), seed_(seed), animated_(animated) {}
+
+Isotropic3d::Isotropic3d(double frequency, const Tangents& tangents, std::uint32_t seed, bool animated)
+    : frequency_(frequency), tangents_(tangents), seed_(seed), animated_(animated) {}
+
+Isotropic3d::Frame isotropic_frame(std::uint32_t word) {
+    const auto uniform = [](std::uint32_t bits) { return static_cast<std::int32_t>(bits) / 0x1p31; };
+    const double azimuth = pi / 2 * uniform(word);
+    const double rise = uniform(word << 12);
+    const double spin = pi / 4 * uniform(word << 20);
+    const double level = std::sqrt(1 - rise * rise);
+    const Vector first{level * std::cos(azimuth), level * std::sin(azimuth), rise};
+    const Vector level_one{-std::sin(azimuth), std::cos(azimuth), 0};
+    const Vector other = cross(first, level_one);
+    return {first, sum(std::cos(spin), level_one, std::sin(spin), other),
+            sum(-std::sin(spin), level_one, std::cos(spin), other)};
+}
+
+std::vector<Isotropic3d::Node> Isotropic3d::nodes(const Lattice3d::Place& place, const Vector& reach) const {
+    std::array<std::vector<std::pair<double, std::uint32_t>>, 3> lines; // where, and its word
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double around = reach[axis] + nodes_per_radius;
+        for (double i = std::ceil(place.local[axis] - around); i <= place.local[axis] + around; ++i) {
+            auto index = static_cast<std::int32_t>(
+                static_cast<std::uint32_t>(place.cell[axis] + static_cast<std::int64_t>(i)));
+            if (const std::int32_t period = place.period[axis])
+                index = (index % period + period) % period;
+            lines[axis].emplace_back(i, lattice_line_word(index, static_cast<int>(axis), seed_));
+        }
+    }
+    std::vector<Node> all;
+    for (const auto& [z, z_word] : lines[2]) {
+        for (const auto& [y, y_word] : lines[1]) {
+            std::array<std::uint32_t, 4> row{};
+            std::uint32_t mixed = y_word * z_word;
+            for (std::uint32_t& word : row) {
+                mixed = (mixed ^ mixed >> 15) * 0xd35a2d97u;
+                word = mixed >> 8 | 0x800001u;
+            }
+            for (const auto& [x, x_word] : lines[0]) {
+                const std::uint32_t word = x_word * row[3];
+                Frame frame = isotropic_frame(word);
+                std::size_t count = 3;
+                if (tangents_) {
+                    const double angle = pi / 2 * static_cast<std::int32_t>(word) / 0x1p31;
+                    const auto& [along, across] = *tangents_;
+                    frame[0] = sum(std::cos(angle), along, std::sin(angle), across);
+                    frame[1] = sum(-std::sin(angle), along, std::cos(angle), across);
+                    count = 2;
+                }
+                Node node{{x, y, z}, {}};
+                for (std::size_t m = 0; m < count; ++m)
+                    node.waves.push_back({scaled(frequency_, frame[m]),
+                                          (animated_ ? lattice_amplitude(x_word * row[m], place.time)
+                                                     : lattice_amplitude(x_word * row[m])) /
+                                              lattice_amplitude_deviation()});
+                all.push_back(node);
+            }
+        }
+    }
+    return all;
+}
+
+Lattice3d::Field Isotropic3d::field(const Lattice3d::Place& place) const {
+    return field(place, {}, nodes(place, {}));
+}
+
+Lattice3d::Field Isotropic3d::field(const Lattice3d::Place& place, const Vector& offset,
+                                    const std::vector<Node>& nodes) const {
+    using namespace std::complex_literals;
+    Lattice3d::Field field{};
+    for (const Node& node : nodes) {
+        Vector window{}, slope{}, distance{};
+        bool reaches = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double apart = place.local[axis] + offset[axis] - node.index[axis];
+            reaches = reaches && std::abs(apart) < nodes_per_radius;
+            window[axis] = (1 + std::cos(pi * apart / nodes_per_radius)) / 2;
+            slope[axis] =
+                -pi / 2 * std::sin(pi * apart / nodes_per_radius) * place.radius[axis] / nodes_per_radius;
+            distance[axis] = apart / double{place.radius[axis]};
+        }
+        if (!reaches)
+            continue;
+        const double all = window[0] * window[1] * window[2];
+        for (const auto& [wave, amplitude] : node.waves) {
+            // E[n^2] = E[|A|^2] / 2 (sum h^2)^3 for each wave of a node, sum h^2 = 9/8.
+            const std::complex<double> turned = std::pow(8.0 / 9, 1.5) /
+                                                std::sqrt(static_cast<double>(node.waves.size())) *
+                                                amplitude * std::exp(2i * pi * dot(wave, distance));
+            field.value += all * turned;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                field.slope[axis] += (slope[axis] * window[(axis + 1) % 3] * window[(axis + 2) % 3] +
+                                      2i * pi * wave[axis] * all) *
+                                     turned;
+        }
+    }
+    return field;
+}
+
+Lattice3d::Field Isotropic3d::filtered(const Lattice3d::Place& place, const Vector& dx,
+                                       const Vector& dy) const {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    Vector reach{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        reach[axis] = 6.001 * std::hypot(longer[axis], shorter[axis]) * place.radius[axis];
+    const std::vector<Node> around = nodes(place, reach);
+    const double step = std::min(0.06, 0.15 / (frequency_ + 1e-9));
+    Lattice3d::Field mean{};
+    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step)) {
+        Vector offset = sum(u, longer, v, shorter);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            offset[axis] *= place.radius[axis];
+        const Lattice3d::Field one = field(place, offset, around);
+        mean.value += weight * one.value;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mean.slope[axis] += weight * one.slope[axis];
+    }
+    return mean;
+}
+
+// As of Lattice3d. The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space and, with d along the
+// surface, J_0(t) there, t = 2 pi F |d|.
+double Isotropic3d::removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    const double apart = std::numbers::sqrt2;
+    double kept = 0;
+    for (const auto& [u, v, weight] : normal_points({apart * length(longer), apart * length(shorter)},
+                                                    std::min(0.06, 0.1 / (frequency_ + 1e-9)))) {
+        const Vector offset = sum(apart * u, longer, apart * v, shorter);
+        const double distance = tangents_
+                                    ? std::hypot(dot(offset, (*tangents_)[0]), dot(offset, (*tangents_)[1]))
+                                    : length(offset);
+        const double turn = 2 * pi * frequency_ * distance;
+        double correlation = tangents_ ? std::cyl_bessel_j(0, turn) : turn < 1e-6 ? 1 : std::sin(turn) / turn;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
+        kept += weight * correlation;
+    }
+    return 1 - kept;
+}
+
+std::vector<WeightedIsotropic> surface_isotropic(const Vector& normal, double frequency, std::uint32_t seed,
+                                                 bool animated) {
     const double first = smoothstep(0.25, 0.5, 1 - normal[2] * normal[2]);
     const double length = std::hypot(first, 1 - first);
-    std::vector<WeightedWave> waves;
-    const auto add = [&](const Vector& axis, double weight, int first_index) {
+    std::vector<WeightedIsotropic> terms;
+    const auto add = [&](const Vector& axis, double weight, int index) {
         if (weight == 0)
             return;
         const Vector along = unit(cross(axis, normal));
-        for (int i = 0; i < count; ++i) {
-            const auto [turn, power] = share(i, count);
-            waves.push_back({weight / length * std::sqrt(power),
-                             sum(frequency * std::cos(pi * turn), along, frequency * std::sin(pi * turn),
-                                 cross(normal, along)),
-                             lattice_lobe_seed(seed, first_index + i)});
-        }
+        terms.push_back({weight / length, Isotropic3d(frequency, {along, cross(normal, along)},
+                                                      lattice_lobe_seed(seed, index), animated)});
     };
     add({0, 0, 1}, first, 0);
-    add({1, 0, 0}, 1 - first, 256);
-    return waves;
+    add({1, 0, 0}, 1 - first, 1);
+    return terms;
 }
 
 } // namespace gabor::noise

@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gabor::noise {
@@ -59,12 +60,56 @@ struct WeightedWave {
     std::uint32_t seed;
 };
 
-/// The sums of gabor_noise_3d_isotropic, gabor_noise_surface and gabor_noise_surface_isotropic. Normals and
-/// directions have length 1.
-std::vector<WeightedWave> isotropic_waves(double frequency, std::uint32_t seed);
+/// The sum of gabor_noise_surface. Normals and directions have length 1.
 std::vector<WeightedWave> surface_waves(const Lattice3d::Vector& normal, double frequency,
                                         const Lattice3d::Vector& direction, std::uint32_t seed);
-std::vector<WeightedWave> surface_isotropic_waves(const Lattice3d::Vector& normal, double frequency,
-                                                  std::uint32_t seed);
+
+/// gabor_noise_3d_isotropic, or one of the two noises of gabor_noise_surface_isotropic: each node of the
+/// lattice has waves along a frame of its own,
+///     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
+class Isotropic3d {
+  public:
+    using Vector = Lattice3d::Vector;
+    using Frame = std::array<Vector, 3>;
+    /// Of length 1 and at right angles to each other and to a surface's normal.
+    using Tangents = std::array<Vector, 2>;
+
+    Isotropic3d(double frequency, std::uint32_t seed, bool animated = false);
+    Isotropic3d(double frequency, const Tangents& tangents, std::uint32_t seed, bool animated = false);
+
+    /// The same as of Lattice3d.
+    Lattice3d::Field field(const Lattice3d::Place& place) const;
+    Lattice3d::Field filtered(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;
+    double removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;
+
+  private:
+    struct Wave {
+        Vector wave;
+        std::complex<double> amplitude;
+    };
+    struct Node {
+        Vector index;
+        std::vector<Wave> waves;
+    };
+    std::vector<Node> nodes(const Lattice3d::Place& place, const Vector& reach) const;
+    Lattice3d::Field field(const Lattice3d::Place& place, const Vector& offset,
+                           const std::vector<Node>& nodes) const;
+
+    double frequency_;
+    std::optional<Tangents> tangents_;
+    std::uint32_t seed_;
+    bool animated_;
+};
+
+/// The frame of a node of noise in space, from its word.
+Isotropic3d::Frame isotropic_frame(std::uint32_t word);
+
+/// One of the noises of gabor_noise_surface_isotropic. The normal has length 1.
+struct WeightedIsotropic {
+    double weight;
+    Isotropic3d noise;
+};
+std::vector<WeightedIsotropic> surface_isotropic(const Lattice3d::Vector& normal, double frequency,
+                                                 std::uint32_t seed, bool animated = false);
 
 } // namespace gabor::noise

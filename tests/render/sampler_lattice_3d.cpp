@@ -9,6 +9,8 @@
 #include "passes/sample_lattice_3d_isotropic.h"
 #include "passes/sample_lattice_3d_noise.h"
 #include "passes/sample_lattice_3d_noise_isotropic.h"
+#include "passes/sample_lattice_3d_noise_isotropic_filtered.h"
+#include "passes/sample_lattice_3d_noise_isotropic_gradient.h"
 #include "passes/sample_lattice_3d_noise_surface.h"
 #include "passes/sample_lattice_3d_noise_surface_isotropic.h"
 #include "passes/sample_lattice_3d_surface.h"
@@ -43,6 +45,10 @@ std::span<const std::uint32_t> spirv_of(Entry3d entry) {
         return sample_lattice_3d_filtered_spirv;
     case Entry3d::noise_isotropic:
         return sample_lattice_3d_noise_isotropic_spirv;
+    case Entry3d::noise_isotropic_gradient:
+        return sample_lattice_3d_noise_isotropic_gradient_spirv;
+    case Entry3d::noise_isotropic_filtered:
+        return sample_lattice_3d_noise_isotropic_filtered_spirv;
     case Entry3d::noise_surface:
         return sample_lattice_3d_noise_surface_spirv;
     case Entry3d::noise_surface_isotropic:

@@ -47,6 +47,8 @@ enum class Entry3d : std::int32_t {
     animated,
     filtered,
     noise_isotropic,
+    noise_isotropic_gradient,
+    noise_isotropic_filtered,
     noise_surface,
     noise_surface_isotropic
 };

@@ -104,10 +104,10 @@ struct Samples {
 using Numbers = std::vector<std::array<double, 2>>;
 
 // For a field by place.
-Numbers numbers_of(const Lattice3d::Field& field, const LatticeSample3d& sample, double looser = 1) {
-    const double tight = looser * tolerance(sample.frequency);
+Numbers numbers_of(const Lattice3d::Field& field, const LatticeSample3d& sample) {
+    const double tight = tolerance(sample.frequency);
     // Where a window ends, the derivative of its slope jumps by pi^2 / 2 within the rounding of `local`.
-    double loose = looser * slope_tolerance(sample.frequency);
+    double loose = slope_tolerance(sample.frequency);
     for (const float local : sample.place.local)
         loose = std::max(loose, 5 * 0x1p-23 * std::abs(double{local}));
     Numbers numbers{{field.value.real(), tight}, {field.value.imag(), tight}};
@@ -117,6 +117,12 @@ Numbers numbers_of(const Lattice3d::Field& field, const LatticeSample3d& sample,
     }
     numbers.push_back({0, tight}); // nothing is removed
     return numbers;
+}
+
+void add(Lattice3d::Field& all, double weight, const Lattice3d::Field& one) {
+    all.value += weight * one.value;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        all.slope[axis] += weight * one.slope[axis];
 }
 
 template <typename Expected>
@@ -212,81 +218,73 @@ TEST_CASE("noise on the lattice in space agrees with the reference", "[oracle]")
           });
 }
 
-TEST_CASE("sums of directions and surface noise on the lattice agree with the reference", "[oracle]") {
+TEST_CASE("isotropic noise and surface noise on the lattice agree with the reference", "[oracle]") {
     const vulkan::Device device;
-    fmt::print("sums on the lattice in space; largest differences in units of the tolerance\n");
-    constexpr std::size_t few = 1 << 6; // each is a sum of up to 34 directions
-    const auto check = [&](const char* name, Entry3d by_place, Entry3d by_position, const auto& waves_of) {
+    fmt::print("isotropic and surface noise on the lattice in space; largest differences in units of the "
+               "tolerance\n");
+    constexpr std::size_t few = 1 << 8;
+    const auto check = [&](const char* name, Entry3d by_place, Entry3d by_position, bool animated,
+                           Period period, const auto& field_of) {
         test::Draw draw(22);
-        LatticeSampler3d place(device, few, by_place);
+        LatticeSampler3d place(device, few, by_place, false, animated);
         LatticeSampler3d position(device, few, by_position);
         Largest largest;
-        for (int batch = 0; batch < 10; ++batch) {
-            const float frequency = 0.2f * static_cast<float>(batch);
-            const Samples samples(draw, few, frequency, Period::none);
-            // A direction near the normal keeps at least a quarter of its length, and it has turned.
-            const double looser = 5;
-            const auto sum_of = [&](const LatticeSample3d& sample, const Lattice3d::Place& at) {
-                Lattice3d::Field sum{};
-                for (const noise::WeightedWave& w : waves_of(sample)) {
-                    const Lattice3d::Field term = Lattice3d(w.wave, w.seed).field(at);
-                    sum.value += w.weight * term.value;
-                    for (std::size_t axis = 0; axis < 3; ++axis)
-                        sum.slope[axis] += w.weight * term.slope[axis];
-                }
-                return sum;
-            };
+        for (int batch = 0; batch < 16; ++batch) {
+            const float frequency = batch == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(batch * 0.62));
+            const Samples samples(draw, few, frequency, period);
             compare(place, samples, largest, [&](const LatticeSample3d& sample, const Lattice3d::Place&) {
-                return numbers_of(sum_of(sample, sample.place), sample, looser);
+                return numbers_of(field_of(sample, sample.place), sample);
             });
-            compare(position, samples, largest,
-                    [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
-                        return Numbers{{sum_of(sample, here).value.imag(), looser * tolerance(frequency)}};
-                    });
+            if (!animated && period == Period::none)
+                compare(position, samples, largest,
+                        [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+                            return Numbers{{field_of(sample, here).value.imag(), tolerance(frequency)}};
+                        });
         }
         largest.check(name);
     };
-    check("isotropic", Entry3d::isotropic, Entry3d::noise_isotropic, [](const LatticeSample3d& sample) {
-        return noise::isotropic_waves(sample.frequency, sample.seed);
-    });
-    check("surface", Entry3d::surface, Entry3d::noise_surface, [](const LatticeSample3d& sample) {
-        return noise::surface_waves(test::unit(sample.normal), sample.frequency, test::unit(sample.direction),
-                                    sample.seed);
-    });
-    check("surface, isotropic", Entry3d::surface_isotropic, Entry3d::noise_surface_isotropic,
-          [](const LatticeSample3d& sample) {
-              return noise::surface_isotropic_waves(test::unit(sample.normal), sample.frequency, sample.seed);
+    const auto isotropic = [](bool animated) {
+        return [animated](const LatticeSample3d& sample, const Lattice3d::Place& place) {
+            return noise::Isotropic3d(sample.frequency, sample.seed, animated).field(place);
+        };
+    };
+    const auto surface_isotropic = [](const LatticeSample3d& sample, const Lattice3d::Place& place) {
+        Lattice3d::Field all{};
+        for (const auto& [weight, noise] :
+             noise::surface_isotropic(test::unit(sample.normal), sample.frequency, sample.seed))
+            add(all, weight, noise.field(place));
+        return all;
+    };
+    check("isotropic", Entry3d::isotropic, Entry3d::noise_isotropic, false, Period::none, isotropic(false));
+    check("  with periods", Entry3d::isotropic, Entry3d::noise_isotropic, false, Period::any,
+          isotropic(false));
+    check("  animated", Entry3d::isotropic, Entry3d::noise_isotropic, true, Period::none, isotropic(true));
+    check("surface", Entry3d::surface, Entry3d::noise_surface, false, Period::none,
+          [](const LatticeSample3d& sample, const Lattice3d::Place& place) {
+              Lattice3d::Field all{};
+              for (const noise::WeightedWave& w :
+                   noise::surface_waves(test::unit(sample.normal), sample.frequency,
+                                        test::unit(sample.direction), sample.seed))
+                  add(all, w.weight, Lattice3d(w.wave, w.seed).field(place));
+              return all;
           });
-}
+    check("surface, isotropic", Entry3d::surface_isotropic, Entry3d::noise_surface_isotropic, false,
+          Period::none, surface_isotropic);
+    check("  with periods", Entry3d::surface_isotropic, Entry3d::noise_surface_isotropic, false, Period::any,
+          surface_isotropic);
 
-TEST_CASE("isotropic noise in space changes by little with its frequency, where a direction comes too",
-          "[oracle]") {
-    const vulkan::Device device;
-    constexpr std::size_t pairs = 512;
-    constexpr float step = 1e-5f;
-    test::Draw draw(45);
-    for (const Entry3d entry : {Entry3d::isotropic, Entry3d::surface_isotropic}) {
-        LatticeSampler3d sampler(device, 2 * pairs, entry);
-        for (std::size_t i = 0; i < 2 * pairs; i += 2) {
-            LatticeSample3d s;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                s.place.local[axis] = draw.uniform(-3, 3);
-            s.normal = test::narrow(test::random_unit(draw));
-            s.seed = draw.word();
-            const double terms = 1 + draw.word() % 16;
-            s.frequency =
-                static_cast<float>(entry == Entry3d::isotropic ? std::sqrt(terms / 8) : terms / 4.5) -
-                step / 2;
-            sampler.samples()[i] = s;
-            s.frequency += step;
-            sampler.samples()[i + 1] = s;
-        }
-        const auto answers = sampler.answers(2 * pairs);
-        Largest change;
-        for (std::size_t i = 0; i < 2 * pairs; i += 2)
-            change.see(answers[i + 1].value[0], answers[i].value[0], 1.5e-3, sampler.samples()[i]);
-        change.check("change as the frequency rises by 0.00001");
-    }
+    test::Draw draw(23);
+    LatticeSampler3d gradient(device, few, Entry3d::noise_isotropic_gradient);
+    Largest largest;
+    compare(gradient, Samples(draw, few, 2, Period::none), largest,
+            [&](const LatticeSample3d& sample, const Lattice3d::Place& here) {
+                const Lattice3d::Field field = noise::Isotropic3d(sample.frequency, sample.seed).field(here);
+                Numbers numbers{{field.value.imag(), tolerance(2)}};
+                for (const auto& slope : field.slope)
+                    numbers.push_back({slope.imag(), slope_tolerance(2)});
+                return numbers;
+            });
+    largest.check("gabor_noise_3d_isotropic_gradient");
 }
 
 TEST_CASE("the gradient on the lattice is what differences of the reference say", "[oracle]") {

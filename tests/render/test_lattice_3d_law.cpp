@@ -257,64 +257,155 @@ TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance
                 coordinate /= length;
         }
         const double frequency = draw.uniform(0.1f, 6);
-        for (const auto& waves : {noise::surface_waves(normal, frequency, direction, 1),
-                                  noise::surface_isotropic_waves(normal, frequency, 1)}) {
-            double power = 0;
-            for (const noise::WeightedWave& w : waves) {
-                power += w.weight * w.weight;
-                const double length = std::sqrt(dot(w.wave, w.wave)) / frequency;
-                longest = std::max(longest, length);
-                shortest = std::min(shortest, length);
-                REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);
-            }
-            REQUIRE(power == Approx(1).margin(1e-9));
+        double power = 0;
+        for (const noise::WeightedWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
+            power += w.weight * w.weight;
+            const double length = std::sqrt(dot(w.wave, w.wave)) / frequency;
+            longest = std::max(longest, length);
+            shortest = std::min(shortest, length);
+            REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);
         }
+        REQUIRE(power == Approx(1).margin(1e-9));
     }
     fmt::print("frequency on the surface: {:.9f} to {:.9f} of that asked for\n", shortest, longest);
     CHECK(shortest > 1 - 1e-9);
     CHECK(longest < 1 + 1e-9);
 }
 
-// The lobe of Hann's window falls off like a normal law with deviation 1/sqrt(12) cycles.
-TEST_CASE("the directions of isotropic noise are even", "[oracle]") {
+// Each vector of a random frame is uniform on the sphere: (u.v)^2k has the mean 1 / (2k + 1) for every v, and
+// the harmonics up to degree 8 vanish.
+TEST_CASE("the frames of isotropic noise are even in all directions", "[oracle]") {
     test::Draw draw(34);
-    for (const double frequency : {0.5, 1.0, 1.5, 2.0, 2.9, 4.0, 5.1}) {
-        // On surfaces: power by angle, from the components of the lobes across the angle.
-        test::Largest angular, moments;
-        for (int i = 0; i < 50; ++i) {
-            const Vector normal = random_unit(draw);
-            const auto waves = noise::surface_isotropic_waves(normal, frequency, 1);
-            Vector u = waves[0].wave;
-            for (double& coordinate : u)
-                coordinate /= frequency;
-            const Vector v{normal[1] * u[2] - normal[2] * u[1], normal[2] * u[0] - normal[0] * u[2],
-                           normal[0] * u[1] - normal[1] * u[0]};
-            std::vector<double> powers;
-            for (int k = 0; k < 90; ++k) {
-                double power = 0;
-                for (const noise::WeightedWave& w : waves) {
-                    const double angle = pi * k / 90 - std::atan2(dot(w.wave, v), dot(w.wave, u));
-                    const double across = 2 * frequency * std::abs(std::sin(std::remainder(angle, pi) / 2));
-                    power += w.weight * w.weight * std::exp(-6 * across * across);
-                }
-                powers.push_back(power);
-            }
-            double mean = 0;
-            for (const double power : powers)
-                mean += power / 90;
-            for (std::size_t k = 0; k < powers.size(); ++k)
-                angular.see(powers[k] / mean, 1, 0.08, [&] { return fmt::format("{} degrees", 2 * k); });
+    std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < 24; ++i)
+        directions.push_back(random_unit(draw));
+    constexpr int count = 1 << 17;
+    std::vector<std::array<statistics::Moments, 4>> powers(directions.size());
+    test::Largest angles;
+    for (int i = 0; i < count; ++i) {
+        const auto frame = noise::isotropic_frame(draw.word() | 1u);
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = 0; b < 3; ++b)
+                angles.see(dot(frame.at(a), frame.at(b)), a == b ? 1 : 0, 1e-12,
+                           [&] { return fmt::format("{}, {}", a, b); });
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            std::array<double, 4> sums{};
+            for (const Vector& u : frame)
+                for (std::size_t n = 0; n < 4; ++n)
+                    sums.at(n) += std::pow(dot(u, directions[k]), 2.0 * static_cast<double>(n + 1)) / 3;
+            for (std::size_t n = 0; n < 4; ++n)
+                powers[k].at(n).add(sums.at(n));
         }
-        // In space: the directions have the second moments of the sphere.
-        for (std::size_t a = 0; a < 3; ++a) {
-            for (std::size_t b = 0; b < 3; ++b) {
-                double moment = 0;
-                for (const noise::WeightedWave& w : noise::isotropic_waves(frequency, 1))
-                    moment += w.weight * w.weight * w.wave[a] * w.wave[b] / (frequency * frequency);
-                moments.see(moment, a == b ? 1.0 / 3 : 0, 0.035, [&] { return fmt::format("{}, {}", a, b); });
-            }
-        }
-        angular.check(fmt::format("frequency {}: power by angle on surfaces", frequency));
-        moments.check("  second moments in space");
     }
+    angles.check("frames");
+    test::Largest even; // in standard errors
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        for (std::size_t n = 1; n < 4; ++n) { // the squares of a frame sum to 1
+            const statistics::Moments& power = powers[k].at(n);
+            even.see(power.mean(), 1 / (2.0 * static_cast<double>(n + 1) + 1),
+                     4.5 * std::sqrt(power.variance() / count), [&] {
+                         return fmt::format("power {} along {:.2f}", 2 * (n + 1),
+                                            fmt::join(directions[k], " "));
+                     });
+        }
+    }
+    even.check("powers of cosines, in 4.5 standard errors");
+}
+
+namespace {
+
+// The correlation of Hann's window with itself over a cell, at a lag in node spacings.
+double window_correlation(double lag) {
+    const double x = std::abs(lag) / 1.5;
+    return x < 2 ? ((2 - x) * (1 + std::cos(pi * x) / 2) + 1.5 / pi * std::sin(pi * x)) / 3 : 0;
+}
+
+} // namespace
+
+TEST_CASE("isotropic noise has its law and its gradient's at fixed places", "[law]") {
+    const vulkan::Device device;
+    struct Where {
+        Entry3d entry;
+        std::array<float, 3> normal; // of a surface
+        const char* name;
+    };
+    for (const auto& [entry, normal, name] :
+         {Where{Entry3d::isotropic, {}, "in space"},
+          Where{Entry3d::surface_isotropic, {0.8f, 0, 0.6f}, "on a surface"},
+          Where{Entry3d::surface_isotropic, {0, 0, 1}, "on a surface, at a pole"},
+          Where{Entry3d::surface_isotropic, {0.6f, 0, 0.8f}, "on a surface, between two frames"}}) {
+        LatticeSampler3d sampler(device, per_batch, entry);
+        // Of the derivatives along two tangents, or along any two axes: in space 4/3 pi^2 F^2, and 2 pi^2 F^2
+        // on a surface, of the waves; pi^2 / 3 of the windows.
+        const bool on_surface = entry == Entry3d::surface_isotropic;
+        const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
+        const double x = on_surface ? normal[2] : 1,
+                     z = on_surface ? -normal[0] : 0; // one of them is x, z; one y
+        const std::vector<Combination> combinations{
+            {"noise", {{1, 1}}, 1},
+            {"quadrature", {{0, 1}}, 1},
+            {"their sum", {{0, 1}, {1, 1}}, std::sqrt(2.0)},
+            {"d/dx", {{3, x}, {7, z}}, slope},
+            {"d/dy", {{5, 1}}, slope},
+            {"d/dx + d/dy", {{3, x}, {7, z}, {5, 1}}, std::sqrt(2.0) * slope},
+            {"noise + d/dx", {{1, slope}, {3, x}, {7, z}}, std::sqrt(2.0) * slope}};
+        for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
+            fmt::print("isotropic {}, at {}\n", name, place);
+            LatticeSample3d sample = at(place);
+            sample.normal = normal;
+            check(
+                sampler, sample, [](const LatticeSample3d& s) { return std::array{s}; }, 1.0 / 2,
+                combinations);
+        }
+    }
+}
+
+// The covariance is the transform of the spectrum: sin(t) / t, t = 2 pi F |lag|, of an even shell, times that
+// of the windows.
+TEST_CASE("the covariance of isotropic noise in space is that of an even shell of waves, in every direction",
+          "[law]") {
+    const vulkan::Device device;
+    LatticeSampler3d sampler(device, per_batch, Entry3d::isotropic);
+    test::Draw draw(35);
+    std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const auto& diagonal : {std::array{1.0f, 1.0f, 0.0f},
+                                 {1.0f, -1.0f, 1.0f},
+                                 {0.0f, 1.0f, -1.0f},
+                                 {1.0f, 0.0f, 1.0f},
+                                 {1.0f, 2.0f, 3.0f}})
+        directions.push_back(test::unit(diagonal));
+    test::Largest covariances;
+    for (const double frequency : {0.5, 1.0, 3.0}) {
+        for (const double turns : {0.25, 0.7, 1.2}) {
+            const double distance = turns / frequency; // kernel radii
+            for (const Vector& direction : directions) {
+                statistics::Moments products;
+                for (int batch = 0; batch < batches(1.0 / 8); ++batch) {
+                    for (std::size_t i = 0; i < per_batch; i += 2) {
+                        LatticeSample3d sample =
+                            elsewhere(at({draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)}), draw);
+                        sample.frequency = static_cast<float>(frequency);
+                        sampler.samples()[i] = sample;
+                        for (std::size_t axis = 0; axis < 3; ++axis)
+                            sample.place.local[axis] += static_cast<float>(1.5 * distance * direction[axis]);
+                        sampler.samples()[i + 1] = sample;
+                    }
+                    const auto answers = sampler.answers(per_batch);
+                    for (std::size_t i = 0; i < per_batch; i += 2)
+                        for (const int part : {0, 1})
+                            products.add(answers[i].value[part] * answers[i + 1].value[part]);
+                }
+                double expected = std::sin(2 * pi * turns) / (2 * pi * turns);
+                for (const double along : direction)
+                    expected *= window_correlation(1.5 * distance * along);
+                const double error = std::sqrt(products.variance() / static_cast<double>(products.count()));
+                covariances.see(products.mean(), expected, 4.5 * error, [&] {
+                    return fmt::format("frequency {}, distance {}, along {:.2f}", frequency, distance,
+                                       fmt::join(direction, " "));
+                });
+                CHECK(error < 0.01);
+            }
+        }
+    }
+    covariances.check("covariances, in 4.5 standard errors");
 }

@@ -139,12 +139,6 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     const Vector3 direction{std::cos(angle), std::sin(angle), 0};
     const Body* body = std::get_if<Body>(&request.view);
     const bool isotropic = lobe.orientation_spread > 0;
-    std::vector<noise::WeightedWave> waves{{1, scaled(lobe.frequency, direction), request.seed}};
-    if (body && !body->solid)
-        waves = isotropic ? noise::surface_isotropic_waves(normal, lobe.frequency, request.seed)
-                          : noise::surface_waves(normal, lobe.frequency, direction, request.seed);
-    else if (isotropic)
-        waves = noise::isotropic_waves(lobe.frequency, request.seed);
     Lattice3d::Place place;
     place.time = static_cast<float>(request.time);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -154,13 +148,26 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     }
     double value = 0;
     Vector3 slope{};
-    for (const noise::WeightedWave& w : waves) {
-        const Lattice3d one(w.wave, w.seed, request.time != 0);
+    const auto add = [&](double weight, const auto& one) {
         const Lattice3d::Field field = request.filter ? one.filtered(place, dx, dy) : one.field(place);
-        value += w.weight * field.value.imag();
+        value += weight * field.value.imag();
         for (std::size_t axis = 0; axis < 3; ++axis)
-            slope[axis] += w.weight * field.slope[axis].imag();
-    }
+            slope[axis] += weight * field.slope[axis].imag();
+    };
+    const bool animated = request.time != 0;
+    const bool on_surface = body && !body->solid;
+    if (isotropic && on_surface)
+        for (const auto& [weight, noise] :
+             noise::surface_isotropic(normal, lobe.frequency, request.seed, animated))
+            add(weight, noise);
+    else if (isotropic)
+        add(1, noise::Isotropic3d(lobe.frequency, request.seed, animated));
+    else if (on_surface)
+        for (const noise::WeightedWave& w :
+             noise::surface_waves(normal, lobe.frequency, direction, request.seed))
+            add(w.weight, Lattice3d(w.wave, w.seed, animated));
+    else
+        add(1, Lattice3d(scaled(lobe.frequency, direction), request.seed, animated));
     return {value, std::sqrt(dot(slope, slope))};
 }
 

@@ -93,6 +93,10 @@ void main() {
     answer.xy = gabor_noise_3d_filtered(p, vector(s.dx), vector(s.dy), f, direction, s.seed);
 #elif defined GABOR_OF_noise_isotropic
     answer.x = gabor_noise_3d_isotropic(p, f, s.seed);
+#elif defined GABOR_OF_noise_isotropic_gradient
+    answer = gabor_noise_3d_isotropic_gradient(p, f, s.seed);
+#elif defined GABOR_OF_noise_isotropic_filtered
+    answer.xy = gabor_noise_3d_isotropic_filtered(p, vector(s.dx), vector(s.dy), f, s.seed);
 #elif defined GABOR_OF_noise_surface
     answer.x = gabor_noise_surface(p, normal, f, direction, s.seed);
 #elif defined GABOR_OF_noise_surface_isotropic

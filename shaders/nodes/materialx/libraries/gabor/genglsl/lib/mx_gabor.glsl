@@ -46,14 +46,18 @@ vec2 mx_gabor_product(vec2 a, vec2 b)
     return a.x * b + a.y * vec2(-b.y, b.x);
 }
 
+vec2 mx_gabor_half_turn(float t)
+{
+    float s = t * t, r = s * s;
+    return vec2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
+                t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
+}
+
 vec2 mx_gabor_wave(float t)
 {
     t -= floor(t + 0.5);
-    float y = abs(t) - 0.25;
-    float s = y * y, r = s * s;
-    float cosine = (41.341655 * s - 6.2831852) + r * ((76.549782 * s - 81.601004) - 39.536707 * r);
-    float sine = (1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r);
-    return vec2(y * cosine, t < 0.0 ? -sine : sine);
+    vec2 turn = mx_gabor_half_turn(0.25 - abs(t));
+    return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
 // ---- End ----
