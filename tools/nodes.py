@@ -2,6 +2,7 @@
 nodes, which takes a few functions from gabor_lattice.glsl, and that library in the Open Shading Language and in MDL.
 tools/translate calls it."""
 
+import ast
 import json
 import pathlib
 import re
@@ -53,14 +54,19 @@ def macro(source, name):
     return re.search(rf"#define {name} (\S+)", source)[1]
 
 
+def constants(source):
+    """Salts, and what sums are multiplied with in the plane and in space: over the deviation and the energy of windows."""
+    lattice, others = source("gabor_lattice"), source("gabor_spectrum") + source("gabor_lattice_3d")
+    deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
+    return {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(others, "GABOR_IMPL_SLICES"),
+            "SCALE2D": f"{1 / (deviation * 1.125):.8g}", "SCALE3D": f"{1 / (deviation * 1.125**1.5):.8g}"}
+
+
 def common(source):
     """The library's GLSL, with the drop-in's functions and constants under MaterialX's names."""
     lattice = source("gabor_lattice")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
-    deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
-    numbers = {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(source("gabor_spectrum") + source("gabor_lattice_3d"), "GABOR_IMPL_SLICES"),
-               "SCALE2D": f"{1 / (deviation * 1.125):.8g}", "SCALE3D": f"{1 / (deviation * 1.125**1.5):.8g}"}
-    text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in numbers.items())
+    text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(source).items())
     for name in FUNCTIONS:
         match = found[name]
         text += f"\n{match['type']} {name}({match['parameters']})\n{{\n{match['body']}}}\n"
@@ -175,6 +181,65 @@ def mdl(texts):
     return "mdl 1.6;\n\nimport ::math::*;\n\n" + whole.lstrip("\n")
 
 
+# ---- TSL, three.js's nodes in JavaScript -----------------------------------------------------------------------------
+
+TSL = NODES / "three" / "gabor_lattice.tsl.js"
+METHODS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.BitXor: "bitXor", ast.BitOr: "bitOr", ast.LShift: "shiftLeft",
+           ast.RShift: "shiftRight", ast.Lt: "lessThan"}
+
+
+def tsl_expression(text):
+    """An expression of GLSL, whose operators Python has too, as calls of methods."""
+    text = re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"uint(\1)", text)
+    text = re.sub(r"([^(),]+) \? ([^:]+) : ([^),]+)", r"(\2 if \1 else \3)", text)
+
+    def emitted(node, alone=True):
+        if isinstance(node, ast.Constant):
+            number = f"{node.value:#x}" if isinstance(node.value, int) and node.value > 255 else repr(node.value)
+            return number if alone else f"float({number})"
+        if isinstance(node, ast.Name):
+            return node.id
+        if isinstance(node, ast.Attribute):
+            return f"{emitted(node.value)}.{node.attr}"
+        if isinstance(node, ast.UnaryOp):
+            return f"{emitted(node.operand, False)}.negate()" if not isinstance(node.operand, ast.Constant) else f"-{node.operand.value}"
+        if isinstance(node, ast.Call):
+            return f"{node.func.id}({', '.join(map(emitted, node.args))})"
+        if isinstance(node, ast.IfExp):
+            return f"select({', '.join(map(emitted, (node.test, node.body, node.orelse)))})"
+        left, right = (node.left, node.comparators[0]) if isinstance(node, ast.Compare) else (node.left, node.right)
+        operator = node.ops[0] if isinstance(node, ast.Compare) else node.op
+        return f"{emitted(left, False)}.{METHODS[type(operator)]}({emitted(right)})"
+
+    return emitted(ast.parse(text.strip(), mode="eval").body)
+
+
+def tsl_function(match):
+    parameters, body = copied(match["parameters"], match["body"])
+    lines = [f"const {match['name']} = ({', '.join(each.split()[1] for each in parameters.split(', '))}) => {{"]
+    for statement in re.findall(r"\s*(.*?);", re.sub(r" *//.*", "", body), re.DOTALL):
+        if returned := re.fullmatch(r"return (.*)", statement, re.DOTALL):
+            lines.append(f"    return {tsl_expression(returned[1])};")
+        elif declared := re.fullmatch(r"(?:float|vec2|uint|int) (\w+ = .*)", statement, re.DOTALL):
+            for name, value in re.findall(r"(\w+) = (.*?)(?:, (?=\w+ = )|$)", declared[1], re.DOTALL):
+                lines.append(f"    {'let' if re.search(rf'{name} [-+*]?= ', body.partition(value)[2]) else 'const'} {name} = "
+                             f"{tsl_expression(value)}.toVar();")
+        else:
+            name, operator, value = re.fullmatch(r"(\w+) ([-+*]?)= (.*)", statement, re.DOTALL).groups()
+            lines.append(f"    {name} = {tsl_expression(f'{name} {operator} ({value})' if operator else value)}.toVar();")
+    return "\n".join([*lines, "};\n"])
+
+
+def tsl(source):
+    """The functions that the nodes take from the drop-in, and its constants."""
+    lattice = source("gabor_lattice")
+    found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
+    numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(source).items()]
+    text = "".join(numbers) + "\n" + "\n".join(tsl_function(found[name]) for name in FUNCTIONS)
+    text = text.replace("gabor_lobe_seed", "gabor_impl_lobe_seed")
+    return re.sub(TAKEN, lambda match: f"{match[1]}\n{text}\n{match[2]}", TSL.read_text())
+
+
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(source):
@@ -183,6 +248,7 @@ def made(source):
     yield COMMON, glsl
     yield OSL_SHADER, osl_shader(osl(glsl))
     version = json.loads((ROOT / "package.json").read_text())["version"]
+    yield TSL, tsl(source)
     yield MANIFEST, re.sub(r'(?m)^version = ".*"', f'version = "{version}"', MANIFEST.read_text())
     nodes = {path: path.read_text() for path in sorted(COMMON.parents[1].glob("*.glsl"))}
     for path, text in ({COMMON: glsl} | nodes).items():

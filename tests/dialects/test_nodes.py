@@ -105,16 +105,18 @@ class Package(unittest.TestCase):
         self.assertEqual(wanted - packed, set())
 
 
-# Writes the noise of gabor_lattice.tsl.js at the scene's points.
+# Writes each function of gabor_lattice.tsl.js, as reference.FUNCTIONS has them, at the scene's points.
 TSL = """
 import { writeFileSync } from "node:fs";
-import { float, uint, vec2 } from "./three_tsl.mjs";
-import { gabor_noise } from "./gabor_lattice.mjs";
+import { float, vec2, vec3 } from "./three_tsl.mjs";
+import * as gabor from "./gabor_lattice.mjs";
 
-const points = Array.from({ length: 256 * 256 }, (_, i) => i);
+const points = Array.from({ length: 256 * 32 }, (_, i) => i);
 const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
-writeFileSync(process.argv[2], gabor_noise(p, float(4), float(0.7854), uint(7)).parts[0]);
+const functions = (await import("./functions.mjs")).functions(gabor, { float, vec2, vec3 }, p);
+writeFileSync(process.argv[2], Buffer.concat(Object.values(functions).map(value => Buffer.from(value.parts[0].buffer))));
+console.log(JSON.stringify(Object.keys(functions)));
 """
 
 
@@ -146,10 +148,14 @@ class ByHand(unittest.TestCase):
         self.values = self.folder / "values.raw"
 
     def compare(self, *command):
-        subprocess.run([*command, self.values], check=True)
-        error, place = reference.largest_difference("lattice", np.fromfile(self.values, "<f4"))
-        print(f"largest difference {error:.2g} at row and column {place}")
-        self.assertLess(error, 1e-5)
+        """What a program writes, one picture for each function that it names."""
+        said = subprocess.run([*command, self.values], check=True, stdout=subprocess.PIPE, text=True).stdout
+        functions = json.loads(said or '["noise"]')
+        for function, values in zip(functions, np.split(np.fromfile(self.values, "<f4"), len(functions))):
+            with self.subTest(function):
+                error, place = reference.largest_difference(function, values)
+                print(f"{function}: largest difference {error:.2g} at row and column {place}")
+                self.assertLess(error, 1e-5)
 
     def test_open_shading_language(self):
         """The shader itself, each output. What it gives beside the scene's noise is that of the translation to C++."""
@@ -184,7 +190,8 @@ class ByHand(unittest.TestCase):
         if not shutil.which("node"):
             self.skipTest("node is not installed")
         source = (NODES / "three" / "gabor_lattice.tsl.js").read_text()
-        for name, text in {"three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
+        functions = HERE.parent / "engines" / "tsl" / "functions.mjs"
+        for name, text in {"functions.mjs": functions.read_text(), "three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
                            "gabor_lattice.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
             (self.folder / name).write_text(text)
         self.compare("node", self.folder / "scene.mjs")

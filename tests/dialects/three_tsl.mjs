@@ -5,14 +5,12 @@ const ARRAYS = { float: Float32Array, int: Int32Array, uint: Uint32Array };
 
 class Node {
     constructor(type, parts) { this.type = type; this.parts = parts; }
-    get x() { return new Node(this.type, [this.parts[0]]); }
-    get y() { return new Node(this.type, [this.parts[1]]); }
     toVar() { return new Node(this.type, this.parts); }
-    addAssign(other) { this.parts = this.add(other).parts; }
+    assign(other) { this.parts = other.parts; }
     add(other) { return combined(this, other, (a, b) => a + b); }
     sub(other) { return combined(this, other, (a, b) => a - b); }
     mul(other) { return combined(this, other, this.type === "float" ? (a, b) => a * b : Math.imul); }
-    div(other) { return combined(this, other, (a, b) => a / b); }
+    div(other) { return combined(this, other, (a, b) => a / b); } // integers are truncated as they are stored
     bitXor(other) { return combined(this, other, (a, b) => a ^ b); }
     bitOr(other) { return combined(this, other, (a, b) => a | b); }
     shiftLeft(other) { return combined(this, other, (a, b) => a << b); }
@@ -20,6 +18,10 @@ class Node {
     lessThan(other) { return combined(this, other, (a, b) => a < b); }
     negate() { return mapped(this, a => -a); }
 }
+for (const swizzle of ["x", "y", "z", "w", "yx", "zw", "xzw"])
+    Object.defineProperty(Node.prototype, swizzle, { get() {
+        return new Node(this.type, [...swizzle].map(part => this.parts["xyzw".indexOf(part)]));
+    } });
 
 // What is no node is a number; a number counts for all components, and one value for all points.
 function combined(a, b, operation) {
@@ -38,23 +40,37 @@ function combined(a, b, operation) {
     return new Node(a.type, parts);
 }
 
-const mapped = (node, operation) =>
-    new Node(node.type, node.parts.map(part => part.map(operation)));
+const mapped = (node, operation) => new Node(node.type, node.parts.map(part => part.map(operation)));
 const converted = type => value => new Node(type, value instanceof Node
     ? value.parts.map(part => new ARRAYS[type](part)) : [ARRAYS[type].of(value)]);
+const vector = (type, size) => (...given) => {
+    const parts = given.flatMap(value => converted(type)(value).parts);
+    return new Node(type, Array.from({ length: size }, (_, part) => parts[part % parts.length]));
+};
 
 export const float = converted("float");
 export const int = converted("int");
 export const uint = converted("uint");
-export const vec2 = (x, y = x) => new Node("float", [...float(x).parts, ...float(y).parts]);
+export const vec2 = vector("float", 2);
+export const vec3 = vector("float", 3);
+export const vec4 = vector("float", 4);
+export const ivec2 = vector("int", 2);
 export const abs = node => mapped(node, Math.abs);
+export const exp = node => mapped(node, Math.exp);
 export const floor = node => mapped(node, Math.floor);
-export const min = (node, most) => mapped(node, value => Math.min(value, most));
-export const clamp = (node, least, most) => mapped(node, value => Math.min(Math.max(value, least), most));
-export const select = (condition, yes, no) =>
-    new Node(yes.type, [yes.parts[0].map((value, i) => condition.parts[0][i] ? value : no.parts[0][i])]);
+export const sign = node => mapped(node, Math.sign);
+export const min = (node, most) => combined(node, most, Math.min);
+export const max = (node, least) => combined(node, least, Math.max);
+export const clamp = (node, least, most) => min(max(node, least), most);
+export const dot = (a, b) => a.mul(b).parts.map(part => new Node("float", [part])).reduce((sum, part) => sum.add(part));
+export const length = node => mapped(dot(node, node), Math.sqrt);
+export const normalize = node => node.div(length(node));
+export const select = (condition, yes, no) => new Node(yes.type,
+    [yes.parts[0].map((value, i) => condition.parts[0][i] ? value : no.parts[0][i])]);
 export const Fn = body => {
     const call = (...given) => body(given);
     call.setLayout = () => call;
     return call;
 };
+// Derivatives and what a mesh has are for the normals of surfaces, which only three.js draws.
+export const [cross, dFdx, dFdy, normalView, positionView] = [];

@@ -156,8 +156,8 @@ def four(x, y):
 
 
 def tiled(x, y):
-    """Periods of 2 and 3 kernel radii have 3 and 5 nodes."""
-    return complex_lattice((0, 0), 3 / 2 * x, 5 / 3 * y, period=(3, 5), radius=(3 / 2, 5 / 3)).imag
+    """Periods of 2 and 1 kernel radii have 3 nodes each, the second of narrower windows."""
+    return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3)).imag
 
 
 def solid(x, y):
@@ -209,9 +209,9 @@ SCENES = {
 
 
 @functools.cache
-def values(scene):
+def values(scene, rows=HEIGHT):
     if scene in FUNCTIONS:
-        return FUNCTIONS[scene](*np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(WIDTH) + 0.5) / 32))
+        return FUNCTIONS[scene](*np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(rows) + 0.5) / 32))
     _, _, noise, cells = SCENES[scene]
     x, y = np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(HEIGHT) + 0.5) / 32)
     return np.vstack([noise((0, 0), cells * x[:-1], cells * y[:-1]), noise(FAR, x[-1:], y[-1:])])
@@ -219,11 +219,11 @@ def values(scene):
 
 def largest_difference(scene, drawn):
     """From the scene or the function, with its row and column; a value that is no number is the largest of all. Where there is no
-    gabor_noise_at its row may be left out."""
+    gabor_noise_at its row may be left out, and of a function all but the first 32 rows."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
-    if len(drawn) not in (HEIGHT - 1, HEIGHT):
+    if len(drawn) not in (HEIGHT - 1, HEIGHT) and not (scene in FUNCTIONS and 32 <= len(drawn) < HEIGHT):
         raise ValueError(f"{len(drawn)} rows")
-    difference = np.abs(drawn - values(scene)[:len(drawn)])
+    difference = np.abs(drawn - values(scene, len(drawn) if scene in FUNCTIONS else HEIGHT)[:len(drawn)])
     difference[np.isnan(difference)] = np.inf
     place = np.unravel_index(difference.argmax(), difference.shape)
     return difference[place], place

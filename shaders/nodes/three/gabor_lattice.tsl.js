@@ -2,80 +2,206 @@
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
+// Arguments are nodes or numbers; gabor_lattice.tsl.d.ts has their types and units. tools/translate copies the functions
+// between the marks from the GLSL.
+//
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-import { Fn, abs, clamp, float, floor, int, min, select, uint, vec2 } from "three/tsl";
+import { Fn, abs, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, ivec2, length, max, min, normalView, normalize,
+         positionView, select, sign, uint, vec2, vec3, vec4 } from "three/tsl";
 
-const SPREAD = uint(0x9e3779b1);
-const ODD = uint(0xd35a2d97);
-const ROWS = uint(0x5bd1e995);
-const RADIUS = 1.5;                       // nodes per kernel radius
-const SCALE = 1 / (1.4599553e27 * 1.125); // over the deviation of an amplitude and the sum of the squared windows
+// ---- From gabor_lattice.glsl ----
 
-const shifted = (word, bits) => word.bitXor(word.shiftRight(uint(bits)));
+const ROWS = 0x5bd1e995;
+const SLICES = 0x27d4eb2f;
+const SCALE2D = 6.0884665e-28;
+const SCALE3D = 5.7402612e-28;
 
-// The word of a column or a row of nodes.
-const line_word = (index, salt) =>
-    shifted(uint(index).mul(SPREAD).add(salt), 15).mul(ODD).shiftRight(uint(8)).bitOr(uint(0x800001)).toVar();
-
-const salt_of = seed => {
-    const salt = uint(0x2545f491);
-    const word = shifted(uint(seed).mul(SPREAD), 16).mul(uint(0x21f0aaad)).add(salt).toVar();
-    return shifted(shifted(word, 15).mul(ODD).toVar(), 15).toVar();
+const gabor_impl_mix = (word_, salt) => {
+    let word = word_.toVar();
+    word = word.bitXor(word.shiftRight(uint(16))).mul(uint(0x21f0aaad)).add(salt).toVar();
+    word = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    return word.bitXor(word.shiftRight(uint(15)));
 };
 
-// The amplitude of a node, nearly normal, times SCALE^-1.
-const amplitude = word => {
+const gabor_impl_lobe_seed = (seed, index) => {
+    return gabor_impl_mix(seed.add(uint(index).mul(uint(0x85ebca6b))), uint(0x9e3779b1));
+};
+
+const gabor_impl_salt = (seed) => {
+    return gabor_impl_mix(seed.mul(uint(0x9e3779b1)), uint(0x2545f491));
+};
+
+const gabor_impl_line_word = (index, salt) => {
+    let word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
+    word = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    return word.shiftRight(uint(8)).bitOr(uint(0x800001));
+};
+
+const gabor_impl_amplitude = (word) => {
     const u = vec2(float(int(word)), float(int(word.shiftLeft(uint(16))))).toVar();
-    return u.sub(clamp(u, -2.0119258e9, 2.0119258e9).mul(0.89289313)).mul(u.mul(u).add(7.3973916e18));
+    return u.sub(float(0.89289313).mul(clamp(u, -2011925800.0, 2011925800.0))).mul(u.mul(u).add(7.3973916e+18));
 };
 
-// (cos, sin) of 2 pi t by polynomials, precise on every driver.
-const turn = Fn(([turns]) => {
-    const t = turns.sub(floor(turns.add(0.5))).toVar();
+const gabor_impl_product = (a, b) => {
+    return a.x.mul(b).add(a.y.mul(vec2(b.y.negate(), b.x)));
+};
+
+const gabor_impl_wave = (t_) => {
+    let t = t_.toVar();
+    t = t.sub(floor(t.add(0.5))).toVar();
     const y = abs(t).sub(0.25).toVar();
     const s = y.mul(y).toVar();
     const r = s.mul(s).toVar();
-    const cosine = s.mul(41.341655).sub(6.2831852)
-        .add(r.mul(s.mul(76.549782).sub(81.601004).sub(r.mul(39.536707))));
-    const sine = float(1).sub(s.mul(19.739171))
-        .add(r.mul(float(64.934591).sub(s.mul(85.240337)).add(r.mul(56.24243)))).toVar();
-    return vec2(y.mul(cosine), select(t.lessThan(0), sine.negate(), sine));
-}).setLayout({ name: "gabor_turn", type: "vec2", inputs: [{ name: "turns", type: "float" }] });
+    const cosine = float(41.341655).mul(s).sub(6.2831852).add(r.mul(float(76.549782).mul(s).sub(81.601004).sub(float(39.536707).mul(r)))).toVar();
+    const sine = float(1.0).sub(float(19.739171).mul(s)).add(r.mul(float(64.934591).sub(float(85.240337).mul(s)).add(float(56.24243).mul(r)))).toVar();
+    return vec2(y.mul(cosine), select(t.lessThan(0.0), sine.negate(), sine));
+};
 
-const product = (a, b) => vec2(a.x.mul(b.x).sub(a.y.mul(b.y)), a.x.mul(b.y).add(a.y.mul(b.x)));
+// ---- End ----
 
-// The three nodes along an axis that reach a point: their words, and Hann's window times the wave.
-const axis = (middle, offset, wave, salt) => [-1, 0, 1].map(i => {
-    const distance = offset.sub(i).div(RADIUS).toVar();
-    const window = turn(distance.mul(0.5)).x.mul(0.5).add(0.5);
-    return { word: line_word(int(middle).add(int(i)), salt), factor: turn(wave.mul(distance)).mul(window).toVar() };
-});
+const RADIUS = 1.5;                  // nodes per kernel radius
+const TURN = 6.2831853;
 
-// The noise and its quadrature, as gabor_noise_complex of gabor_lattice.glsl.
-//   p vec2, frequency float, orientation float, seed uint
-export const gabor_noise_complex = Fn(([p, frequency, orientation, seed]) => {
-    const wave = turn(orientation.mul(0.15915494)).mul(min(abs(frequency), 1e6)).toVar();
+// The amplitude of a node; at a time the sum of three.
+const amplitude_at = (word, time) => {
+    const first = gabor_impl_amplitude(word);
+    if (time === undefined) return first;
+    const second = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    const third = second.bitXor(second.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    const turn = gabor_impl_wave(time).toVar();
+    return first.mul(turn.x.mul(0.5).add(0.5)).add(gabor_impl_amplitude(second).mul(turn.x.mul(-0.5).add(0.5)))
+        .add(gabor_impl_amplitude(third).mul(turn.y.mul(0.70710678)));
+};
+
+// The three nodes along an axis that reach a place, in node spacings: their words, and what their amplitudes are multiplied
+// with, the window times the wave and its derivative per kernel radius.
+const axis = (place, wave, salt, radius = float(RADIUS), period) => {
+    const middle = floor(place.add(0.5)).toVar();
+    const offset = clamp(place.sub(middle), -0.5, 0.5).toVar();
+    return [-1, 0, 1].map(i => {
+        const distance = offset.sub(i).toVar();
+        const turn = gabor_impl_wave(distance.div(2 * RADIUS)).toVar();
+        const phase = gabor_impl_wave(wave.mul(distance).div(radius)).toVar();
+        const window = turn.x.mul(0.5).add(0.5).toVar();
+        const slope = vec2(turn.y.mul(-TURN / 4).mul(radius).div(RADIUS), window.mul(wave).mul(TURN));
+        let index = int(middle).add(int(i));
+        if (period !== undefined) {
+            index = index.sub(index.div(period).mul(period)).toVar();
+            index = select(index.lessThan(int(0)), index.add(period), index);
+        }
+        return { word: gabor_impl_line_word(index, salt).toVar(), value: phase.mul(window).toVar(),
+                 slope: gabor_impl_product(phase, slope).toVar() };
+    });
+};
+
+// The sum over nodes of { word, value, slope } and axes: complex value and its derivatives along each axis.
+const along = (nodes, next) => {
+    let sums;
+    for (const node of nodes) {
+        const terms = next(node);
+        const made = [gabor_impl_product(terms[0], node.value), ...terms.slice(1).map(term => gabor_impl_product(term, node.value)),
+                      gabor_impl_product(terms[0], node.slope)];
+        sums = sums ? sums.map((sum, index) => sum.add(made[index]).toVar()) : made.map(term => term.toVar());
+    }
+    return sums;
+};
+
+// Complex noise and its derivatives along x and y.
+const plane = (p, wave, seed, time, radius = vec2(RADIUS), period) => {
+    const place = p.mul(radius).toVar();
+    const salt = gabor_impl_salt(seed).toVar();
+    const columns = axis(place.x, wave.x, salt, radius.x, period && period.x);
+    const rows = axis(place.y, wave.y, salt.bitXor(uint(ROWS)), radius.y, period && period.y);
+    return along(rows, row => along(columns, column => [amplitude_at(column.word.mul(row.word).toVar(), time)]));
+};
+const field_of = ([value, x, y]) => vec4(value.y, value.x, x.y, y.y).mul(SCALE2D);
+const quadrature_of = ([value, x, y]) => vec4(value.x, value.y, x.x, y.x).mul(SCALE2D);
+
+const function_of = (name, body, ...inputs) => {
+    const made = Fn(body).setLayout({ name, type: "vec4", inputs: inputs.map(input => {
+        const [type, name] = input.split(" ");
+        return { type, name };
+    }) });
+    const types = { float, vec2, vec3, uint };
+    return (...given) => made(...inputs.map((input, index) => types[input.split(" ")[0]](given[index])));
+};
+
+const wave_field = function_of("gabor_wave_field", ([p, wave, seed]) => field_of(plane(p, wave, seed)),
+                               "vec2 p", "vec2 wave", "uint seed");
+const quadrature_field = function_of("gabor_quadrature_field", ([p, wave, seed]) => quadrature_of(plane(p, wave, seed)),
+                                     "vec2 p", "vec2 wave", "uint seed");
+const animated_field = function_of("gabor_animated_field", ([p, time, wave, seed]) => field_of(plane(p, wave, seed, time)),
+                                   "vec2 p", "float time", "vec2 wave", "uint seed");
+const tiled_field = function_of("gabor_tiled_field", ([p, period, wave, seed]) => {
+    const nodes = max(floor(clamp(period, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
+    return field_of(plane(p, wave, seed, undefined, nodes.div(period).toVar(), ivec2(nodes).toVar()));
+}, "vec2 p", "vec2 period", "vec2 wave", "uint seed");
+
+const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     const place = p.mul(RADIUS).toVar();
-    const middle = floor(place.sub(RADIUS)).add(2).toVar();
-    const offset = place.sub(middle).toVar();
-    const salt = salt_of(seed);
-    const columns = axis(middle.x, offset.x, wave.x, salt);
-    const rows = axis(middle.y, offset.y, wave.y, salt.bitXor(ROWS));
-    const sum = vec2(0).toVar();
-    for (const row of rows)
-        for (const column of columns)
-            sum.addAssign(product(product(amplitude(column.word.mul(row.word).toVar()).mul(SCALE), column.factor), row.factor));
-    return sum;
-}).setLayout({
-    name: "gabor_noise_complex",
-    type: "vec2",
-    inputs: [{ name: "p", type: "vec2" }, { name: "frequency", type: "float" }, { name: "orientation", type: "float" },
-             { name: "seed", type: "uint" }],
-});
+    const salt = gabor_impl_salt(seed).toVar();
+    const columns = axis(place.x, wave.x, salt);
+    const rows = axis(place.y, wave.y, salt.bitXor(uint(ROWS)));
+    const slices = axis(place.z, wave.z, salt.bitXor(uint(SLICES)));
+    const [value, x, y, z] = along(slices, slice => along(rows, row => {
+        const word = row.word.mul(slice.word).shiftRight(uint(8)).bitOr(uint(0x800001)).toVar();
+        return along(columns, column => [amplitude_at(column.word.mul(word).toVar())]);
+    }));
+    return vec4(value.y, x.y, y.y, z.y).mul(SCALE3D);
+}, "vec3 p", "vec3 wave", "uint seed");
 
-// The noise: mean 0 and variance 1.
-export const gabor_noise = (p, frequency, orientation, seed) => gabor_noise_complex(p, frequency, orientation, seed).y;
+// ---- The functions to call -----------------------------------------------------------------------------------------
 
-// To [0, 1], two standard deviations to the ends.
+export const gabor_wave = (frequency, orientation) =>
+    gabor_impl_wave(float(orientation).mul(0.15915494)).mul(min(abs(float(frequency)), 1e6));
+
+export const gabor_field = (p, frequency, orientation, seed) => wave_field(p, gabor_wave(frequency, orientation), seed);
+export const gabor_field_wave = (p, wave, seed) => wave_field(p, wave, seed);
+export const gabor_field_tiled = (p, period, frequency, orientation, seed) =>
+    tiled_field(p, period, gabor_wave(frequency, orientation), seed);
+export const gabor_field_animated = (p, time, frequency, orientation, seed) =>
+    animated_field(p, time, gabor_wave(frequency, orientation), seed);
+export const gabor_field_3d = (p, frequency, direction, seed) =>
+    solid_field(p, normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed);
+
+export const gabor_noise = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).x;
+export const gabor_noise_complex = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).yx;
+export const gabor_noise_gradient = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).xzw;
+export const gabor_noise_tiled = (p, period, frequency, orientation, seed) =>
+    gabor_field_tiled(p, period, frequency, orientation, seed).x;
+export const gabor_noise_animated = (p, time, frequency, orientation, seed) =>
+    gabor_field_animated(p, time, frequency, orientation, seed).x;
+export const gabor_noise_3d = (p, frequency, direction, seed) => gabor_field_3d(p, frequency, direction, seed).x;
+
+export const gabor_lobe_seed = (seed, index) => gabor_impl_lobe_seed(uint(seed), int(index));
+
+export const gabor_stripes = (p, wave, sharpness, seed) => {
+    const value = gabor_field_wave(p, wave, seed).yx.toVar();
+    const intensity = length(value).toVar();
+    return vec3(value.mul(min(float(sharpness), float(1).div(max(intensity, 1e-10)))), intensity);
+};
+
 export const gabor_unorm = noise => clamp(float(noise).mul(0.25).add(0.5), 0, 1);
+
+export const gabor_normal = (slope, p, height) => {
+    const x = dFdx(positionView), y = dFdy(positionView);
+    const first = cross(y, normalView), second = cross(normalView, x);
+    const area = dot(x, first).toVar();
+    const steep = first.mul(dot(slope, dFdx(p))).add(second.mul(dot(slope, dFdy(p)))).mul(height).mul(sign(area));
+    return normalize(normalView.mul(abs(area)).sub(steep));
+};
+
+// gabor_brushed_metal of gabor_materials.glsl: noises of frequency 0 in narrow kernels, one evaluation for all it gives.
+export const gabor_brushed_metal = (p, seed) => {
+    let height = float(0), tone = float(0), slope = vec2(0);
+    for (let part = 0; part < 5; ++part) {
+        const fine = 2 ** part, density = vec2(0.3 + 0.12 * fine, 9 * fine);
+        const field = quadrature_field(vec2(p).mul(density), vec2(0), gabor_lobe_seed(seed, part)).toVar();
+        height = height.add(field.x.mul(0.0012 / fine));
+        slope = slope.add(field.zw.mul(density).mul(0.0012 / fine));
+        tone = tone.add(field.y.mul(0.4472136));
+    }
+    const colour = clamp(vec3(0.55, 0.555, 0.565).mul(exp(tone.sub(0.045).mul(0.09))), 0, 1);
+    return { colour, height, slope, roughness: float(0.36), metalness: float(1) };
+};

@@ -1,9 +1,37 @@
 import * as THREE from "three/webgpu";
-import { screenCoordinate, float, uint, vec3, vec4 } from "three/tsl";
-import { gabor_noise, gabor_unorm } from "../../../shaders/nodes/three/gabor_lattice.tsl.js";
+import * as tsl from "three/tsl";
+import * as gabor from "../../../shaders/nodes/three/gabor_lattice.tsl.js";
+import { functions } from "./functions.mjs";
+
+const { screenCoordinate, uv, vec3, vec4 } = tsl;
 
 // ?backend=webgl draws with WebGL 2.
 const forceWebGL = new URLSearchParams(location.search).get("backend") === "webgl";
+const target = new THREE.RenderTarget(256, 256, { type: THREE.FloatType, depthBuffer: false });
+
+// The reds of what is drawn. Rows of the screen go down in three.js, and so do WebGPU's; WebGL's targets are read from below.
+async function reds(renderer, render) {
+    renderer.setRenderTarget(target);
+    render();
+    const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, 256, 256);
+    const values = pixels.filter((_, index) => index % 4 === 0);
+    renderer.setRenderTarget(null);
+    return Array.from({ length: 256 }, (_, y) => 256 * (forceWebGL ? 255 - y : y))
+        .flatMap(start => Array.from(values.subarray(start, start + 256)));
+}
+
+// How far gabor_normal is from the normal of a plane of side 4 whose height is 0.1 times the noise of 8 kernel radii.
+async function normal_error(renderer) {
+    const p = uv().mul(8), field = gabor.gabor_field(p, 2, 0.5, 7).toVar();
+    const wanted = tsl.normalize(vec3(field.zw.mul(-0.1 * 8 / 4), 1));
+    const material = new THREE.NodeMaterial();
+    material.fragmentNode = vec4(vec3(tsl.length(gabor.gabor_normal(field.zw, p, 0.1).sub(wanted))), 1);
+    const scene = new THREE.Scene();
+    scene.add(new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material));
+    const camera = new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 10);
+    camera.position.z = 5;
+    return Math.max(...await reds(renderer, () => renderer.render(scene, camera)));
+}
 
 async function draw() {
     const renderer = new THREE.WebGPURenderer({ forceWebGL });
@@ -16,25 +44,23 @@ async function draw() {
     if (!forceWebGL && !renderer.backend.isWebGPUBackend)
         throw new Error("three.js fell back to WebGL");
 
-    const noise = gabor_noise(screenCoordinate.xy.div(32), float(4), float(0.7854), uint(7));
-    const quad = new THREE.QuadMesh(new THREE.NodeMaterial());
-    const target = new THREE.RenderTarget(256, 256, { type: THREE.FloatType, depthBuffer: false });
-    quad.material.fragmentNode = vec4(vec3(noise), 1);
-    renderer.setRenderTarget(target);
-    quad.render(renderer);
-    const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, 256, 256);
-    const values = pixels.filter((_, index) => index % 4 === 0);
-    // Rows of the screen go down in three.js, and so do WebGPU's; WebGL's targets are read from below.
-    const row = y => values.subarray(256 * (forceWebGL ? 255 - y : y)).subarray(0, 256);
+    const made = functions(gabor, tsl, screenCoordinate.xy.div(32)), values = [];
+    for (const value of Object.values(made)) {
+        const quad = new THREE.QuadMesh(new THREE.NodeMaterial());
+        quad.material.fragmentNode = vec4(vec3(value), 1);
+        values.push(...await reds(renderer, () => quad.render(renderer)));
+    }
+    const error = await normal_error(renderer);
+    if (!(error < 1e-3))
+        throw new Error(`gabor_normal is off by ${error}`);
 
     const shown = new THREE.QuadMesh(new THREE.NodeMaterial());
-    shown.material.fragmentNode = vec4(vec3(gabor_unorm(noise)), 1);
+    shown.material.fragmentNode = vec4(vec3(gabor.gabor_unorm(made.noise)), 1);
     renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
-    renderer.setRenderTarget(null);
     shown.render(renderer);
     return {
         engine: "three.js nodes", version: THREE.REVISION, dialect: forceWebGL ? "TSL, GLSL 300 es" : "TSL, WGSL", driver,
-        values: Array.from({ length: 256 }, (_, y) => Array.from(row(y))).flat(),
+        functions: Object.keys(made), values,
     };
 }
 
