@@ -47,15 +47,17 @@ const gabor_impl_product = (a, b) => {
     return a.x.mul(b).add(a.y.mul(vec2(b.y.negate(), b.x)));
 };
 
+const gabor_impl_half_turn = (t) => {
+    const s = t.mul(t).toVar();
+    const r = s.mul(s).toVar();
+    return vec2(float(1.0).sub(float(19.739171).mul(s)).add(r.mul(float(64.934591).sub(float(85.240337).mul(s)).add(float(56.24243).mul(r)))), t.mul(float(6.2831852).sub(float(41.341655).mul(s)).add(r.mul(float(81.601004).sub(float(76.549782).mul(s)).add(float(39.536707).mul(r))))));
+};
+
 const gabor_impl_wave = (t_) => {
     let t = t_.toVar();
     t = t.sub(floor(t.add(0.5))).toVar();
-    const y = abs(t).sub(0.25).toVar();
-    const s = y.mul(y).toVar();
-    const r = s.mul(s).toVar();
-    const cosine = float(41.341655).mul(s).sub(6.2831852).add(r.mul(float(76.549782).mul(s).sub(81.601004).sub(float(39.536707).mul(r)))).toVar();
-    const sine = float(1.0).sub(float(19.739171).mul(s)).add(r.mul(float(64.934591).sub(float(85.240337).mul(s)).add(float(56.24243).mul(r)))).toVar();
-    return vec2(y.mul(cosine), select(t.lessThan(0.0), sine.negate(), sine));
+    const turn = gabor_impl_half_turn(float(0.25).sub(abs(t))).toVar();
+    return vec2(turn.y, select(t.lessThan(0.0), turn.x.negate(), turn.x));
 };
 
 // ---- End ----

@@ -28,7 +28,8 @@ missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
 if missing:
     sys.exit(f"not both declared and given: {missing}")
 output = model["outputs"][0]["f"]
-value = re.sub(r"\$(\w+)", lambda name: "uv" if name[1] == "uv" else f"{float(given[name[1]]):.9f}", output)
+names = {"uv": "uv", "seed": "uintBitsToFloat(7u)"} | {name: f"{float(number):.9f}" for name, number in given.items()}
+value = re.sub(r"\$(\w+)", lambda name: names[name[1]], output)
 value = value.replace("gabor_unorm", "")  # which would cut the largest values
 if value == output:
     sys.exit("the node shows no gabor_unorm")
