@@ -98,11 +98,12 @@ class Package(unittest.TestCase):
         packed = {each["path"] for each in json.loads(said.stdout)[0]["files"]}
         wanted = {str(path.relative_to(ROOT)) for folder in ("translations", "nodes")
                   for path in (ROOT / "shaders" / folder).rglob("*")
-                  if path.is_file() and path.suffix != ".oso" and "node_modules" not in path.parts}
+                  if path.is_file() and path.suffix not in (".oso", ".pyc") and "node_modules" not in path.parts}
         wanted |= {str(path.with_suffix(".glsl").relative_to(ROOT)).replace("translations/", "")
                    for path in (ROOT / "shaders" / "translations").glob("*.hlsl")}
         self.assertGreater(len(wanted), 50)
         self.assertEqual(wanted - packed, set())
+        self.assertEqual([path for path in packed if path.endswith((".oso", ".pyc"))], [])  # what test runs leave
 
 
 # Writes each function of gabor_lattice.tsl.js, as reference.FUNCTIONS has them, at the scene's points.
