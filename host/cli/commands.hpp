@@ -9,6 +9,7 @@ namespace gabor::cli {
 /// Each adds one subcommand, which does its work in its callback.
 void add_render_command(CLI::App& app);
 void add_join_command(CLI::App& app);
+void add_erode_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);

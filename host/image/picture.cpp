@@ -20,8 +20,12 @@ using namespace std::string_view_literals;
 /// Reads each channel with its own ExrReader.
 class ExrPicture : public PictureReader {
   public:
-    explicit ExrPicture(const std::filesystem::path& path) {
+    ExrPicture(const std::filesystem::path& path, const std::string& channel) {
         readers_.emplace_back(path);
+        if (!channel.empty() && readers_.front().has_channel(channel)) {
+            readers_.clear();
+            readers_.emplace_back(path, channel);
+        }
         const ExrReader& first = readers_.front();
         format_ = {first.window().width, first.window().height, 1, first.has_channel("A")};
         if (first.channel() != "R" || !first.has_channel("G") || !first.has_channel("B"))
@@ -47,7 +51,7 @@ class ExrPicture : public PictureReader {
 
 } // namespace
 
-std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path) {
+std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (error)
@@ -66,7 +70,7 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path) {
     if (head.starts_with("\xff\xd8\xff"sv))
         return open_jpeg(path);
     if (head.starts_with("\x76\x2f\x31\x01"sv))
-        return std::make_unique<ExrPicture>(path);
+        return std::make_unique<ExrPicture>(path, channel);
     throw RequestError(
         fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG or OpenEXR", path.string()));
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace gabor::image {
 
@@ -27,9 +28,11 @@ class PictureReader {
     Format format_;
 };
 
-/// Opens a PNG, JPEG or OpenEXR file; the content decides, not the name. Throws RequestError for other
-/// formats, colours other than grey or RGB, and unreadable files.
-std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path);
+/// Opens a PNG, JPEG or OpenEXR file; the content decides, not the name. Of an EXR with a channel of that
+/// name it reads this one alone. Throws RequestError for other formats, colours other than grey or RGB, and
+/// unreadable files.
+std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
+                                            const std::string& channel = {});
 
 /// Opens a file of that format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <stdexcept>
 #include <vector>
@@ -18,15 +19,15 @@ namespace {
 constexpr int compression_level = 1;
 constexpr int filter = PNG_FILTER_UP;
 
-png_byte quantize(float value) {
+std::uint32_t quantize(float value, int bits) {
     const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
-    return static_cast<png_byte>(clamped * 255.0f + 0.5f);
+    return static_cast<std::uint32_t>(clamped * static_cast<float>((1 << bits) - 1) + 0.5f);
 }
 
 } // namespace
 
 struct PngWriter::State {
-    State(const std::filesystem::path& path, int width, int height, int channels);
+    State(const std::filesystem::path& path, int width, int height, int channels, int bits);
     ~State() { png_destroy_write_struct(&png, &info); }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -43,15 +44,17 @@ struct PngWriter::State {
     OutputFile file;
     png_structp png = nullptr;
     png_infop info = nullptr;
+    std::size_t values; ///< in a row
+    int bits;
     std::vector<png_byte> row;
     int rows_left;
     PngErrors errors;           ///< libpng's errors
     std::exception_ptr failure; ///< or the disk's error
 };
 
-PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels)
-    : file(path), row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)),
-      rows_left(height) {
+PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
+    : file(path), values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)), bits(bits_),
+      row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &errors, PngErrors::on_error, PngErrors::on_warning);
     info = png ? png_create_info_struct(png) : nullptr;
 }
@@ -73,10 +76,11 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     png_error(png, "the file cannot be written"); // only now, when no C++ object is left to destroy
 }
 
-PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels) {
-    if (width < 1 || height < 1 || (channels != 1 && channels != 3))
-        throw std::logic_error("PngWriter takes pictures that are not empty, of one or three channels");
-    state_ = std::make_unique<State>(path, width, height, channels);
+PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits) {
+    if (width < 1 || height < 1 || (channels != 1 && channels != 3) || (bits != 8 && bits != 16))
+        throw std::logic_error(
+            "PngWriter takes 8 or 16 bits of pictures that are not empty, of one or three channels");
+    state_ = std::make_unique<State>(path, width, height, channels, bits);
     if (!state_->info)
         throw std::bad_alloc();
     const png_structp png = state_->png;
@@ -87,7 +91,7 @@ PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, i
         png_set_user_limits(png, widest_png, widest_png);
         png_set_compression_level(png, compression_level);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, filter);
-        png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+        png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
                      channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_write_info(png, info);
@@ -99,11 +103,17 @@ PngWriter::PngWriter(PngWriter&&) noexcept = default;
 
 void PngWriter::write_rows(std::span<const float> values) {
     std::vector<png_byte>& row = state_->row;
-    const std::size_t rows = values.size() / row.size();
-    if (values.size() % row.size() != 0 || rows > static_cast<std::size_t>(state_->rows_left))
+    const std::size_t rows = values.size() / state_->values;
+    if (values.size() % state_->values != 0 || rows > static_cast<std::size_t>(state_->rows_left))
         throw std::logic_error("PngWriter::write_rows takes whole rows and no more than the picture has");
-    for (; !values.empty(); values = values.subspan(row.size())) {
-        std::ranges::transform(values.first(row.size()), row.begin(), quantize);
+    for (; !values.empty(); values = values.subspan(state_->values)) {
+        auto byte = row.begin();
+        for (const float value : values.first(state_->values)) {
+            const std::uint32_t level = quantize(value, state_->bits);
+            if (state_->bits == 16)
+                *byte++ = static_cast<png_byte>(level >> 8);
+            *byte++ = static_cast<png_byte>(level);
+        }
         state_->guarded([&] { png_write_row(state_->png, row.data()); });
         --state_->rows_left;
     }

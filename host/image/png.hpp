@@ -6,12 +6,12 @@
 
 namespace gabor::image {
 
-/// Writes an 8-bit PNG from top to bottom, grey for one channel and RGB for three. Like ExrWriter, it shows
-/// nothing under the name before `commit`.
+/// Writes a PNG of 8 or 16 bits from top to bottom, grey for one channel and RGB for three. Like ExrWriter,
+/// it shows nothing under the name before `commit`.
 class PngWriter {
   public:
     /// Accepts up to 65536 pixels a side. Throws RequestError for a path that cannot be created.
-    PngWriter(const std::filesystem::path& path, int width, int height, int channels);
+    PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits = 8);
     ~PngWriter();
     PngWriter(PngWriter&&) noexcept;
 

@@ -14,7 +14,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "join", "stats", "fit", "devices", "recipes"):
+        for command in ("render", "join", "erode", "stats", "fit", "devices", "recipes"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -25,6 +25,10 @@ class Help(ProgramTest):
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
                               "--zoom", "--material"),
+                   "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", "--octaves",
+                             "--frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness",
+                             "--ridge-rounding", "--crease-rounding", "--gully-weight", "--branching", "--seed", "--tileable",
+                             "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",)}

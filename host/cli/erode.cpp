@@ -1,0 +1,290 @@
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "error.hpp"
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+#include "image/png.hpp"
+#include "image/raw16.hpp"
+#include "render/erosion.hpp"
+#include "vulkan/device.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gabor::cli {
+
+namespace {
+
+constexpr int most_side = 16384;
+constexpr double preset_extent = 8; // hills of the presets are as wide as half of a map of this extent
+
+struct ErodeOptions {
+    std::filesystem::path map;
+    std::filesystem::path output;
+    std::vector<int> size;
+    std::vector<int> region;
+    std::vector<double> elevation;
+    double extent = preset_extent;
+    std::string preset = "alps";
+    std::vector<std::optional<double>> members; ///< of Erosion, in the order of its table
+    std::uint32_t seed = 0;
+    bool tileable = false;
+    std::string device;
+};
+
+bool has_extension(const std::filesystem::path& path, std::string_view extension) {
+    std::string own = path.extension().string();
+    std::ranges::transform(own, own.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return own == extension;
+}
+
+std::string preset_names() {
+    std::string names;
+    for (const render::ErosionPreset& preset : render::erosion_presets())
+        names += (names.empty() ? "" : ", ") + std::string(preset.name);
+    return names;
+}
+
+// The preset's gullies, in the map's unit, and what was asked for instead.
+render::Erosion erosion_of(const ErodeOptions& options) {
+    const auto presets = render::erosion_presets();
+    const auto preset = std::ranges::find(presets, options.preset, &render::ErosionPreset::name);
+    if (preset == presets.end())
+        throw RequestError(fmt::format("--preset '{}': it takes {}", options.preset, preset_names()));
+    render::Erosion erosion = preset->erosion;
+    erosion.frequency *= preset_extent / options.extent;
+    const auto parameters = render::erosion_parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (!options.members[i])
+            continue;
+        const render::ErosionParameter& parameter = parameters[i];
+        const double value = *options.members[i];
+        const bool octaves = parameter.member == &render::Erosion::octaves;
+        if (!(value >= parameter.low && value <= parameter.high) || (octaves && value != std::floor(value)))
+            throw RequestError(fmt::format("--{} {}: it takes {} from {} to {}", parameter.name, value,
+                                           octaves ? "a whole number" : "a number", parameter.low,
+                                           parameter.high));
+        erosion.*parameter.member = value;
+    }
+    return erosion;
+}
+
+render::HeightMap map_of(const ErodeOptions& options) {
+    render::HeightMap map;
+    const bool raw = has_extension(options.map, ".r16");
+    if (raw != !options.size.empty())
+        throw RequestError(raw ? "a .r16 file has no header: --size says its WIDTHxHEIGHT"
+                               : "--size is for .r16 files: others say their size");
+    if (raw && (options.size[0] < 1 || options.size[1] < 1))
+        throw RequestError("--size takes WIDTHxHEIGHT, each at least 1");
+    map.open = [options] {
+        return has_extension(options.map, ".r16")
+                   ? image::open_raw16(options.map, options.size[0], options.size[1])
+                   : image::open_picture(options.map, "height");
+    };
+    const image::PictureReader::Format format = map.open()->format();
+    if (format.channels != 1)
+        throw RequestError(
+            fmt::format("'{}' has colours: a heightmap has one channel", options.map.string()));
+    if (std::max(format.width, format.height) > most_side)
+        throw RequestError(fmt::format("'{}' has {} x {} pixels: accepted are up to {} a side",
+                                       options.map.string(), format.width, format.height, most_side));
+    map.width = format.width;
+    map.height = format.height;
+    map.pixel = options.extent / format.width;
+    map.tileable = options.tileable;
+    return map;
+}
+
+// Heights of 0 and 65535 in files of 16 bits.
+struct Elevation {
+    double low;
+    double high;
+};
+
+// A heightmap of 16 bits with a file beside it that says what its numbers mean.
+class HeightWriter {
+  public:
+    HeightWriter(const std::filesystem::path& path, const image::Window& region, Elevation elevation,
+                 double pixel)
+        : elevation_(elevation), scale_(path.string() + ".json") {
+        if (has_extension(path, ".png"))
+            png_.emplace(path, region.width, region.height, 1, 16);
+        else
+            raw_.emplace(path);
+        const nlohmann::ordered_json scale{{"width", region.width},
+                                           {"height", region.height},
+                                           {"extent", {region.width * pixel, region.height * pixel}},
+                                           {"elevation", {elevation.low, elevation.high}}};
+        const std::string text = scale.dump(2) + "\n";
+        scale_.write(std::as_bytes(std::span(text)));
+    }
+
+    void write_rows(std::span<const float> eroded) {
+        levels_.clear();
+        for (std::size_t i = 0; i < eroded.size(); i += render::erosion_channels.size())
+            levels_.push_back(
+                static_cast<float>((eroded[i] - elevation_.low) / (elevation_.high - elevation_.low)));
+        if (png_)
+            png_->write_rows(levels_);
+        else
+            raw_->write_rows(levels_);
+    }
+
+    void commit() {
+        if (png_)
+            png_->commit();
+        else
+            raw_->commit();
+        scale_.commit();
+    }
+
+  private:
+    Elevation elevation_;
+    image::OutputFile scale_;
+    std::optional<image::PngWriter> png_;
+    std::optional<image::Raw16Writer> raw_;
+    std::vector<float> levels_;
+};
+
+image::Window region_of(const ErodeOptions& options, const render::HeightMap& map) {
+    if (options.region.empty())
+        return {0, 0, map.width, map.height};
+    const image::Window r{options.region[0], options.region[1], options.region[2], options.region[3]};
+    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > map.width - r.x ||
+        r.height > map.height - r.y)
+        throw RequestError(fmt::format("--region {},{},{},{} is not within the map of {} x {} pixels", r.x,
+                                       r.y, r.width, r.height, map.width, map.height));
+    return r;
+}
+
+void erode(const ErodeOptions& options) {
+    if (!(options.extent > 0 && options.extent < 1e9))
+        throw RequestError(fmt::format("--extent {}: it takes the map's width, more than 0", options.extent));
+    const bool to_exr = has_extension(options.output, ".exr");
+    if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
+        throw RequestError(fmt::format("-o '{}': it takes the name of a file that ends in .exr, .png or .r16",
+                                       options.output.string()));
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.map, options.output, ignored))
+        throw RequestError(
+            fmt::format("-o '{}' is the map itself: it takes another file", options.output.string()));
+    const render::Erosion erosion = erosion_of(options);
+    render::HeightMap map = map_of(options);
+    const image::Window region = region_of(options, map);
+
+    const bool floats = has_extension(options.map, ".exr");
+    if (floats && !to_exr && options.elevation.empty())
+        throw RequestError(
+            "of an EXR, which holds heights, --elevation says which of them are 0 and 65535 in 16 bits");
+    Elevation elevation{0, options.extent / 8};
+    if (!options.elevation.empty())
+        elevation = {options.elevation[0], options.elevation[1]};
+    if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
+        throw RequestError("--elevation takes LOW,HIGH, the lower height first");
+    if (!floats) {
+        map.scale = elevation.high - elevation.low;
+        map.offset = elevation.low;
+    }
+    // The range holds whatever erosion makes of heights in the map's own.
+    const double reach = render::erosion_reach(erosion) / erosion.frequency;
+    const Elevation range{elevation.low - reach, elevation.high + reach};
+
+    note_interrupts();
+    const vulkan::Device device(options.device);
+    std::optional<image::ExrWriter> exr;
+    std::optional<HeightWriter> heights;
+    if (to_exr)
+        exr.emplace(options.output,
+                    image::ExrWriter::Description{
+                        .picture = {0, 0, map.width, map.height},
+                        .window = region,
+                        .channels = {render::erosion_channels.begin(), render::erosion_channels.end()},
+                        .parameters = {}});
+    else
+        heights.emplace(options.output, region, range, map.pixel);
+    {
+        Progress progress("eroding", static_cast<std::uint64_t>(region.width) *
+                                         static_cast<std::uint64_t>(region.height));
+        render::erode(device, map, erosion, options.seed, region, [&](std::span<const float> rows) {
+            check_interrupt();
+            if (exr)
+                exr->write_rows(rows);
+            else
+                heights->write_rows(rows);
+            progress.advance(rows.size() / render::erosion_channels.size());
+        });
+    }
+    if (exr)
+        exr->commit();
+    else
+        heights->commit();
+    fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,
+               device.info().name);
+}
+
+} // namespace
+
+void add_erode_command(CLI::App& app) {
+    auto options = std::make_shared<ErodeOptions>();
+    CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
+    command->add_option("MAP", options->map, "EXR with heights, PNG of 16 bits, or .r16 with --size")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "EXR with height, slope, ridge and erosion; or heights of 16 bits in a PNG or .r16, with their "
+            "scale in a .json file beside it")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of a .r16 file")
+        ->type_name("SIZE")
+        ->delimiter('x')
+        ->expected(2);
+    command
+        ->add_option("--region", options->region,
+                     "X,Y,WIDTH,HEIGHT: only this part, with the pixels of the whole")
+        ->type_name("RECTANGLE")
+        ->delimiter(',')
+        ->expected(4);
+    command->add_option("--extent", options->extent, "Width of the map, in the unit of heights [8]")
+        ->type_name("NUMBER");
+    command
+        ->add_option("--elevation", options->elevation,
+                     "LOW,HIGH: heights of 0 and 65535 in a map of 16 bits [0 and an eighth of --extent]")
+        ->type_name("RANGE")
+        ->delimiter(',')
+        ->expected(2);
+    command
+        ->add_option("--preset", options->preset,
+                     fmt::format("Shape of the gullies: {} [alps]", preset_names()))
+        ->type_name("NAME");
+    const auto parameters = render::erosion_parameters();
+    options->members.resize(parameters.size());
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        command
+            ->add_option(fmt::format("--{}", parameters[i].name), options->members[i],
+                         std::string(parameters[i].summary))
+            ->type_name("NUMBER");
+    command->add_option("--seed", options->seed, "Another seed gives other gullies [0]")->type_name("NUMBER");
+    command->add_flag("--tileable", options->tileable, "The map is a tile, and so is what comes out");
+    command
+        ->add_option("--device", options->device,
+                     "Vulkan device: its index, or a part of its name [the fastest kind]")
+        ->type_name("NAME");
+    command->callback([options] { erode(*options); });
+}
+
+} // namespace gabor::cli

@@ -1,0 +1,68 @@
+#include "image/raw16.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+
+namespace gabor::image {
+
+namespace {
+
+class Raw16 : public PictureReader {
+  public:
+    Raw16(const std::filesystem::path& path, int width, int height)
+        : path_(path), file_(path, std::ios::binary) {
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(path, error);
+        if (error || !file_)
+            throw RequestError(fmt::format("cannot read '{}': {}", path.string(),
+                                           error ? error.message() : "it cannot be opened"));
+        const std::uintmax_t wanted =
+            std::uintmax_t{2} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+        if (size != wanted)
+            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} heights of 16 bits take {}",
+                                           path.string(), size, width, height, wanted));
+        format_ = {width, height, 1, false};
+        bytes_.resize(2 * static_cast<std::size_t>(width));
+    }
+
+    void read_row(std::span<float> row) override {
+        if (!file_.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
+            throw RequestError(fmt::format("cannot read '{}': it ended early", path_.string()));
+        const char* at = bytes_.data();
+        for (float& value : row) {
+            const auto low = static_cast<std::uint8_t>(at[0]), high = static_cast<std::uint8_t>(at[1]);
+            value = static_cast<float>(256 * high + low) / 65535.0f;
+            at += 2;
+        }
+    }
+
+  private:
+    std::filesystem::path path_;
+    std::ifstream file_;
+    std::vector<char> bytes_;
+};
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_raw16(const std::filesystem::path& path, int width, int height) {
+    return std::make_unique<Raw16>(path, width, height);
+}
+
+void Raw16Writer::write_rows(std::span<const float> values) {
+    bytes_.clear();
+    for (const float value : values) {
+        const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
+        const auto level = static_cast<std::uint32_t>(clamped * 65535.0f + 0.5f);
+        bytes_.push_back(static_cast<std::byte>(level & 0xffu));
+        bytes_.push_back(static_cast<std::byte>(level >> 8));
+    }
+    file_.write(bytes_);
+}
+
+} // namespace gabor::image

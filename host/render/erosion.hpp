@@ -1,0 +1,74 @@
+#pragma once
+
+#include "image/exr.hpp"
+#include "image/picture.hpp"
+#include "vulkan/device.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace gabor::render {
+
+/// As GaborErosion in shaders/gabor_erosion.glsl.
+struct Erosion {
+    double octaves = 5;
+    double frequency = 1.5;
+    double strength = 0.12;
+    double lacunarity = 2;
+    double gain = 0.5;
+    double onset = 0.5;
+    double detail = 1.5;
+    double sharpness = 2;
+    double ridge_rounding = 0.1;
+    double crease_rounding = 0.1;
+    double gully_weight = 0.5;
+    double branching = 1;
+};
+
+/// A member of Erosion, as options name it.
+struct ErosionParameter {
+    std::string_view name;
+    double Erosion::*member;
+    double low;
+    double high;
+    std::string_view summary;
+};
+std::span<const ErosionParameter> erosion_parameters();
+
+/// Named shapes of gullies, for hills about four units wide.
+struct ErosionPreset {
+    std::string_view name;
+    Erosion erosion;
+};
+std::span<const ErosionPreset> erosion_presets();
+
+/// The most that erosion raises or lowers a height, in the unit of 1 / frequency.
+double erosion_reach(const Erosion& erosion);
+
+/// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
+struct HeightMap {
+    std::function<std::unique_ptr<image::PictureReader>()> open; ///< one channel of heights
+    int width = 0;
+    int height = 0;
+    double pixel = 1;
+    double scale = 1; ///< heights are `offset` plus this times the values read
+    double offset = 0;
+    bool tileable = false;
+};
+
+/// The channels of an eroded map: height, slope along x and y, ridge, and what erosion added.
+inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slope.x", "slope.y", "ridge",
+                                                                  "erosion"};
+
+/// Erodes a region band by band, so that memory does not grow with the map's height, and hands on the rows
+/// with their channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map
+/// that is damaged or holds a NaN or an infinity.
+void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
+           const image::Window& region, const std::function<void(std::span<const float>)>& write);
+
+} // namespace gabor::render

@@ -1,0 +1,54 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// A band of a heightmap, eroded. Slopes are those of the map smoothed over 5 x 5 pixels, so that steps of 16 bits do not
+// show: binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
+
+#include "passes/erode_interface.h"
+#include "gabor_lattice.glsl"
+#include "gabor_erosion.glsl"
+
+layout(local_size_x = erode_group, local_size_y = erode_group) in;
+
+layout(std430, set = 0, binding = 0) readonly buffer Map { float map[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Eroded { float eroded[]; };
+
+// The map's height at a pixel of it, counted in rows from the first of the band.
+float height_at(int column, int row) {
+    column = tileable != 0 ? (column + map_width) % map_width : clamp(column, 0, map_width - 1);
+    return map[(row + erode_halo) * map_width + column];
+}
+
+vec2 slope_at(int column, int row) {
+    vec2 slope = vec2(0.0);
+    for (int j = -2; j <= 2; ++j) {
+        for (int i = -2; i <= 2; ++i) {
+            float height = height_at(column + i, row + j);
+            float across_x = i == 0 ? 6.0 : abs(i) == 1 ? 4.0 : 1.0;
+            float across_y = j == 0 ? 6.0 : abs(j) == 1 ? 4.0 : 1.0;
+            float along_x = float(sign(i) * (3 - abs(i)));
+            float along_y = float(sign(j) * (3 - abs(j)));
+            slope += height * vec2(along_x * across_y, across_x * along_y);
+        }
+    }
+    return slope / (128.0 * pixel);
+}
+
+void main() {
+    ivec2 here = ivec2(gl_GlobalInvocationID.xy);
+    if (here.x >= width || here.y >= height)
+        return;
+    int column = first_column + here.x;
+    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
+    GaborErosion erosion = GaborErosion(octaves, frequency, strength, lacunarity, gain, onset, detail, sharpness,
+                                        ridge_rounding, crease_rounding, gully_weight, branching);
+    vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
+    GaborTerrain terrain = gabor_eroded_at(GaborGround(ivec2(0), p, period), vec2(pixel, 0.0), vec2(0.0, pixel), base,
+                                           erosion, seed);
+    int at = erode_channels * (here.y * width + here.x);
+    eroded[at] = terrain.height;
+    eroded[at + 1] = terrain.slope.x;
+    eroded[at + 2] = terrain.slope.y;
+    eroded[at + 3] = terrain.ridge;
+    eroded[at + 4] = terrain.height - base.height;
+}
