@@ -22,7 +22,7 @@ precision highp float;
 precision highp int;
 #endif
 
-#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
 // ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
 

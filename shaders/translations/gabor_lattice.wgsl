@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 008b228a399f36bf
+// Digest of the GLSL and of this file: a244350b7c08be6d
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -10,7 +10,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 10100u;
+const GABOR_NOISE_VERSION: u32 = 20000u;
 
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
@@ -302,6 +302,17 @@ fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpne
     let _e12 = place_6;
     let _e13 = gabor_stripes_at(_e12, wave, sharpness, seed);
     return _e13;
+}
+
+// The stripes of any complex noise's value.
+fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
+    var intensity_1: f32;
+
+    intensity_1 = length(value);
+    let _e4 = intensity_1;
+    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
+    let _e10 = intensity_1;
+    return vec3<f32>(_e9.x, _e9.y, _e10);
 }
 
 // Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
@@ -633,7 +644,7 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
 fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     let _e4 = gabor_kernel_wave(wave);
     let _e5 = gabor_field(place, _e4, seed);
-    let _e7 = gabor_impl_stripes(_e5.value, sharpness);
+    let _e7 = gabor_stripes_of(_e5.value, sharpness);
     return _e7;
 }
 
@@ -679,33 +690,35 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The salt of the columns; that of the rows is its xor with GABOR_IMPL_ROWS, or words on the diagonal would be squares.
+// The salt of the columns. That of the rows is its xor with GABOR_IMPL_ROWS: otherwise node (i, i) hashes to a square.
 fn gabor_impl_salt(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
 }
 
 // The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
-// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Of 4096 columns two pairs are alike.
+// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. A word times a shifted copy of itself mixes
+// what a constant factor would not: indices at any distance have equal words as often as chance, 2^-22.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     var word_2: u32;
 
     word_2 = ((u32(index) * 2654435761u) + salt);
     let _e7 = word_2;
     let _e8 = word_2;
-    word_2 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e9 = word_2;
+    word_2 = (_e7 * (_e8 ^ (_e9 >> 15u)));
     let _e14 = word_2;
     return ((_e14 >> 8u) | 8388609u);
 }
 
-// The amplitude of a word. Its parts, of the whole word and of its low half, are independent and nearly normal: for u
+// The amplitude of a word. Its parts, of the whole word and of its low 20 bits, are independent and nearly normal: for u
 // uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
 // the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
 // there, and 0.001 on average.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
 
-    u = vec2<f32>(f32(i32(word)), f32(i32((word << 16u))));
+    u = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
     let _e9 = u;
     let _e11 = u;
     let _e20 = u;
@@ -1372,15 +1385,4 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         let _e51 = turned;
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     }
-}
-
-// (cosine, sine, intensity) of a complex value: z / |z| where |z| is above 1 / sharpness, else sharpness z.
-fn gabor_impl_stripes(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
-    var intensity_1: f32;
-
-    intensity_1 = length(value);
-    let _e4 = intensity_1;
-    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
-    let _e10 = intensity_1;
-    return vec3<f32>(_e9.x, _e9.y, _e10);
 }

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without parametrization: mean 0, variance 1 and a normal
 // distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: ca909909136753e1
+// Digest of the GLSL and of this file: 364b6820ff74efde
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -62,7 +62,7 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_10: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_27: GaborPlace3d;
+    var place_28: GaborPlace3d;
 
     period_10 = period;
     let _e6 = period_10;
@@ -74,26 +74,26 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e34 = nodes_1;
     let _e35 = period_10;
     let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_27 = _e38;
+    place_28 = _e38;
     let _e41 = nodes_1;
     let _e42 = period_10;
-    place_27.radius = (_e41 / _e42);
+    place_28.radius = (_e41 / _e42);
     let _e45 = nodes_1;
-    place_27.period = vec3<i32>(_e45);
-    let _e47 = place_27;
+    place_28.period = vec3<i32>(_e45);
+    let _e47 = place_28;
     let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
     return _e48.noise;
 }
 
 // Noise that evolves in place and repeats when `time` has grown by 1: see gabor_noise_animated.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_28: GaborPlace3d;
+    var place_29: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_28 = _e12;
-    place_28.animated = true;
-    place_28.time = time;
-    let _e17 = place_28;
+    place_29 = _e12;
+    place_29.animated = true;
+    place_29.time = time;
+    let _e17 = place_29;
     let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
     return _e18.noise;
 }
@@ -200,7 +200,7 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
 
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var stretch_3: vec3<f32>;
-    var wave_19: vec3<f32>;
+    var wave_21: vec3<f32>;
     var salt_10: u32;
     var amplitude_5: f32 = 1f;
     var transmitted_1: f32 = 1f;
@@ -216,7 +216,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     stretch_3 = (place.radius / vec3(1.5f));
     let _e15 = gabor_impl_unit(direction);
     let _e17 = stretch_3;
-    wave_19 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
+    wave_21 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
     let _e20 = gabor_impl_salt(seed);
     salt_10 = _e20;
     if place.filtered {
@@ -227,12 +227,12 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
             let _e38 = whole;
             let _e40 = gabor_impl_resolved(_e38, 1f);
             resolved = _e40;
-            let _e42 = wave_19;
+            let _e42 = wave_21;
             let _e43 = whole;
             let _e44 = gabor_impl_transmitted_3d(_e42, _e43);
             transmitted_1 = _e44;
             let _e45 = transmitted_1;
-            let _e46 = wave_19;
+            let _e46 = wave_21;
             let _e47 = resolved;
             let _e48 = gabor_impl_transmitted_3d(_e46, _e47);
             amplitude_5 = sqrt((_e45 / _e48));
@@ -260,7 +260,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     }
     let _e92 = wide_1;
     if (_e92 < 1f) {
-        let _e96 = wave_19;
+        let _e96 = wave_21;
         let _e97 = pixel_5;
         let _e98 = salt_10;
         let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
@@ -271,7 +271,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     let _e106 = wide_1;
     if (_e106 > 0f) {
         {
-            let _e116 = wave_19;
+            let _e116 = wave_21;
             let _e117 = pixel_5;
             let _e118 = wide_1;
             let _e121 = salt_10;
@@ -303,15 +303,15 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_31: vec3<f32>;
+    var local_32: vec3<f32>;
     var other: vec3<f32>;
     var flat_length: f32;
     var sum_17: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_32: i32;
-    var i_6: i32;
     var local_33: i32;
-    var local_34: vec3<f32>;
-    var local_35: f32;
+    var i_6: i32;
+    var local_34: i32;
+    var local_35: vec3<f32>;
+    var local_36: f32;
 
     normal_1 = normal;
     direction_3 = direction;
@@ -324,11 +324,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_31 = vec3<f32>(0f, 0f, 1f);
+        local_32 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_31 = vec3<f32>(1f, 0f, 0f);
+        local_32 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_31;
+    let _e26 = local_32;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -345,45 +345,45 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     flat_length = dot(_e43, _e44);
     let _e56 = flat_length;
     if (_e56 > 0.0625f) {
-        local_32 = 0i;
+        local_33 = 0i;
     } else {
-        local_32 = 1i;
+        local_33 = 1i;
     }
-    let _e62 = local_32;
+    let _e62 = local_33;
     i_6 = _e62;
     loop {
         let _e64 = i_6;
         let _e65 = flat_length;
         if (_e65 < 0.25f) {
-            local_33 = 2i;
+            local_34 = 2i;
         } else {
-            local_33 = 1i;
+            local_34 = 1i;
         }
-        let _e71 = local_33;
+        let _e71 = local_34;
         if !((_e64 < _e71)) {
             break;
         }
         let _e78 = i_6;
         if (_e78 == 0i) {
             let _e81 = direction_3;
-            local_34 = _e81;
+            local_35 = _e81;
         } else {
             let _e82 = other;
-            local_34 = _e82;
+            local_35 = _e82;
         }
-        let _e84 = local_34;
+        let _e84 = local_35;
         let _e85 = i_6;
         let _e86 = gabor_lobe_seed(seed, _e85);
         let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
         let _e88 = i_6;
         if (_e88 == 0i) {
             let _e93 = flat_length;
-            local_35 = smoothstep(0.0625f, 0.25f, _e93);
+            local_36 = smoothstep(0.0625f, 0.25f, _e93);
         } else {
             let _e99 = flat_length;
-            local_35 = smoothstep(-0.25f, -0.0625f, -(_e99));
+            local_36 = smoothstep(-0.25f, -0.0625f, -(_e99));
         }
-        let _e103 = local_35;
+        let _e103 = local_36;
         gabor_impl_add_term((&sum_17), _e87, _e103);
         continuing {
             let _e74 = i_6;
@@ -399,13 +399,13 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     var normal_3: vec3<f32>;
     var aside_1: f32;
     var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_48: i32;
-    var i_8: i32;
     var local_49: i32;
-    var local_50: vec3<f32>;
+    var i_8: i32;
+    var local_50: i32;
+    var local_51: vec3<f32>;
     var along_1: vec3<f32>;
     var term_1: GaborField3d;
-    var local_51: f32;
+    var local_52: f32;
 
     normal_3 = normal;
     let _e5 = normal_3;
@@ -416,32 +416,32 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     aside_1 = dot(_e7.xy, _e9.xy);
     let _e22 = aside_1;
     if (_e22 > 0.25f) {
-        local_48 = 0i;
+        local_49 = 0i;
     } else {
-        local_48 = 1i;
+        local_49 = 1i;
     }
-    let _e28 = local_48;
+    let _e28 = local_49;
     i_8 = _e28;
     loop {
         let _e30 = i_8;
         let _e31 = aside_1;
         if (_e31 < 0.5f) {
-            local_49 = 2i;
+            local_50 = 2i;
         } else {
-            local_49 = 1i;
+            local_50 = 1i;
         }
-        let _e37 = local_49;
+        let _e37 = local_50;
         if !((_e30 < _e37)) {
             break;
         }
         {
             let _e43 = i_8;
             if (_e43 == 0i) {
-                local_50 = vec3<f32>(0f, 0f, 1f);
+                local_51 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_50 = vec3<f32>(1f, 0f, 0f);
+                local_51 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e55 = local_50;
+            let _e55 = local_51;
             let _e56 = normal_3;
             let _e58 = gabor_impl_unit(cross(_e55, _e56));
             along_1 = _e58;
@@ -456,12 +456,12 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             let _e72 = i_8;
             if (_e72 == 0i) {
                 let _e77 = aside_1;
-                local_51 = smoothstep(0.25f, 0.5f, _e77);
+                local_52 = smoothstep(0.25f, 0.5f, _e77);
             } else {
                 let _e83 = aside_1;
-                local_51 = smoothstep(-0.5f, -0.25f, -(_e83));
+                local_52 = smoothstep(-0.5f, -0.25f, -(_e83));
             }
-            let _e87 = local_51;
+            let _e87 = local_52;
             gabor_impl_add_term((&sum_23), _e71, _e87);
         }
         continuing {
@@ -493,12 +493,12 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
 // Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
 // filter adds mixed derivatives, with its covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
-    var y_7: GaborAxis;
+    var y_8: GaborAxis;
     var j_4: i32 = 0i;
     var slice_3: vec4<f32>;
     var slope_10: vec4<f32>;
 
-    y_7 = y;
+    y_8 = y;
     loop {
         let _e11 = j_4;
         if !((_e11 < 3i)) {
@@ -506,15 +506,15 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
         }
         let _e18 = j_4;
         let _e21 = j_4;
-        let _e24 = y_7.word[_e21];
+        let _e24 = y_8.word[_e21];
         let _e27 = gabor_impl_slice_word(_e24, z.word[k]);
-        y_7.word[_e18] = _e27;
+        y_8.word[_e18] = _e27;
         continuing {
             let _e15 = j_4;
             j_4 = (_e15 + 1i);
         }
     }
-    let _e30 = y_7;
+    let _e30 = y_8;
     gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_10));
     let _e38 = slice_3;
     gabor_impl_add(sum, _e38, z.node[k].xy);
@@ -542,38 +542,38 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
 // The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
 // derivative of a wave is 2 pi i F times it.
 fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
-    var x_8: GaborAxis;
-    var y_8: GaborAxis;
+    var x_13: GaborAxis;
+    var y_9: GaborAxis;
     var z_4: GaborAxis;
-    var local_29: f32;
     var local_30: f32;
+    var local_31: f32;
     var turn_10: vec2<f32>;
     var blurred_4: vec3<f32>;
     var sum_13: vec4<f32> = vec4(0f);
     var slopes_1: vec4<f32> = vec4(0f);
 
     let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    x_8 = _e15;
+    x_13 = _e15;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    y_8 = _e30;
+    y_9 = _e30;
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
     z_4 = _e45;
-    if false {
-        local_29 = 1f;
-    } else {
-        local_29 = 1.125f;
-    }
-    let _e56 = local_29;
     if false {
         local_30 = 1f;
     } else {
         local_30 = 1.125f;
     }
-    let _e68 = local_30;
-    let _e71 = x_8;
-    let _e73 = x_8;
-    let _e76 = y_8;
-    let _e78 = y_8;
+    let _e56 = local_30;
+    if false {
+        local_31 = 1f;
+    } else {
+        local_31 = 1.125f;
+    }
+    let _e68 = local_31;
+    let _e71 = x_13;
+    let _e73 = x_13;
+    let _e76 = y_9;
+    let _e78 = y_9;
     let _e82 = z_4;
     let _e84 = z_4;
     let _e88 = gabor_impl_wave((((_e71.turns * _e73.offset) + (_e76.turns * _e78.offset)) + (_e82.turns * _e84.offset)));
@@ -583,9 +583,9 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
             let _e92 = gabor_impl_symmetric_3d(pixel, wave);
             blurred_4 = _e92;
             let _e97 = blurred_4;
-            gabor_impl_filter((&x_8), pixel.diagonal.x, _e97.x);
+            gabor_impl_filter((&x_13), pixel.diagonal.x, _e97.x);
             let _e103 = blurred_4;
-            gabor_impl_filter((&y_8), pixel.diagonal.y, _e103.y);
+            gabor_impl_filter((&y_9), pixel.diagonal.y, _e103.y);
             let _e109 = blurred_4;
             gabor_impl_filter((&z_4), pixel.diagonal.z, _e109.z);
             let _e112 = turn_10;
@@ -593,16 +593,16 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
             turn_10 = (_e112 * exp((-19.739208f * max(dot(wave, _e115), 0f))));
         }
     }
-    let _e130 = x_8;
-    let _e131 = y_8;
+    let _e130 = x_13;
+    let _e131 = y_9;
     let _e132 = z_4;
     gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
-    let _e139 = x_8;
-    let _e140 = y_8;
+    let _e139 = x_13;
+    let _e140 = y_9;
     let _e141 = z_4;
     gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
-    let _e148 = x_8;
-    let _e149 = y_8;
+    let _e148 = x_13;
+    let _e149 = y_9;
     let _e150 = z_4;
     gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
     let _e155 = sum_13;
@@ -652,20 +652,20 @@ struct GaborPixelAxes {
 }
 
 fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
-    var dx_7: vec3<f32>;
-    var dy_7: vec3<f32>;
+    var dx_8: vec3<f32>;
+    var dy_8: vec3<f32>;
     var twice_1: vec2<f32>;
     var cosine: f32;
     var turn_11: vec2<f32>;
 
-    dx_7 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
-    dy_7 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
-    let _e20 = dx_7;
-    let _e21 = dx_7;
-    let _e23 = dy_7;
-    let _e24 = dy_7;
-    let _e28 = dx_7;
-    let _e29 = dy_7;
+    dx_8 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
+    dy_8 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
+    let _e20 = dx_8;
+    let _e21 = dx_8;
+    let _e23 = dy_8;
+    let _e24 = dy_8;
+    let _e28 = dx_8;
+    let _e29 = dy_8;
     twice_1 = vec2<f32>((dot(_e20, _e21) - dot(_e23, _e24)), (2f * dot(_e28, _e29)));
     let _e34 = twice_1;
     let _e36 = twice_1;
@@ -678,13 +678,13 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
         turn_11.y = -(_e61.y);
     }
     let _e64 = turn_11;
-    let _e66 = dx_7;
+    let _e66 = dx_8;
     let _e68 = turn_11;
-    let _e70 = dy_7;
+    let _e70 = dy_8;
     let _e73 = turn_11;
-    let _e75 = dy_7;
+    let _e75 = dy_8;
     let _e77 = turn_11;
-    let _e79 = dx_7;
+    let _e79 = dx_8;
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
@@ -733,14 +733,14 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
 
 // Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
-    var power_3: f32;
+    var power_4: f32;
 
     let _e3 = gabor_impl_takeover(x);
-    power_3 = _e3;
-    let _e6 = power_3;
+    power_4 = _e3;
+    let _e6 = power_4;
     gabor_impl_accumulate_3d(sum, term, sqrt(_e6));
     let _e10 = (*sum);
-    let _e12 = power_3;
+    let _e12 = power_4;
     (*sum).removed = (_e10.removed + (_e12 * term.removed));
     return;
 }
@@ -759,9 +759,9 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wa
     var a_5: vec2<f32>;
     var h: vec3<f32>;
     var slope_11: vec3<f32>;
-    var value_9: vec2<f32>;
-    var x_10: vec3<f32>;
-    var y_9: vec3<f32>;
+    var value_10: vec2<f32>;
+    var x_15: vec3<f32>;
+    var y_10: vec3<f32>;
     var even_2: vec3<f32>;
     var odd_2: vec3<f32>;
     var i_h: vec3<f32>;
@@ -781,25 +781,25 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wa
     let _e21 = h;
     let _e23 = h;
     let _e27 = a_5;
-    value_9 = ((_e19.x * (_e21.y * _e23.z)) * _e27);
+    value_10 = ((_e19.x * (_e21.y * _e23.z)) * _e27);
     if place.filtered {
         {
             let _e32 = gabor_impl_symmetric_3d(pixel, wave);
-            x_10 = (19.739208f * _e32);
+            x_15 = (19.739208f * _e32);
             let _e35 = a_5;
-            let _e36 = x_10;
+            let _e36 = x_15;
             a_5 = (_e35 * exp(-(max(dot(wave, _e36), 0f))));
-            let _e43 = x_10;
-            x_10 = clamp(_e43, vec3(-3f), vec3(3f));
-            let _e50 = x_10;
-            let _e51 = x_10;
-            y_9 = (_e50 * _e51);
-            let _e55 = y_9;
-            let _e58 = y_9;
+            let _e43 = x_15;
+            x_15 = clamp(_e43, vec3(-3f), vec3(3f));
+            let _e50 = x_15;
+            let _e51 = x_15;
+            y_10 = (_e50 * _e51);
+            let _e55 = y_10;
+            let _e58 = y_10;
             even_2 = (vec3(1f) + (_e55 * (vec3(0.5f) + (0.041666668f * _e58))));
-            let _e66 = x_10;
-            let _e68 = y_9;
-            let _e71 = y_9;
+            let _e66 = x_15;
+            let _e68 = y_10;
+            let _e71 = y_10;
             odd_2 = (_e66 * (vec3(1f) + (_e68 * (vec3(0.16666667f) + (0.008333333f * _e71)))));
             let _e81 = even_2;
             h = (node.middle + (_e81 * node.cosine));
@@ -831,7 +831,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wa
             let _e157 = real_3;
             let _e162 = a_5;
             let _e163 = gabor_impl_product(vec2<f32>((((_e135.x * _e137.x) - (_e140.x * _e142.x)) + dot(pixel.mixed, _e147)), ((_e150.x * _e152.x) + (_e155.x * _e157.x))), _e162);
-            value_9 = _e163;
+            value_10 = _e163;
             let _e164 = slope_11;
             let _e165 = imaginary_3;
             let _e167 = i_slope;
@@ -860,20 +860,20 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wa
         }
     }
     let _e203 = (*sum);
-    let _e205 = value_9;
+    let _e205 = value_10;
     (*sum).noise = (_e203.noise + _e205.y);
     let _e209 = (*sum);
     let _e211 = slope_11;
     let _e212 = a_5;
-    let _e216 = value_9;
+    let _e216 = value_10;
     (*sum).gradient = (_e209.gradient + ((_e211 * _e212.y) + ((6.2831855f * _e216.x) * wave)));
     let _e223 = (*sum);
-    let _e225 = value_9;
+    let _e225 = value_10;
     (*sum).quadrature = (_e223.quadrature + _e225.x);
     let _e229 = (*sum);
     let _e231 = slope_11;
     let _e232 = a_5;
-    let _e236 = value_9;
+    let _e236 = value_10;
     (*sum).quadrature_gradient = (_e229.quadrature_gradient + ((_e231 * _e232.x) - ((6.2831855f * _e236.y) * wave)));
     return;
 }
@@ -897,7 +897,7 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     var rise_2: f32;
     var level: f32;
     var spin: vec2<f32>;
-    var t_4: vec3<f32>;
+    var t_7: vec3<f32>;
     var b_9: vec3<f32>;
     var outward: f32;
     var aside: f32;
@@ -941,7 +941,7 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
             spin = _e105;
             let _e107 = turn_12;
             let _e110 = turn_12;
-            t_4 = vec3<f32>(-(_e107.y), _e110.x, 0f);
+            t_7 = vec3<f32>(-(_e107.y), _e110.x, 0f);
             let _e115 = rise_2;
             let _e117 = turn_12;
             let _e118 = (-(_e115) * _e117);
@@ -972,7 +972,7 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
             gabor_impl_add_wave(sum, _e151, (scale * vec3<f32>(_e154.x, _e154.y, _e155)), ((_e160 * _e161) + (_e163 * _e164.z)), place, pixel, (column * row.x));
             let _e172 = node_1;
             let _e173 = spin;
-            let _e175 = t_4;
+            let _e175 = t_7;
             let _e177 = spin;
             let _e179 = b_9;
             let _e183 = spin;
@@ -984,7 +984,7 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
             let _e197 = spin;
             let _e199 = b_9;
             let _e201 = spin;
-            let _e203 = t_4;
+            let _e203 = t_7;
             let _e207 = spin;
             let _e209 = upward;
             let _e211 = spin;
@@ -1071,29 +1071,29 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
 
 // The sum over 27 nodes, less its factor K.
 fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
-    var x_12: GaborAxis;
-    var y_11: GaborAxis;
+    var x_17: GaborAxis;
+    var y_12: GaborAxis;
     var z_6: GaborAxis;
     var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_7: i32 = 0i;
     var j_5: i32;
-    var local_37: vec4<f32>;
     var local_38: vec4<f32>;
-    var y_j: vec4<f32>;
     var local_39: vec4<f32>;
+    var y_j: vec4<f32>;
     var local_40: vec4<f32>;
+    var local_41: vec4<f32>;
     var z_k: vec4<f32>;
-    var local_41: u32;
     var local_42: u32;
     var local_43: u32;
     var local_44: u32;
+    var local_45: u32;
     var word_8: u32;
     var row_7: vec4<u32>;
 
     let _e14 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, place.filtered, pixel.diagonal.x);
-    x_12 = _e14;
+    x_17 = _e14;
     let _e27 = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), place.filtered, pixel.diagonal.y);
-    y_11 = _e27;
+    y_12 = _e27;
     let _e40 = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), place.filtered, pixel.diagonal.z);
     z_6 = _e40;
     loop {
@@ -1106,94 +1106,94 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
             j_5 = (_e60 % 3i);
             let _e64 = j_5;
             if (_e64 == 0i) {
-                let _e70 = y_11.node[0];
-                local_38 = _e70;
+                let _e70 = y_12.node[0];
+                local_39 = _e70;
             } else {
                 let _e71 = j_5;
                 if (_e71 == 1i) {
-                    let _e77 = y_11.node[1];
-                    local_37 = _e77;
+                    let _e77 = y_12.node[1];
+                    local_38 = _e77;
                 } else {
-                    let _e81 = y_11.node[2];
-                    local_37 = _e81;
+                    let _e81 = y_12.node[2];
+                    local_38 = _e81;
                 }
-                let _e83 = local_37;
-                local_38 = _e83;
+                let _e83 = local_38;
+                local_39 = _e83;
             }
-            let _e85 = local_38;
+            let _e85 = local_39;
             y_j = _e85;
             let _e87 = i_7;
             if (_e87 < 3i) {
                 let _e93 = z_6.node[0];
-                local_40 = _e93;
+                local_41 = _e93;
             } else {
                 let _e94 = i_7;
                 if (_e94 < 6i) {
                     let _e100 = z_6.node[1];
-                    local_39 = _e100;
+                    local_40 = _e100;
                 } else {
                     let _e104 = z_6.node[2];
-                    local_39 = _e104;
+                    local_40 = _e104;
                 }
-                let _e106 = local_39;
-                local_40 = _e106;
+                let _e106 = local_40;
+                local_41 = _e106;
             }
-            let _e108 = local_40;
+            let _e108 = local_41;
             z_k = _e108;
             let _e110 = j_5;
             if (_e110 == 0i) {
-                let _e116 = y_11.word[0];
-                local_42 = _e116;
+                let _e116 = y_12.word[0];
+                local_43 = _e116;
             } else {
                 let _e117 = j_5;
                 if (_e117 == 1i) {
-                    let _e123 = y_11.word[1];
-                    local_41 = _e123;
+                    let _e123 = y_12.word[1];
+                    local_42 = _e123;
                 } else {
-                    let _e127 = y_11.word[2];
-                    local_41 = _e127;
+                    let _e127 = y_12.word[2];
+                    local_42 = _e127;
                 }
-                let _e129 = local_41;
-                local_42 = _e129;
+                let _e129 = local_42;
+                local_43 = _e129;
             }
-            let _e131 = local_42;
+            let _e131 = local_43;
             let _e132 = i_7;
             if (_e132 < 3i) {
                 let _e138 = z_6.word[0];
-                local_44 = _e138;
+                local_45 = _e138;
             } else {
                 let _e139 = i_7;
                 if (_e139 < 6i) {
                     let _e145 = z_6.word[1];
-                    local_43 = _e145;
+                    local_44 = _e145;
                 } else {
                     let _e149 = z_6.word[2];
-                    local_43 = _e149;
+                    local_44 = _e149;
                 }
-                let _e151 = local_43;
-                local_44 = _e151;
+                let _e151 = local_44;
+                local_45 = _e151;
             }
-            let _e153 = local_44;
+            let _e153 = local_45;
             word_8 = (_e131 * _e153);
             let _e156 = word_8;
             let _e157 = gabor_impl_row(_e156);
             row_7 = _e157;
-            let _e163 = x_12.node[0];
+            let _e163 = x_17.node[0];
             let _e164 = y_j;
             let _e165 = z_k;
-            let _e169 = x_12.word[0];
+            let _e169 = x_17.word[0];
             let _e170 = row_7;
             gabor_impl_add_node((&sum_20), _e163, _e164, _e165, place, pixel, scale, tangents, _e169, _e170);
-            let _e176 = x_12.node[1];
+            let _e176 = x_17.node[1];
             let _e177 = y_j;
             let _e178 = z_k;
-            let _e182 = x_12.word[1];
+            let _e182 = x_17.word[1];
             let _e183 = row_7;
             gabor_impl_add_node((&sum_20), _e176, _e177, _e178, place, pixel, scale, tangents, _e182, _e183);
-            let _e189 = x_12.node[2];
+            let _e189 = x_17.node[2];
             let _e190 = y_j;
             let _e191 = z_k;
-            let _e195 = x_12.word[2];
+            let _e195 = x_17.word[2];
             let _e196 = row_7;
             gabor_impl_add_node((&sum_20), _e189, _e190, _e191, place, pixel, scale, tangents, _e195, _e196);
         }
@@ -1287,9 +1287,9 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
     var frequency_20: f32;
     var stretch_4: vec3<f32>;
-    var local_45: f32;
     var local_46: f32;
     var local_47: f32;
+    var local_48: f32;
     var amplitude_6: f32;
     var transmitted_2: f32 = 1f;
     var pixel_10: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
@@ -1302,23 +1302,23 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     let _e13 = frequency_20;
     frequency_20 = min(abs(_e13), 1000000f);
     if tangents.only {
-        local_45 = 2f;
+        local_46 = 2f;
     } else {
-        local_45 = 3f;
+        local_46 = 3f;
     }
-    let _e21 = local_45;
-    if false {
-        local_46 = 1f;
-    } else {
-        local_46 = 1.125f;
-    }
-    let _e31 = local_46;
+    let _e21 = local_46;
     if false {
         local_47 = 1f;
     } else {
         local_47 = 1.125f;
     }
-    let _e44 = local_47;
+    let _e31 = local_47;
+    if false {
+        local_48 = 1f;
+    } else {
+        local_48 = 1.125f;
+    }
+    let _e44 = local_48;
     amplitude_6 = (inverseSqrt((_e21 * _e31)) / (1459955300000000000000000000f * _e44));
     if place.filtered {
         {

@@ -71,8 +71,8 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 // How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
-// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
+// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
 // sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
@@ -175,21 +175,9 @@ float2 gabor_impl_turns(float turns, float dx, float dy) {
     return exp(-min(4.9348022 * (dx * dx + dy * dy), 40.0)) * gabor_impl_wave(turns);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
-// Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
-float gabor_impl_rise(float2 phase) {
-    float sum = 0.33333333;
-    float damping = dot(phase, phase);
-    float power = 1.0;
-    float2 wave = float2(1.0, 0.0);
-    for (int m = 1; m < 7; ++m) {
-        wave = power * gabor_impl_product(wave, phase); // of length damping^(m^2 / 2)
-        power *= damping;
-        float x = 0.44879895 * float(m);
-        float r = 0.31830989 / float(m);
-        sum += sin(x) / x * r * (r * wave.x - wave.y);
-    }
-    return sum;
+// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+float gabor_impl_rise(float2 stripes) {
+    return gabor_stripes_sawtooth(stripes) - 0.25 * gabor_stripes_ridges(stripes);
 }
 
 // The colour within [0, 1], which a product of tones can exceed.
@@ -204,7 +192,7 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed) {
     GaborPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(0.43, 0.0), gabor_lobe_seed(seed, 0));
     board = gabor_impl_warp(board, float2(4.0, 0.9), float2(0.018, 0.0), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.035, 0.0), gabor_lobe_seed(seed, 2));
-    float ring = gabor_impl_rise(gabor_impl_turns(13.0 * years.p.x, 13.0 * years.dx.x, 13.0 * years.dy.x));
+    float ring = gabor_impl_rise(0.97 * gabor_impl_turns(13.0 * years.p.x, 13.0 * years.dx.x, 13.0 * years.dy.x));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
     float3 tone = gabor_impl_spots(board, float2(3.5, 0.35), gabor_lobe_seed(seed, 5));

@@ -62,8 +62,8 @@ struct GaborMaterial {
 // How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
-// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
+// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
 // sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
@@ -156,21 +156,9 @@ GABOR_INLINE gabor_vec2 gabor_impl_turns(float turns, float dx, float dy) {
     return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * (dx * dx + dy * dy), 40.0f)) * gabor_impl_wave(turns);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
-// Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
-GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
-    float sum = 0.33333333f;
-    float damping = gabor_cpp_dot(phase, phase);
-    float power = 1.0f;
-    gabor_vec2 wave = gabor_vec2(1.0f, 0.0f);
-    for (int m = 1; m < 7; ++m) {
-        wave = power * gabor_impl_product(wave, phase); // of length damping^(m^2 / 2)
-        power *= damping;
-        float x = 0.44879895f * float(m);
-        float r = 0.31830989f / float(m);
-        sum += gabor_cpp_sin(x) / x * r * (r * wave.x - wave.y);
-    }
-    return sum;
+// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+GABOR_INLINE float gabor_impl_rise(gabor_vec2 stripes) {
+    return gabor_stripes_sawtooth(stripes) - 0.25f * gabor_stripes_ridges(stripes);
 }
 
 // The colour within [0, 1], which a product of tones can exceed.
@@ -185,7 +173,7 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed)
     GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(0.43f, 0.0f), gabor_lobe_seed(seed, 0));
     board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(0.018f, 0.0f), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.035f, 0.0f), gabor_lobe_seed(seed, 2));
-    float ring = gabor_impl_rise(gabor_impl_turns(13.0f * years.p.x, 13.0f * years.dx.x, 13.0f * years.dy.x));
+    float ring = gabor_impl_rise(0.97f * gabor_impl_turns(13.0f * years.p.x, 13.0f * years.dx.x, 13.0f * years.dy.x));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
     gabor_vec3 tone = gabor_impl_spots(board, gabor_vec2(3.5f, 0.35f), gabor_lobe_seed(seed, 5));

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: materials made of Gabor noise: for WGSL.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 5ee13d0cb9161960
+// Digest of the GLSL and of this file: bd89f621fc0b4da6
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -156,8 +156,8 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a Fourier
-// series. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
+// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
+// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
 // sharp ones at every distance; leather and the weaves fade to a measured mean.
 
 // A place and the steps to the neighbouring pixels.
@@ -171,31 +171,31 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the share of their variance that was removed.
 //   density  kernels to the unit, along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_16: GaborPlace;
+    var place_17: GaborPlace;
     var kernel_8: GaborKernel;
-    var removed_3: f32;
-    var footprint_2: GaborFootprint;
-    var value_9: vec2<f32>;
+    var removed_4: f32;
+    var footprint_3: GaborFootprint;
+    var value_10: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_16 = _e14;
+    place_17 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
     kernel_8 = _e16;
     if !(pixel.filtered) {
-        let _e20 = place_16;
+        let _e20 = place_17;
         let _e21 = kernel_8;
         let _e22 = gabor_field(_e20, _e21, seed);
         return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
     }
     let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
-    footprint_2 = _e33;
-    let _e35 = place_16;
+    footprint_3 = _e33;
+    let _e35 = place_17;
     let _e36 = kernel_8;
-    let _e37 = footprint_2;
-    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_3));
-    value_9 = _e40.value;
-    let _e43 = value_9;
-    let _e44 = removed_3;
+    let _e37 = footprint_3;
+    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_4));
+    value_10 = _e40.value;
+    let _e43 = value_10;
+    let _e44 = removed_4;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
 
@@ -209,7 +209,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
     var sum_12: vec3<f32> = vec3(0f);
-    var power_3: f32 = 0f;
+    var power_4: f32 = 0f;
     var amplitude_4: f32 = 1f;
     var i_6: i32 = 0i;
 
@@ -230,10 +230,10 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
             sum_12 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
-            let _e34 = power_3;
+            let _e34 = power_4;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
-            power_3 = (_e34 + (_e35 * _e36));
+            power_4 = (_e34 + (_e35 * _e36));
             let _e39 = amplitude_4;
             amplitude_4 = (_e39 * gain);
             let _e41 = density_3;
@@ -245,22 +245,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
         }
     }
     let _e44 = sum_12;
-    let _e45 = power_3;
+    let _e45 = power_4;
     let _e47 = vec2(sqrt(_e45));
-    let _e48 = power_3;
+    let _e48 = power_4;
     return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
 }
 
 // The place moved by two noises, and its steps with it.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_17: GaborPlace;
+    var place_18: GaborPlace;
     var field_10: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_17 = _e13;
-    let _e15 = place_17;
+    place_18 = _e13;
+    let _e15 = place_18;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
     field_10 = _e19;
@@ -294,12 +294,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_7: f32;
+    var x_12: f32;
 
-    x_7 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_7;
-    let _e20 = x_7;
-    let _e22 = x_7;
+    x_12 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_12;
+    let _e20 = x_12;
+    let _e22 = x_12;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -329,51 +329,11 @@ fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
     return (exp(-(min((4.934802f * ((dx * dx) + (dy * dy))), 40f))) * _e12);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: six terms of its Fourier series, smoothed by
-// Lanczos's factors. A wave that is left to the share a keeps a^(m^2) of its harmonic m, as under a normal filter.
-fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
-    var sum_13: f32 = 0.33333334f;
-    var damping: f32;
-    var power_4: f32 = 1f;
-    var wave_17: vec2<f32> = vec2<f32>(1f, 0f);
-    var m_5: i32 = 1i;
-    var x_8: f32;
-    var r_2: f32;
-
-    damping = dot(phase, phase);
-    loop {
-        let _e13 = m_5;
-        if !((_e13 < 7i)) {
-            break;
-        }
-        {
-            let _e20 = power_4;
-            let _e21 = wave_17;
-            let _e22 = gabor_impl_product(_e21, phase);
-            wave_17 = (_e20 * _e22);
-            let _e24 = power_4;
-            let _e25 = damping;
-            power_4 = (_e24 * _e25);
-            let _e28 = m_5;
-            x_8 = (0.44879895f * f32(_e28));
-            let _e33 = m_5;
-            r_2 = (0.3183099f / f32(_e33));
-            let _e37 = sum_13;
-            let _e38 = x_8;
-            let _e40 = x_8;
-            let _e42 = r_2;
-            let _e44 = r_2;
-            let _e45 = wave_17;
-            let _e48 = wave_17;
-            sum_13 = (_e37 + (((sin(_e38) / _e40) * _e42) * ((_e44 * _e45.x) - _e48.y)));
-        }
-        continuing {
-            let _e17 = m_5;
-            m_5 = (_e17 + 1i);
-        }
-    }
-    let _e53 = sum_13;
-    return _e53;
+// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+fn gabor_impl_rise(stripes: vec2<f32>) -> f32 {
+    let _e1 = gabor_stripes_sawtooth(stripes);
+    let _e3 = gabor_stripes_ridges(stripes);
+    return (_e1 - (0.25f * _e3));
 }
 
 // The colour within [0, 1], which a product of tones can exceed.
@@ -404,49 +364,49 @@ fn gabor_impl_wood(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e30 = gabor_lobe_seed(seed, 2i);
     let _e31 = gabor_impl_warp(_e22, vec2<f32>(6.5f, 0.08f), vec2<f32>(0.035f, 0f), _e30);
     years = _e31;
-    let _e34 = years;
-    let _e39 = years;
-    let _e44 = years;
-    let _e48 = gabor_impl_turns((13f * _e34.p.x), (13f * _e39.dx.x), (13f * _e44.dy.x));
-    let _e49 = gabor_impl_rise(_e48);
-    ring = _e49;
-    let _e55 = gabor_lobe_seed(seed, 3i);
-    let _e56 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e55);
-    pore = _e56;
-    let _e62 = gabor_lobe_seed(seed, 4i);
-    let _e63 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e62);
-    fibre = _e63;
-    let _e65 = board;
-    let _e70 = gabor_lobe_seed(seed, 5i);
-    let _e71 = gabor_impl_spots(_e65, vec2<f32>(3.5f, 0.35f), _e70);
-    tone = _e71;
-    let _e75 = ring;
-    let _e78 = pore;
+    let _e35 = years;
+    let _e40 = years;
+    let _e45 = years;
+    let _e49 = gabor_impl_turns((13f * _e35.p.x), (13f * _e40.dx.x), (13f * _e45.dy.x));
+    let _e51 = gabor_impl_rise((0.97f * _e49));
+    ring = _e51;
+    let _e57 = gabor_lobe_seed(seed, 3i);
+    let _e58 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e57);
+    pore = _e58;
+    let _e64 = gabor_lobe_seed(seed, 4i);
+    let _e65 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e64);
+    fibre = _e65;
+    let _e67 = board;
+    let _e72 = gabor_lobe_seed(seed, 5i);
+    let _e73 = gabor_impl_spots(_e67, vec2<f32>(3.5f, 0.35f), _e72);
+    tone = _e73;
+    let _e77 = ring;
     let _e80 = pore;
-    let _e84 = gabor_impl_above(_e78.y, _e80.z, 1.1f, 0.25f);
-    pores = ((1f - (0.75f * _e75)) * _e84);
-    let _e95 = ring;
-    colour_1 = mix(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), vec3(_e95));
-    let _e99 = colour_1;
-    let _e100 = fibre;
+    let _e82 = pore;
+    let _e86 = gabor_impl_above(_e80.y, _e82.z, 1.1f, 0.25f);
+    pores = ((1f - (0.75f * _e77)) * _e86);
+    let _e97 = ring;
+    colour_1 = mix(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), vec3(_e97));
+    let _e101 = colour_1;
     let _e102 = fibre;
-    let _e105 = gabor_impl_tone(_e100.y, _e102.z, 0.11f);
-    let _e106 = tone;
+    let _e104 = fibre;
+    let _e107 = gabor_impl_tone(_e102.y, _e104.z, 0.11f);
     let _e108 = tone;
-    let _e111 = gabor_impl_tone(_e106.y, _e108.z, 0.13f);
-    colour_1 = (_e99 * (_e105 * _e111));
-    let _e114 = colour_1;
-    let _e120 = pores;
-    colour_1 = mix(_e114, vec3<f32>(0.09f, 0.035f, 0.014f), vec3((0.75f * _e120)));
-    let _e125 = ring;
-    let _e128 = pores;
-    let _e132 = fibre;
-    height_1 = (((0.0006f * _e125) - (0.0018f * _e128)) + (0.0002f * _e132.y));
-    let _e137 = colour_1;
-    let _e138 = height_1;
-    let _e141 = ring;
-    let _e145 = gabor_impl_material(_e137, _e138, (0.5f - (0.1f * _e141)), 0f);
-    return _e145;
+    let _e110 = tone;
+    let _e113 = gabor_impl_tone(_e108.y, _e110.z, 0.13f);
+    colour_1 = (_e101 * (_e107 * _e113));
+    let _e116 = colour_1;
+    let _e122 = pores;
+    colour_1 = mix(_e116, vec3<f32>(0.09f, 0.035f, 0.014f), vec3((0.75f * _e122)));
+    let _e127 = ring;
+    let _e130 = pores;
+    let _e134 = fibre;
+    height_1 = (((0.0006f * _e127) - (0.0018f * _e130)) + (0.0002f * _e134.y));
+    let _e139 = colour_1;
+    let _e140 = height_1;
+    let _e143 = ring;
+    let _e147 = gabor_impl_material(_e139, _e140, (0.5f - (0.1f * _e143)), 0f);
+    return _e147;
 }
 
 fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
@@ -459,21 +419,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_28: f32;
+    var local_29: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_2: bool;
     var top: f32;
-    var local_29: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_30: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_31: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept: f32;
     var light: f32;
-    var local_31: f32;
+    var local_32: f32;
     var share_2: f32;
     var colour_2: vec3<f32>;
 
@@ -513,11 +473,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_28 = -1f;
+        local_29 = -1f;
     } else {
-        local_28 = 1f;
+        local_29 = 1f;
     }
-    let _e89 = local_28;
+    let _e89 = local_29;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -542,22 +502,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e166 = first_2;
     if _e166 {
         let _e167 = upright;
-        local_29 = _e167;
+        local_30 = _e167;
     } else {
         let _e168 = level;
-        local_29 = _e168;
+        local_30 = _e168;
     }
-    let _e170 = local_29;
+    let _e170 = local_30;
     tone_1 = _e170;
     let _e172 = first_2;
     if _e172 {
         let _e173 = upright_fibre;
-        local_30 = _e173;
+        local_31 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_30 = _e174;
+        local_31 = _e174;
     }
-    let _e176 = local_30;
+    let _e176 = local_31;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -574,11 +534,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
     let _e216 = first_2;
     if _e216 {
-        local_31 = 1f;
+        local_32 = 1f;
     } else {
-        local_31 = 0f;
+        local_32 = 0f;
     }
-    let _e220 = local_31;
+    let _e220 = local_32;
     let _e221 = kept;
     share_2 = mix(0.5f, _e220, _e221);
     let _e232 = share_2;
@@ -855,12 +815,12 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_7: f32 = 0f;
+    var removed_8: f32 = 0f;
     var power_5: f32 = 0f;
     var i_7: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_18: vec3<f32>;
+    var wave_19: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
 
@@ -879,26 +839,26 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             let _e45 = i_7;
             let _e46 = gabor_lobe_seed(seed, _e45);
             let _e47 = gabor_impl_layer(pixel, vec2((_e39 / 2.2f)), 2.2f, _e44, _e46);
-            wave_18 = _e47;
+            wave_19 = _e47;
             let _e50 = waves;
             amplitude_6 = (0.018f / pow(_e50, 1.3f));
             let _e55 = height_3;
             let _e56 = amplitude_6;
-            let _e57 = wave_18;
-            let _e60 = wave_18;
-            let _e62 = wave_18;
-            let _e65 = wave_18;
-            let _e67 = wave_18;
+            let _e57 = wave_19;
+            let _e60 = wave_19;
+            let _e62 = wave_19;
+            let _e65 = wave_19;
+            let _e67 = wave_19;
             height_3 = (_e55 + (_e56 * (_e57.x + (0.2f * ((_e60.x * _e62.x) - (_e65.y * _e67.y))))));
             let _e75 = crest_1;
             let _e76 = amplitude_6;
-            let _e77 = wave_18;
+            let _e77 = wave_19;
             crest_1 = (_e75 + (_e76 * _e77.x));
-            let _e81 = removed_7;
+            let _e81 = removed_8;
             let _e82 = amplitude_6;
             let _e83 = amplitude_6;
-            let _e85 = wave_18;
-            removed_7 = (_e81 + ((_e82 * _e83) * _e85.z));
+            let _e85 = wave_19;
+            removed_8 = (_e81 + ((_e82 * _e83) * _e85.z));
             let _e89 = power_5;
             let _e90 = amplitude_6;
             let _e91 = amplitude_6;
@@ -911,7 +871,7 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     }
     let _e94 = crest_1;
     let _e95 = power_5;
-    let _e98 = removed_7;
+    let _e98 = removed_8;
     let _e99 = power_5;
     let _e103 = gabor_impl_above((_e94 * inverseSqrt(_e95)), (_e98 / _e99), 0.5f, 1f);
     light_1 = _e103;
@@ -1166,11 +1126,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var within_2: vec2<f32>;
     var turn_11: f32;
     var first_3: bool;
-    var local_32: vec3<f32>;
+    var local_33: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_33: vec2<f32>;
+    var local_34: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_34: f32;
+    var local_35: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
@@ -1206,31 +1166,31 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e64 = first_3;
     if _e64 {
         let _e65 = upright_1;
-        local_32 = _e65;
+        local_33 = _e65;
     } else {
         let _e66 = level_1;
-        local_32 = _e66;
+        local_33 = _e66;
     }
-    let _e68 = local_32;
+    let _e68 = local_33;
     fibre_2 = _e68;
     let _e70 = first_3;
     if _e70 {
         let _e71 = within_2;
-        local_33 = _e71.yx;
+        local_34 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_33 = _e73;
+        local_34 = _e73;
     }
-    let _e75 = local_33;
+    let _e75 = local_34;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_11;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_34 = 0f;
+        local_35 = 0f;
     } else {
-        local_34 = 1f;
+        local_35 = 1f;
     }
-    let _e91 = local_34;
+    let _e91 = local_35;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);

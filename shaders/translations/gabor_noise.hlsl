@@ -16,7 +16,7 @@
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
 
-#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
 // ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
 

@@ -20,7 +20,7 @@
 
 using namespace metal;
 
-#define GABOR_NOISE_VERSION 10100 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
 // ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
 

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: d8e26698193e7921
+// Digest of the GLSL and of this file: 02a0a868f95135e1
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -11,7 +11,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 10100u;
+const GABOR_NOISE_VERSION: u32 = 20000u;
 
 // Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
 // normal over all places together, less so at each place of a cell: README has both figures for each recipe.

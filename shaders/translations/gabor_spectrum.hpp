@@ -113,6 +113,40 @@ struct GaborLobes {
 // vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 //     With its gradient: (noise, d/dx, d/dy, removed).
 
+// vec4 gabor_stripes_filtered(vec2 p, vec2 dx, vec2 dy, vec2 wave, float sharpness, uint seed)
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over what the filter removed, within
+//     0.1: (cosine, sine) gets shorter as waves are removed. Profiles of it fade to their mean.
+
+// ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
+//
+// By phase and width, averaged over `width` turns of the phase, at least 0.001 and at most 1. Give it how far the phase
+// moves over a pixel, such as gabor_noise's frequency times the length of dFdx(p):
+
+// float gabor_profile_sine(float phase, float width)
+//     A sine wave from 0 at phase 0 to 1 at half a turn.
+
+// float gabor_profile_triangle(float phase, float width)
+//     Straight lines from 0 at phase 0 to 1 at half a turn and back.
+
+// float gabor_profile_sawtooth(float phase, float width)
+//     A straight line from 0 at phase 0 to 1 after a turn.
+
+// float gabor_profile_pulse(float phase, float duty, float width)
+//     1 from phase 0 over the share `duty` of a turn, from 0 to 1, then 0.
+
+// float gabor_profile_ridges(float phase, float width)
+//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
+
+// By the (cosine, sine) of stripes, which need no width. Where their length is 1 the profile is sharp. Where it is less,
+// as variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that length:
+
+// float gabor_stripes_sine(vec2 stripes)
+// float gabor_stripes_triangle(vec2 stripes)
+// float gabor_stripes_sawtooth(vec2 stripes)
+// float gabor_stripes_pulse(vec2 stripes, float duty)
+// float gabor_stripes_ridges(vec2 stripes)
+//     gabor_profile_sine and so on.
+
 // ---- By place ------------------------------------------------------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
@@ -136,6 +170,9 @@ struct GaborFootprint {
 
 // GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+
+// vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
+//     gabor_stripes_filtered at a place, with a footprint as below.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -755,6 +792,105 @@ GABOR_INLINE gabor_vec2 gabor_noise_lobes_filtered(gabor_vec2 p, gabor_vec2 dx, 
     return gabor_vec2(field.x, field.w);
 }
 
+// For z = v + sqrt(r) times normal numbers, both parts independent, the mean of z / |z| is about v / sqrt(|v|^2 + 8/pi r)
+// and the mean of |z| about sqrt(|v|^2 + pi/2 r): both exact for small and for large |v|.
+GABOR_INLINE gabor_vec4 gabor_stripes_filtered_at(GaborPlace place, gabor_vec2 wave, GaborFootprint footprint, float sharpness, std::uint32_t seed) {
+    float removed;
+    gabor_vec2 value = gabor_field_filtered(place, gabor_kernel_wave(wave), footprint, seed, removed).value;
+    float power = gabor_cpp_dot(value, value);
+    float reach = gabor_cpp_sqrt(power + 2.5464791f * gabor_cpp_max(removed, 0.0f));
+    return gabor_vec4(sharpness / gabor_cpp_max(sharpness * reach, 1.0f) * value, gabor_cpp_sqrt(power + 1.5707963f * gabor_cpp_max(removed, 0.0f)), removed);
+}
+
+GABOR_INLINE gabor_vec4 gabor_stripes_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 wave, float sharpness, std::uint32_t seed) {
+    return gabor_stripes_filtered_at(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), wave, gabor_footprint(dx, dy), sharpness,
+                                     seed);
+}
 #endif // GABOR_TAPS == 3
+
+// Profiles are averaged over [phase - width / 2, phase + width / 2] by the difference of their integrals at its ends: that
+// of a period for each whole turn, and that of the rest.
+GABOR_INLINE gabor_vec3 gabor_impl_ends(float phase, float width) {
+    width = gabor_cpp_clamp(width, 0.001f, 1.0f);
+    phase -= gabor_cpp_floor(phase);
+    return gabor_vec3(phase - 0.5f * width, phase + 0.5f * width, 1.0f / width);
+}
+
+GABOR_INLINE float gabor_profile_sine(float phase, float width) {
+    float x = 3.1415927f * gabor_cpp_clamp(width, 0.001f, 1.0f);
+    return 0.5f - 0.5f * gabor_impl_wave(phase).x * (gabor_impl_wave(0.15915494f * x).y / x);
+}
+
+GABOR_INLINE float gabor_impl_triangle_integral(float x) {
+    float turns = gabor_cpp_floor(x), t = x - turns;
+    return 0.5f * turns + (t < 0.5f ? t * t : 2.0f * t - t * t - 0.5f);
+}
+
+GABOR_INLINE float gabor_profile_triangle(float phase, float width) {
+    gabor_vec3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_triangle_integral(ends.y) - gabor_impl_triangle_integral(ends.x));
+}
+
+GABOR_INLINE float gabor_impl_sawtooth_integral(float x) {
+    float turns = gabor_cpp_floor(x), t = x - turns;
+    return 0.5f * (turns + t * t);
+}
+
+GABOR_INLINE float gabor_profile_sawtooth(float phase, float width) {
+    gabor_vec3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_sawtooth_integral(ends.y) - gabor_impl_sawtooth_integral(ends.x));
+}
+
+GABOR_INLINE float gabor_impl_pulse_integral(float x, float duty) {
+    float turns = gabor_cpp_floor(x);
+    return duty * turns + gabor_cpp_min(x - turns, duty);
+}
+
+GABOR_INLINE float gabor_profile_pulse(float phase, float duty, float width) {
+    gabor_vec3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
+}
+
+GABOR_INLINE float gabor_impl_ridges_integral(float x) {
+    float turns = gabor_cpp_floor(x), t = x - turns;
+    return 0.66666667f * turns + t * t * (2.0f - 1.3333333f * t);
+}
+
+GABOR_INLINE float gabor_profile_ridges(float phase, float width) {
+    gabor_vec3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
+}
+
+// (phase, width) of stripes: over `width` turns the mean of a wave has the length sin(pi width) / (pi width), whose inverse
+// this is, within 0.0025.
+GABOR_INLINE gabor_vec2 gabor_impl_phase_of(gabor_vec2 stripes) {
+    gabor_vec2 phasor = gabor_phasor(stripes);
+    float y = gabor_cpp_max(1.0f - phasor.y, 0.0f);
+    return gabor_vec2(phasor.x, gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f))));
+}
+
+GABOR_INLINE float gabor_stripes_sine(gabor_vec2 stripes) {
+    return 0.5f - 0.5f * stripes.x;
+}
+
+GABOR_INLINE float gabor_stripes_triangle(gabor_vec2 stripes) {
+    gabor_vec2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_triangle(phase.x, phase.y);
+}
+
+GABOR_INLINE float gabor_stripes_sawtooth(gabor_vec2 stripes) {
+    gabor_vec2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_sawtooth(phase.x, phase.y);
+}
+
+GABOR_INLINE float gabor_stripes_pulse(gabor_vec2 stripes, float duty) {
+    gabor_vec2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_pulse(phase.x, duty, phase.y);
+}
+
+GABOR_INLINE float gabor_stripes_ridges(gabor_vec2 stripes) {
+    gabor_vec2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_ridges(phase.x, phase.y);
+}
 
 #endif // GABOR_SPECTRUM_HPP

@@ -116,6 +116,40 @@ struct GaborLobes {
 // float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
 //     With its gradient: (noise, d/dx, d/dy, removed).
 
+// float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed)
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over what the filter removed, within
+//     0.1: (cosine, sine) gets shorter as waves are removed. Profiles of it fade to their mean.
+
+// ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
+//
+// By phase and width, averaged over `width` turns of the phase, at least 0.001 and at most 1. Give it how far the phase
+// moves over a pixel, such as gabor_noise's frequency times the length of dFdx(p):
+
+// float gabor_profile_sine(float phase, float width)
+//     A sine wave from 0 at phase 0 to 1 at half a turn.
+
+// float gabor_profile_triangle(float phase, float width)
+//     Straight lines from 0 at phase 0 to 1 at half a turn and back.
+
+// float gabor_profile_sawtooth(float phase, float width)
+//     A straight line from 0 at phase 0 to 1 after a turn.
+
+// float gabor_profile_pulse(float phase, float duty, float width)
+//     1 from phase 0 over the share `duty` of a turn, from 0 to 1, then 0.
+
+// float gabor_profile_ridges(float phase, float width)
+//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
+
+// By the (cosine, sine) of stripes, which need no width. Where their length is 1 the profile is sharp. Where it is less,
+// as variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that length:
+
+// float gabor_stripes_sine(float2 stripes)
+// float gabor_stripes_triangle(float2 stripes)
+// float gabor_stripes_sawtooth(float2 stripes)
+// float gabor_stripes_pulse(float2 stripes, float duty)
+// float gabor_stripes_ridges(float2 stripes)
+//     gabor_profile_sine and so on.
+
 // ---- By place ------------------------------------------------------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
@@ -139,6 +173,9 @@ struct GaborFootprint {
 
 // GaborFootprint gabor_footprint(float2 dx, float2 dy)
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+
+// float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed)
+//     gabor_stripes_filtered at a place, with a footprint as below.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -758,6 +795,105 @@ inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLo
     return float2(field.x, field.w);
 }
 
+// For z = v + sqrt(r) times normal numbers, both parts independent, the mean of z / |z| is about v / sqrt(|v|^2 + 8/pi r)
+// and the mean of |z| about sqrt(|v|^2 + pi/2 r): both exact for small and for large |v|.
+inline float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed) {
+    float removed;
+    float2 value = gabor_field_filtered(place, gabor_kernel_wave(wave), footprint, seed, removed).value;
+    float power = dot(value, value);
+    float reach = sqrt(power + 2.5464791 * max(removed, 0.0));
+    return float4(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * max(removed, 0.0)), removed);
+}
+
+inline float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed) {
+    return gabor_stripes_filtered_at(gabor_place(int2(0), p * GABOR_RADIUS), wave, gabor_footprint(dx, dy), sharpness,
+                                     seed);
+}
 #endif // GABOR_TAPS == 3
+
+// Profiles are averaged over [phase - width / 2, phase + width / 2] by the difference of their integrals at its ends: that
+// of a period for each whole turn, and that of the rest.
+inline float3 gabor_impl_ends(float phase, float width) {
+    width = clamp(width, 0.001, 1.0);
+    phase -= floor(phase);
+    return float3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);
+}
+
+inline float gabor_profile_sine(float phase, float width) {
+    float x = 3.1415927 * clamp(width, 0.001, 1.0);
+    return 0.5 - 0.5 * gabor_impl_wave(phase).x * (gabor_impl_wave(0.15915494 * x).y / x);
+}
+
+inline float gabor_impl_triangle_integral(float x) {
+    float turns = floor(x), t = x - turns;
+    return 0.5 * turns + (t < 0.5 ? t * t : 2.0 * t - t * t - 0.5);
+}
+
+inline float gabor_profile_triangle(float phase, float width) {
+    float3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_triangle_integral(ends.y) - gabor_impl_triangle_integral(ends.x));
+}
+
+inline float gabor_impl_sawtooth_integral(float x) {
+    float turns = floor(x), t = x - turns;
+    return 0.5 * (turns + t * t);
+}
+
+inline float gabor_profile_sawtooth(float phase, float width) {
+    float3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_sawtooth_integral(ends.y) - gabor_impl_sawtooth_integral(ends.x));
+}
+
+inline float gabor_impl_pulse_integral(float x, float duty) {
+    float turns = floor(x);
+    return duty * turns + min(x - turns, duty);
+}
+
+inline float gabor_profile_pulse(float phase, float duty, float width) {
+    float3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
+}
+
+inline float gabor_impl_ridges_integral(float x) {
+    float turns = floor(x), t = x - turns;
+    return 0.66666667 * turns + t * t * (2.0 - 1.3333333 * t);
+}
+
+inline float gabor_profile_ridges(float phase, float width) {
+    float3 ends = gabor_impl_ends(phase, width);
+    return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
+}
+
+// (phase, width) of stripes: over `width` turns the mean of a wave has the length sin(pi width) / (pi width), whose inverse
+// this is, within 0.0025.
+inline float2 gabor_impl_phase_of(float2 stripes) {
+    float2 phasor = gabor_phasor(stripes);
+    float y = max(1.0 - phasor.y, 0.0);
+    return float2(phasor.x, sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376))));
+}
+
+inline float gabor_stripes_sine(float2 stripes) {
+    return 0.5 - 0.5 * stripes.x;
+}
+
+inline float gabor_stripes_triangle(float2 stripes) {
+    float2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_triangle(phase.x, phase.y);
+}
+
+inline float gabor_stripes_sawtooth(float2 stripes) {
+    float2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_sawtooth(phase.x, phase.y);
+}
+
+inline float gabor_stripes_pulse(float2 stripes, float duty) {
+    float2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_pulse(phase.x, duty, phase.y);
+}
+
+inline float gabor_stripes_ridges(float2 stripes) {
+    float2 phase = gabor_impl_phase_of(stripes);
+    return gabor_profile_ridges(phase.x, phase.y);
+}
 
 #endif // GABOR_SPECTRUM_METAL

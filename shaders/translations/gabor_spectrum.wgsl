@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise of any power spectrum, and without aliasing: for WGSL.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: b89ce8aac15d84b7
+// Digest of the GLSL and of this file: bf85ecf9ebe3656d
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
@@ -406,6 +406,232 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     }
     let _e90 = local_27;
     return _e90;
+}
+
+// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over what the filter removed, within
+// 0.1: (cosine, sine) gets shorter as waves are removed. Profiles of it fade to their mean.
+fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e14 = gabor_footprint(dx, dy);
+    let _e15 = gabor_stripes_filtered_at(_e13, wave, _e14, sharpness, seed);
+    return _e15;
+}
+
+// A sine wave from 0 at phase 0 to 1 at half a turn.
+fn gabor_profile_sine(phase: f32, width: f32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var x_5: f32;
+
+        x_5 = (3.1415927f * clamp(width, 0.001f, 1f));
+        let _e10 = gabor_impl_wave(phase);
+        let _e14 = x_5;
+        let _e16 = gabor_impl_wave((0.15915494f * _e14));
+        let _e18 = x_5;
+        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
+    } else if GABOR_TAPS == 4 {
+        var x_5: f32;
+
+        x_5 = (3.1415927f * clamp(width, 0.001f, 1f));
+        let _e10 = gabor_impl_wave(phase);
+        let _e14 = x_5;
+        let _e16 = gabor_impl_wave((0.15915494f * _e14));
+        let _e18 = x_5;
+        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
+    } else {
+        var x_7: f32;
+
+        x_7 = (3.1415927f * clamp(width, 0.001f, 1f));
+        let _e10 = gabor_impl_wave(phase);
+        let _e14 = x_7;
+        let _e16 = gabor_impl_wave((0.15915494f * _e14));
+        let _e18 = x_7;
+        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
+    }
+}
+
+// Straight lines from 0 at phase 0 to 1 at half a turn and back.
+fn gabor_profile_triangle(phase: f32, width: f32) -> f32 {
+    var ends: vec3<f32>;
+
+    let _e2 = gabor_impl_ends(phase, width);
+    ends = _e2;
+    let _e4 = ends;
+    let _e6 = ends;
+    let _e8 = gabor_impl_triangle_integral(_e6.y);
+    let _e9 = ends;
+    let _e11 = gabor_impl_triangle_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
+}
+
+// A straight line from 0 at phase 0 to 1 after a turn.
+fn gabor_profile_sawtooth(phase: f32, width: f32) -> f32 {
+    var ends_1: vec3<f32>;
+
+    let _e2 = gabor_impl_ends(phase, width);
+    ends_1 = _e2;
+    let _e4 = ends_1;
+    let _e6 = ends_1;
+    let _e8 = gabor_impl_sawtooth_integral(_e6.y);
+    let _e9 = ends_1;
+    let _e11 = gabor_impl_sawtooth_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
+}
+
+// 1 from phase 0 over the share `duty` of a turn, from 0 to 1, then 0.
+fn gabor_profile_pulse(phase: f32, duty: f32, width: f32) -> f32 {
+    var ends_2: vec3<f32>;
+
+    let _e3 = gabor_impl_ends(phase, width);
+    ends_2 = _e3;
+    let _e5 = ends_2;
+    let _e7 = ends_2;
+    let _e9 = gabor_impl_pulse_integral(_e7.y, duty);
+    let _e10 = ends_2;
+    let _e12 = gabor_impl_pulse_integral(_e10.x, duty);
+    return (_e5.z * (_e9 - _e12));
+}
+
+// Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
+fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
+    var ends_3: vec3<f32>;
+
+    let _e2 = gabor_impl_ends(phase, width);
+    ends_3 = _e2;
+    let _e4 = ends_3;
+    let _e6 = ends_3;
+    let _e8 = gabor_impl_ridges_integral(_e6.y);
+    let _e9 = ends_3;
+    let _e11 = gabor_impl_ridges_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
+}
+
+fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
+    return (0.5f - (0.5f * stripes.x));
+}
+
+fn gabor_stripes_triangle(stripes: vec2<f32>) -> f32 {
+    if GABOR_TAPS == 2 {
+        var phase_8: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_8 = _e1;
+        let _e3 = phase_8;
+        let _e5 = phase_8;
+        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
+        return _e7;
+    } else if GABOR_TAPS == 4 {
+        var phase_8: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_8 = _e1;
+        let _e3 = phase_8;
+        let _e5 = phase_8;
+        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
+        return _e7;
+    } else {
+        var phase_12: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_12 = _e1;
+        let _e3 = phase_12;
+        let _e5 = phase_12;
+        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
+        return _e7;
+    }
+}
+
+fn gabor_stripes_sawtooth(stripes: vec2<f32>) -> f32 {
+    if GABOR_TAPS == 2 {
+        var phase_9: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_9 = _e1;
+        let _e3 = phase_9;
+        let _e5 = phase_9;
+        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
+        return _e7;
+    } else if GABOR_TAPS == 4 {
+        var phase_9: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_9 = _e1;
+        let _e3 = phase_9;
+        let _e5 = phase_9;
+        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
+        return _e7;
+    } else {
+        var phase_13: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_13 = _e1;
+        let _e3 = phase_13;
+        let _e5 = phase_13;
+        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
+        return _e7;
+    }
+}
+
+fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var phase_10: vec2<f32>;
+
+        let _e2 = gabor_impl_phase_of(stripes);
+        phase_10 = _e2;
+        let _e4 = phase_10;
+        let _e6 = phase_10;
+        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
+        return _e8;
+    } else if GABOR_TAPS == 4 {
+        var phase_10: vec2<f32>;
+
+        let _e2 = gabor_impl_phase_of(stripes);
+        phase_10 = _e2;
+        let _e4 = phase_10;
+        let _e6 = phase_10;
+        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
+        return _e8;
+    } else {
+        var phase_14: vec2<f32>;
+
+        let _e2 = gabor_impl_phase_of(stripes);
+        phase_14 = _e2;
+        let _e4 = phase_14;
+        let _e6 = phase_14;
+        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
+        return _e8;
+    }
+}
+
+// gabor_profile_sine and so on.
+fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
+    if GABOR_TAPS == 2 {
+        var phase_11: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_11 = _e1;
+        let _e3 = phase_11;
+        let _e5 = phase_11;
+        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
+        return _e7;
+    } else if GABOR_TAPS == 4 {
+        var phase_11: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_11 = _e1;
+        let _e3 = phase_11;
+        let _e5 = phase_11;
+        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
+        return _e7;
+    } else {
+        var phase_15: vec2<f32>;
+
+        let _e1 = gabor_impl_phase_of(stripes);
+        phase_15 = _e1;
+        let _e3 = phase_15;
+        let _e5 = phase_15;
+        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
+        return _e7;
+    }
 }
 
 // The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
@@ -825,6 +1051,31 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     }
     let _e141 = footprint_1;
     return _e141;
+}
+
+// gabor_stripes_filtered at a place, with a footprint as below.
+fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
+    var removed_3: f32;
+    var value_9: vec2<f32>;
+    var power_3: f32;
+    var reach: f32;
+
+    let _e6 = gabor_kernel_wave(wave);
+    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_3));
+    value_9 = _e9.value;
+    let _e12 = value_9;
+    let _e13 = value_9;
+    power_3 = dot(_e12, _e13);
+    let _e16 = power_3;
+    let _e18 = removed_3;
+    reach = sqrt((_e16 + (2.546479f * max(_e18, 0f))));
+    let _e25 = reach;
+    let _e30 = value_9;
+    let _e31 = ((sharpness / max((sharpness * _e25), 1f)) * _e30);
+    let _e32 = power_3;
+    let _e34 = removed_3;
+    let _e40 = removed_3;
+    return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
 }
 
 // The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
@@ -1988,4 +2239,265 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e433 = (-6.2831855f * _e432);
     (*quadrature) = (_e427 * vec4<f32>(_e428.x, _e433.x, _e433.y, _e433.z));
     return;
+}
+
+// Profiles are averaged over [phase - width / 2, phase + width / 2] by the difference of their integrals at its ends: that
+// of a period for each whole turn, and that of the rest.
+fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        var phase_2: f32;
+        var width_2: f32;
+
+        phase_2 = phase;
+        width_2 = width;
+        let _e4 = width_2;
+        width_2 = clamp(_e4, 0.001f, 1f);
+        let _e8 = phase_2;
+        let _e9 = phase_2;
+        phase_2 = (_e8 - floor(_e9));
+        let _e12 = phase_2;
+        let _e14 = width_2;
+        let _e17 = phase_2;
+        let _e19 = width_2;
+        let _e23 = width_2;
+        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
+    } else if GABOR_TAPS == 4 {
+        var phase_2: f32;
+        var width_2: f32;
+
+        phase_2 = phase;
+        width_2 = width;
+        let _e4 = width_2;
+        width_2 = clamp(_e4, 0.001f, 1f);
+        let _e8 = phase_2;
+        let _e9 = phase_2;
+        phase_2 = (_e8 - floor(_e9));
+        let _e12 = phase_2;
+        let _e14 = width_2;
+        let _e17 = phase_2;
+        let _e19 = width_2;
+        let _e23 = width_2;
+        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
+    } else {
+        var phase_6: f32;
+        var width_2: f32;
+
+        phase_6 = phase;
+        width_2 = width;
+        let _e4 = width_2;
+        width_2 = clamp(_e4, 0.001f, 1f);
+        let _e8 = phase_6;
+        let _e9 = phase_6;
+        phase_6 = (_e8 - floor(_e9));
+        let _e12 = phase_6;
+        let _e14 = width_2;
+        let _e17 = phase_6;
+        let _e19 = width_2;
+        let _e23 = width_2;
+        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
+    }
+}
+
+fn gabor_impl_triangle_integral(x: f32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var turns: f32;
+        var t_4: f32;
+        var local_14: f32;
+
+        turns = floor(x);
+        let _e3 = turns;
+        t_4 = (x - _e3);
+        let _e7 = turns;
+        let _e9 = t_4;
+        if (_e9 < 0.5f) {
+            let _e12 = t_4;
+            let _e13 = t_4;
+            local_14 = (_e12 * _e13);
+        } else {
+            let _e16 = t_4;
+            let _e18 = t_4;
+            let _e19 = t_4;
+            local_14 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+        }
+        let _e25 = local_14;
+        return ((0.5f * _e7) + _e25);
+    } else if GABOR_TAPS == 4 {
+        var turns: f32;
+        var t_3: f32;
+        var local_14: f32;
+
+        turns = floor(x);
+        let _e3 = turns;
+        t_3 = (x - _e3);
+        let _e7 = turns;
+        let _e9 = t_3;
+        if (_e9 < 0.5f) {
+            let _e12 = t_3;
+            let _e13 = t_3;
+            local_14 = (_e12 * _e13);
+        } else {
+            let _e16 = t_3;
+            let _e18 = t_3;
+            let _e19 = t_3;
+            local_14 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+        }
+        let _e25 = local_14;
+        return ((0.5f * _e7) + _e25);
+    } else {
+        var turns: f32;
+        var t_4: f32;
+        var local_28: f32;
+
+        turns = floor(x);
+        let _e3 = turns;
+        t_4 = (x - _e3);
+        let _e7 = turns;
+        let _e9 = t_4;
+        if (_e9 < 0.5f) {
+            let _e12 = t_4;
+            let _e13 = t_4;
+            local_28 = (_e12 * _e13);
+        } else {
+            let _e16 = t_4;
+            let _e18 = t_4;
+            let _e19 = t_4;
+            local_28 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+        }
+        let _e25 = local_28;
+        return ((0.5f * _e7) + _e25);
+    }
+}
+
+fn gabor_impl_sawtooth_integral(x: f32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var turns_1: f32;
+        var t_5: f32;
+
+        turns_1 = floor(x);
+        let _e3 = turns_1;
+        t_5 = (x - _e3);
+        let _e7 = turns_1;
+        let _e8 = t_5;
+        let _e9 = t_5;
+        return (0.5f * (_e7 + (_e8 * _e9)));
+    } else if GABOR_TAPS == 4 {
+        var turns_1: f32;
+        var t_4: f32;
+
+        turns_1 = floor(x);
+        let _e3 = turns_1;
+        t_4 = (x - _e3);
+        let _e7 = turns_1;
+        let _e8 = t_4;
+        let _e9 = t_4;
+        return (0.5f * (_e7 + (_e8 * _e9)));
+    } else {
+        var turns_1: f32;
+        var t_5: f32;
+
+        turns_1 = floor(x);
+        let _e3 = turns_1;
+        t_5 = (x - _e3);
+        let _e7 = turns_1;
+        let _e8 = t_5;
+        let _e9 = t_5;
+        return (0.5f * (_e7 + (_e8 * _e9)));
+    }
+}
+
+fn gabor_impl_pulse_integral(x: f32, duty: f32) -> f32 {
+    var turns_2: f32;
+
+    turns_2 = floor(x);
+    let _e4 = turns_2;
+    let _e6 = turns_2;
+    return ((duty * _e4) + min((x - _e6), duty));
+}
+
+fn gabor_impl_ridges_integral(x: f32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var turns_3: f32;
+        var t_6: f32;
+
+        turns_3 = floor(x);
+        let _e3 = turns_3;
+        t_6 = (x - _e3);
+        let _e7 = turns_3;
+        let _e9 = t_6;
+        let _e10 = t_6;
+        let _e14 = t_6;
+        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
+    } else if GABOR_TAPS == 4 {
+        var turns_3: f32;
+        var t_5: f32;
+
+        turns_3 = floor(x);
+        let _e3 = turns_3;
+        t_5 = (x - _e3);
+        let _e7 = turns_3;
+        let _e9 = t_5;
+        let _e10 = t_5;
+        let _e14 = t_5;
+        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
+    } else {
+        var turns_3: f32;
+        var t_6: f32;
+
+        turns_3 = floor(x);
+        let _e3 = turns_3;
+        t_6 = (x - _e3);
+        let _e7 = turns_3;
+        let _e9 = t_6;
+        let _e10 = t_6;
+        let _e14 = t_6;
+        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
+    }
+}
+
+// (phase, width) of stripes: over `width` turns the mean of a wave has the length sin(pi width) / (pi width), whose inverse
+// this is, within 0.0025.
+fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        var phasor: vec2<f32>;
+        var y_3: f32;
+
+        let _e1 = gabor_phasor(stripes);
+        phasor = _e1;
+        let _e4 = phasor;
+        y_3 = max((1f - _e4.y), 0f);
+        let _e10 = phasor;
+        let _e12 = y_3;
+        let _e15 = y_3;
+        let _e17 = y_3;
+        let _e19 = y_3;
+        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
+    } else if GABOR_TAPS == 4 {
+        var phasor: vec2<f32>;
+        var y_4: f32;
+
+        let _e1 = gabor_phasor(stripes);
+        phasor = _e1;
+        let _e4 = phasor;
+        y_4 = max((1f - _e4.y), 0f);
+        let _e10 = phasor;
+        let _e12 = y_4;
+        let _e15 = y_4;
+        let _e17 = y_4;
+        let _e19 = y_4;
+        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
+    } else {
+        var phasor: vec2<f32>;
+        var y_6: f32;
+
+        let _e1 = gabor_phasor(stripes);
+        phasor = _e1;
+        let _e4 = phasor;
+        y_6 = max((1f - _e4.y), 0f);
+        let _e10 = phasor;
+        let _e12 = y_6;
+        let _e15 = y_6;
+        let _e17 = y_6;
+        let _e19 = y_6;
+        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
+    }
 }

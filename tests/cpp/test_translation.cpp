@@ -17,7 +17,9 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gabor::test {
 
@@ -300,4 +302,231 @@ TEST_CASE("any place, pixel and base give a finite terrain") {
             CHECK(broken.times == 0);
         }
     }
+}
+
+namespace {
+
+// The node's index to whose wave vector the map is read, wrapped into a period.
+double wrapped(double index, double period) {
+    return period > 0 ? index - std::floor(index / period) * period : index;
+}
+
+noise::Lattice::Waves map_around(const noise::LatticePlace& place) {
+    noise::Lattice::Waves waves;
+    for (int k = 0; k < 9; ++k) {
+        const double i = place.cell_x + std::floor(place.local_x + 0.5) + k % 3 - 1;
+        const double j = place.cell_y + std::floor(place.local_y + 0.5) + k / 3 - 1;
+        waves.at(static_cast<std::size_t>(k)) = test::map_at(wrapped(i, place.period_x) / place.radius_x,
+                                                             wrapped(j, place.period_y) / place.radius_y);
+    }
+    return waves;
+}
+
+} // namespace
+
+TEST_CASE("noise along a map read at the nodes agrees with the reference") {
+    Random draw;
+    Largest field, gradient, stripes;
+    for (int i = 0; i < 20000; ++i) {
+        Arguments a;
+        // Next to a node's edge a float may round to the other side, where nodes have other numbers.
+        const auto place_on = [&draw](float value) {
+            return draw.word() % 4 ? value : std::round(2 * value) / 2;
+        };
+        a.x = place_on(draw.uniform(-20, 20));
+        a.y = place_on(draw.uniform(-20, 20));
+        a.column = static_cast<std::int32_t>(draw.word());
+        a.row = static_cast<std::int32_t>(draw.word());
+        a.local_x = place_on(draw.uniform(-2, 3));
+        a.local_y = place_on(draw.uniform(-2, 3));
+        a.period_x = 6;
+        a.period_y = 4;
+        a.time = draw.word() % 2 ? draw.uniform(-2, 2) : 0;
+        a.seed = draw.word();
+        test::Waves waves;
+        noise::Lattice::Waves expected_waves;
+        for (std::size_t k = 0; k < 9; ++k)
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                expected_waves[k][axis] = waves.wave[k][axis] = draw.word() % 8 ? draw.uniform(-4, 4) : 0;
+        const test::Directed found = test::directed(a, waves);
+
+        noise::LatticePlace place;
+        place.cell_x = a.column;
+        place.cell_y = a.row;
+        place.local_x = a.local_x;
+        place.local_y = a.local_y;
+        place.animated = a.time != 0;
+        place.time = a.time;
+        const auto expected = noise::Lattice::field(place, expected_waves, a.seed);
+        const double of_field[] = {expected.value.real(),   expected.value.imag(),   expected.slope_x.real(),
+                                   expected.slope_x.imag(), expected.slope_y.real(), expected.slope_y.imag()};
+        for (std::size_t c = 0; c < 6; ++c)
+            field.see(found.field[c], of_field[c], c < 2 ? 2e-5 : 6e-4, a);
+
+        place = {};
+        place.local_x = a.x * 1.5f;
+        place.local_y = a.y * 1.5f;
+        const auto here = noise::Lattice::field(place, map_around(place), a.seed);
+        gradient.see(found.gradient[0], here.value.imag(), 1e-4, a);
+        gradient.see(found.gradient[1], here.slope_x.imag(), 4e-3, a);
+        gradient.see(found.gradient[2], here.slope_y.imag(), 4e-3, a);
+        place.period_x = 9;
+        place.period_y = 6;
+        const auto tiled =
+            noise::lattice_stripes(noise::Lattice::field(place, map_around(place), a.seed).value, 2);
+        for (std::size_t c = 0; c < 3; ++c)
+            stripes.see(found.stripes[c], tiled[c], 3e-4, a);
+    }
+    field.check("gabor_field_waves");
+    gradient.check("gabor_noise_direction_gradient");
+    stripes.check("gabor_stripes_direction_tiled");
+}
+
+// Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
+TEST_CASE("noise along a map read at the nodes has its law at every place") {
+    constexpr int count = 1 << 17;
+    Random draw;
+    for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {
+        test::Waves waves;
+        for (auto& wave : waves.wave)
+            for (float& component : wave)
+                component = draw.uniform(-1.5, 1.5);
+        double expected[3] = {};
+        for (int k = 0; k < 9; ++k) {
+            const double dx = double{x} - std::floor(x + 0.5f) - k % 3 + 1;
+            const double dy = double{y} - std::floor(y + 0.5f) - k / 3 + 1;
+            const auto across = noise::lattice_window(3, dx / 1.5),
+                       along = noise::lattice_window(3, dy / 1.5);
+            const double h[] = {across.slope * along.value, across.value * along.slope};
+            const double turns = 2 * std::numbers::pi * across.value * along.value;
+            const double fx = turns * waves.wave[k][0], fy = turns * waves.wave[k][1];
+            expected[0] += h[0] * h[0] + fx * fx;
+            expected[1] += h[1] * h[1] + fy * fy;
+            expected[2] += h[0] * h[1] + fx * fy;
+        }
+        double sums[8] = {};
+        for (int i = 0; i < count; ++i) {
+            Arguments a;
+            a.column = a.row = 12;
+            a.local_x = x;
+            a.local_y = y;
+            a.seed = draw.word();
+            const auto f = test::directed(a, waves).field;
+            const double n = f[1], nx = f[3], ny = f[5];
+            const double products[] = {n * n,  nx * nx, ny * ny,       nx * ny,
+                                       n * nx, n * ny,  n * n * n * n, nx * nx * nx * nx};
+            for (std::size_t c = 0; c < 8; ++c)
+                sums[c] += products[c] / count;
+        }
+        const double energy = 81.0 / 64; // (sum h^2)^2
+        const double error = 5 * std::sqrt(2.0 / count);
+        INFO("local (" << x << ", " << y << "): variances " << sums[0] << ", " << sums[1] << ", " << sums[2]
+                       << ", kurtosis " << sums[6] / (sums[0] * sums[0]));
+        CHECK(std::abs(sums[0] - 1) < error);
+        CHECK(std::abs(sums[1] * energy / expected[0] - 1) < error);
+        CHECK(std::abs(sums[2] * energy / expected[1] - 1) < error);
+        CHECK(std::abs(sums[3] * energy - expected[2]) < error * std::sqrt(expected[0] * expected[1]));
+        CHECK(std::abs(sums[4]) < error * std::sqrt(sums[1]));
+        CHECK(std::abs(sums[5]) < error * std::sqrt(sums[2]));
+        CHECK(std::abs(sums[6] / (sums[0] * sums[0]) - 3) < 5 * std::sqrt(24.0 / count) + 0.02);
+        CHECK(std::abs(sums[7] / (sums[1] * sums[1]) - 3) < 5 * std::sqrt(24.0 / count) + 0.02);
+    }
+}
+
+namespace {
+
+// The profiles at a phase, sharp, from their definitions.
+std::array<double, 5> sharp(double phase, double duty) {
+    const double t = phase - std::floor(phase);
+    return {0.5 - 0.5 * std::cos(2 * std::numbers::pi * t), 1 - std::abs(2 * t - 1), t, t < duty ? 1.0 : 0.0,
+            4 * t * (1 - t)};
+}
+
+std::array<double, 5> averaged(double phase, double duty, double width) {
+    constexpr int steps = 4000;
+    std::array<double, 5> sum{};
+    for (int i = 0; i < steps; ++i) {
+        const auto values = sharp(phase + width * ((i + 0.5) / steps - 0.5), duty);
+        for (std::size_t c = 0; c < 5; ++c)
+            sum[c] += values[c] / steps;
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("profiles are averages over a width, or over the phases that shorten stripes") {
+    Random draw;
+    Largest by_width, by_stripes;
+    for (int i = 0; i < 2000; ++i) {
+        const float phase = draw.uniform(-3, 3), duty = draw.uniform(0, 1);
+        const float width = draw.word() % 4 ? draw.uniform(0, 1.2) : std::exp2(draw.uniform(-9, 0));
+        const auto where = [&] { return fmt::format("phase {}, width {}, duty {}", phase, width, duty); };
+        const auto found = test::profiles(phase, duty, width);
+        const double used = std::clamp(static_cast<double>(width), 0.001, 1.0);
+        const auto expected = averaged(phase, duty, used);
+        for (std::size_t c = 0; c < 5; ++c)
+            by_width.see(found[c], expected[c], 5e-4 + 1e-6 / used, where);
+
+        const double length = std::sin(std::numbers::pi * used) / (std::numbers::pi * used);
+        const double angle = 2 * std::numbers::pi * phase;
+        const auto stripes = test::stripe_profiles(static_cast<float>(length * std::cos(angle)),
+                                                   static_cast<float>(length * std::sin(angle)), duty);
+        if (used > 0.02 && used < 0.98) // beyond, a length as a float does not tell a width or a phase
+            for (std::size_t c = 0; c < 5; ++c)
+                by_stripes.see(stripes[c], expected[c], 0.003 / used, where);
+    }
+    by_width.check("gabor_profile_...");
+    by_stripes.check("gabor_stripes_sine ...");
+}
+
+// The mean of z min(1 / |z|, sharpness) and of |z|, z = v + sqrt(removed) times normal numbers.
+TEST_CASE("filtered stripes are the mean of stripes over what a filter removes") {
+    Random draw;
+    Largest mean, intensity, sharp_ones, removed;
+    std::mt19937 random(5);
+    std::normal_distribution<> normal;
+    std::vector<std::array<double, 2>> normals(4000);
+    for (auto& pair : normals)
+        pair = {normal(random), normal(random)};
+    for (int i = 0; i < 200; ++i) {
+        Arguments a;
+        a.x = draw.uniform(-9, 9);
+        a.y = draw.uniform(-9, 9);
+        a.wave_x = draw.uniform(-1.5, 1.5);
+        a.wave_y = draw.uniform(-1.5, 1.5);
+        a.seed = draw.word();
+        const float sharpness = draw.uniform(1, 4);
+        const Pixel pixel{{draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)},
+                          {draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)}};
+        const auto found = test::filtered_stripes(a, pixel, sharpness);
+        const noise::Spectrum reference(
+            {{std::hypot(a.wave_x, a.wave_y), std::atan2(a.wave_y, a.wave_x), 1, 1, a.seed}});
+        const auto value =
+            reference.filtered(a.x, a.y, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}).value;
+        const double share = reference.removed({pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]});
+        std::array<double, 3> sum{};
+        for (const auto& [u, v] : normals) {
+            const auto stripes =
+                noise::lattice_stripes(value + std::sqrt(share) * std::complex(u, v), sharpness);
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += stripes[c] / static_cast<double>(normals.size());
+        }
+        mean.see(found[0], sum[0], 0.1, a);
+        mean.see(found[1], sum[1], 0.1, a);
+        intensity.see(found[2], sum[2], 0.13, a);
+        removed.see(found[3], share, 0.02, a);
+        const auto whole = test::filtered_stripes(a, {}, sharpness);
+        const noise::Lattice lattice(3, {a.wave_x, a.wave_y}, a.seed);
+        noise::LatticePlace place;
+        place.local_x = a.x * 1.5f;
+        place.local_y = a.y * 1.5f;
+        const auto expected = noise::lattice_stripes(lattice.field(place).value, sharpness);
+        for (std::size_t c = 0; c < 3; ++c)
+            sharp_ones.see(whole[c], expected[c], 2e-4, a);
+    }
+    mean.check("gabor_stripes_filtered");
+    intensity.check("its intensity");
+    removed.check("its removed variance");
+    sharp_ones.check("of a point");
 }

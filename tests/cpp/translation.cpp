@@ -29,6 +29,13 @@ namespace taps_3 {
 
 #include "gabor_erosion.hpp"
 #include "gabor_spectrum.hpp"
+
+gabor_vec2 direction(gabor_vec2 p) {
+    const auto wave = gabor::test::map_at(p.x, p.y);
+    return {wave[0], wave[1]};
+}
+#define GABOR_DIRECTION(p) direction(p)
+#include "gabor_direction.hpp"
 } // namespace taps_3
 
 namespace gabor::test {
@@ -82,6 +89,45 @@ Filtered filtered(const Arguments& a, const Pixel& pixel) {
         gabor_noise_filtered_gradient({a.x, a.y}, dx, dy, a.frequency, a.orientation, a.seed);
     return {{std::sqrt(footprint.resolved.x), std::sqrt(footprint.resolved.y)},
             {noise.x, noise.y, noise.z, noise.w}};
+}
+
+Directed directed(const Arguments& a, const Waves& waves) {
+    using namespace taps_3;
+    GaborPlace place = gabor_place({a.column, a.row}, {a.local_x, a.local_y});
+    place.animated = a.time != 0;
+    place.time = a.time;
+    GaborWaves given;
+    for (int k = 0; k < 9; ++k)
+        given.wave[k] = gabor_vec2(waves.wave[k][0], waves.wave[k][1]);
+    const GaborField field = gabor_field_waves(place, given, a.seed);
+    const auto gradient = gabor_noise_direction_gradient({a.x, a.y}, a.seed);
+    const auto stripes = gabor_stripes_direction_tiled({a.x, a.y}, {a.period_x, a.period_y}, 2.0f, a.seed);
+    return {
+        {field.value.x, field.value.y, field.slope_x.x, field.slope_x.y, field.slope_y.x, field.slope_y.y},
+        {gradient.x, gradient.y, gradient.z},
+        {stripes.x, stripes.y, stripes.z}};
+}
+
+std::array<float, 5> profiles(float phase, float duty, float width) {
+    using namespace taps_3;
+    return {gabor_profile_sine(phase, width), gabor_profile_triangle(phase, width),
+            gabor_profile_sawtooth(phase, width), gabor_profile_pulse(phase, duty, width),
+            gabor_profile_ridges(phase, width)};
+}
+
+std::array<float, 5> stripe_profiles(float cosine, float sine, float duty) {
+    using namespace taps_3;
+    const gabor_vec2 stripes(cosine, sine);
+    return {gabor_stripes_sine(stripes), gabor_stripes_triangle(stripes), gabor_stripes_sawtooth(stripes),
+            gabor_stripes_pulse(stripes, duty), gabor_stripes_ridges(stripes)};
+}
+
+std::array<float, 4> filtered_stripes(const Arguments& a, const Pixel& pixel, float sharpness) {
+    using namespace taps_3;
+    const gabor_vec4 stripes =
+        gabor_stripes_filtered({a.x, a.y}, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]},
+                               {a.wave_x, a.wave_y}, sharpness, a.seed);
+    return {stripes.x, stripes.y, stripes.z, stripes.w};
 }
 
 } // namespace gabor::test

@@ -49,4 +49,32 @@ struct Eroded {
 /// time.
 Eroded eroded(int taps, const Arguments& a, const Pixel& pixel, bool hills);
 
+struct Waves {
+    float wave[9][2];
+};
+
+struct Directed {
+    std::array<float, 6> field;    ///< gabor_field_waves: value, slope_x, slope_y
+    std::array<float, 3> gradient; ///< gabor_noise_direction_gradient with map_at
+    std::array<float, 3> stripes;  ///< gabor_stripes_direction_tiled with map_at, sharpness 2
+};
+
+/// A map of wave vectors that jumps.
+template <typename Real>
+std::array<Real, 2> map_at(Real x, Real y) {
+    return x + y > 1 ? std::array<Real, 2>{Real(1.5), Real(0.25) * y}
+                     : std::array<Real, 2>{Real(-0.5) * x, 2};
+}
+
+Directed directed(const Arguments& a, const Waves& waves);
+
+/// gabor_profile_sine, _triangle, _sawtooth, _pulse, _ridges.
+std::array<float, 5> profiles(float phase, float duty, float width);
+
+/// gabor_stripes_sine, _triangle, _sawtooth, _pulse, _ridges.
+std::array<float, 5> stripe_profiles(float cosine, float sine, float duty);
+
+/// gabor_stripes_filtered.
+std::array<float, 4> filtered_stripes(const Arguments& a, const Pixel& pixel, float sharpness);
+
 } // namespace gabor::test

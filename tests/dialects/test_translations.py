@@ -19,7 +19,7 @@ SHADERS = ROOT / "shaders"
 sys.path.insert(0, str(HERE.parent / "fit"))
 from textures import colour_noise, write_png
 
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "sea"] # the last by gabor fit
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction", "sea"] # the last by gabor fit
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
@@ -41,6 +41,8 @@ CALLS = [
 
 # More lobes than there are by default: the macro is alive in each dialect with a preprocessor.
 LOBES = "gabor_noise_lobes(p, six(), 7u)"
+MAP = "#define GABOR_DIRECTION(p) (0.3f * (p))\n"
+DIRECTION = "gabor_noise_direction(p, 7u)"
 SIX = """
 GaborLobes six()
 {
@@ -203,10 +205,10 @@ class Translations(unittest.TestCase):
         return self.DRAWN[call]
 
     def drawn_glsl(self, call):
-        text = "#version 450\n#define GABOR_LOBES 6\n" + "".join(self.path(file, "glsl").read_text() for file in FILES)
+        text = "#version 450\n#define GABOR_LOBES 6\n" + MAP + "".join(self.path(file, "glsl").read_text() for file in FILES)
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
-    def compare(self, translated, calls=(*CALLS, LOBES)):
+    def compare(self, translated, calls=(*CALLS, LOBES, DIRECTION)):
         """Materials have edges, which magnify what compilers round differently."""
         for call in calls:
             with self.subTest(call):
@@ -217,7 +219,7 @@ class Translations(unittest.TestCase):
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea", call) else 1))
 
-    def pasted(self, ending, text, before="#define GABOR_LOBES 6\n"):
+    def pasted(self, ending, text, before="#define GABOR_LOBES 6\n" + MAP):
         return before + "".join(self.path(file, ending).read_text() for file in FILES) + text
 
     def test_hlsl_by_glslang(self):
@@ -264,7 +266,7 @@ class Translations(unittest.TestCase):
         """What a program of C++ writes, and what its compiler says."""
         program, values = self.folder / "program", self.folder / "values.raw"
         compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
-        source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + source
+        source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + MAP + source
         said = subprocess.run(compiler, input=source, text=True, stderr=subprocess.PIPE)
         self.assertEqual(said.returncode, 0, said.stderr)
         subprocess.run([program, values], check=True)
@@ -279,10 +281,10 @@ class Translations(unittest.TestCase):
 
     def compare_cpp(self, before, vector, *options):
         """Each call, in a program of C++ after a text and with vectors of that name."""
-        calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in (*CALLS, LOBES)]
+        calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in (*CALLS, LOBES, DIRECTION)]
         functions = (f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)
         values, _ = self.cpp(before + CPP.replace("CALLS", ", ".join(functions)), *options)
-        drawn = dict(zip((*CALLS, LOBES), values.view("<f4").reshape(len(calls), -1)))
+        drawn = dict(zip((*CALLS, LOBES, DIRECTION), values.view("<f4").reshape(len(calls), -1)))
         self.compare(lambda call: drawn[call])
 
     def test_cpp_vectors(self):

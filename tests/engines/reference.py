@@ -65,7 +65,7 @@ def lobe_seed(seed, index):
 def line_word(index, axis, seed=SEED):
     """The word of a column (axis 0), a row (1) or a slice (2) of the lattice."""
     word = words(index) * np.uint32(SPREAD) + (salt(seed) ^ np.uint32((0, 0x5bd1e995, 0x27d4eb2f)[axis]))
-    return ((word ^ (word >> 15)) * np.uint32(0xd35a2d97) >> 8) | np.uint32(0x800001)
+    return (word * (word ^ (word >> 15)) >> 8) | np.uint32(0x800001)
 
 
 def law(u):
@@ -74,16 +74,16 @@ def law(u):
 
 
 def amplitude(word, time=0.0):
-    """A node's amplitude, its parts from the whole word and from its low half, each of variance 1; at a time from three."""
+    """A node's amplitude, its parts from the whole word and from its low 20 bits, each of variance 1; at a time from three."""
     if time:
         second = (word ^ (word >> 15)) * np.uint32(0xd35a2d97)
         third = (second ^ (second >> 15)) * np.uint32(0xd35a2d97)
         turn = np.exp(2j * np.pi * time)
         return ((1 + turn.real) * amplitude(word) + (1 - turn.real) * amplitude(second)
                 + np.sqrt(2) * turn.imag * amplitude(third)) / 2
-    whole, half = word.view(np.int32) / 2.0**31, (word << 16).view(np.int32) / 2.0**31
+    whole, low = word.view(np.int32) / 2.0**31, (word << 12).view(np.int32) / 2.0**31
     deviation = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
-    return (law(whole) + 1j * law(half)) / deviation
+    return (law(whole) + 1j * law(low)) / deviation
 
 
 def window(d, taps):

@@ -37,6 +37,9 @@ namespace {
 [[maybe_unused]] float exp2(float x) {
     return std::exp2(x);
 }
+[[maybe_unused]] float abs(float x) {
+    return std::abs(x);
+}
 [[maybe_unused]] float sin(float x) {
     return std::sin(x);
 }

@@ -161,6 +161,14 @@ void see_all(int i) {
     SEE(kept(gabor_stripes_at(place, wave, sharpness, s.seed)))
     SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, sharpness, s.seed)))
     SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
+    vec2 wave = s.frequency * vec2(s.direction.x, s.direction.y);
+    SEE(gabor_noise_wave(s.p, wave, s.seed))
+    SEE(kept_gradient(gabor_noise_wave_gradient(s.p, wave, s.seed)))
+    SEE(kept(gabor_noise_wave_complex(s.p, wave, s.seed)))
+    SEE(gabor_noise_wave_tiled(s.p, s.period, wave, s.seed))
+    SEE(kept(gabor_stripes(s.p, wave, abs(s.time), s.seed)))
+    SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, abs(s.time), s.seed)))
+    SEE(kept(gabor_stripes_at(place, wave, abs(s.time), s.seed)))
 #endif
 #if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
@@ -200,6 +208,21 @@ void see_all(int i) {
     SEE(gradients.x + 0.05f * gradients.y + 0.03f * gradients.z + gradients.w)
     SEE(kept(gabor_field_filtered(place, gabor_kernel(s.frequency, s.orientation), gabor_footprint(s.dx, s.dy), s.seed, removed)))
     SEE(removed)
+    vec2 wave = s.frequency * vec2(s.direction.x, s.direction.y);
+    SEE(kept(gabor_stripes_filtered(s.p, s.dx, s.dy, wave, abs(s.time), s.seed)))
+    SEE(kept(gabor_stripes_filtered_at(place, wave, gabor_footprint(s.dx, s.dy), abs(s.time), s.seed)))
+    float width = drawn(i, 33, 0.1f, 1.1f);
+    SEE(gabor_profile_sine(s.time, width))
+    SEE(gabor_profile_triangle(s.time, width))
+    SEE(gabor_profile_sawtooth(s.time, width))
+    SEE(gabor_profile_pulse(s.time, 0.3f, width))
+    SEE(gabor_profile_ridges(s.time, width))
+    vec2 stripes = 0.4f * vec2(s.direction.x, s.direction.y);
+    SEE(gabor_stripes_sine(stripes))
+    SEE(gabor_stripes_triangle(stripes))
+    SEE(gabor_stripes_sawtooth(stripes))
+    SEE(gabor_stripes_pulse(stripes, 0.3f))
+    SEE(gabor_stripes_ridges(stripes))
 #endif
 #if defined GOLDEN_LATTICE_3D
     GaborPlace3d place = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));

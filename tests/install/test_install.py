@@ -20,6 +20,7 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "lib/cmake/gabor-noise/gabor-noise-targets.cmake",
     "share/gabor-noise/LICENSE",
+    "share/gabor-noise/shaders/gabor_direction.glsl",
     "share/gabor-noise/shaders/gabor_erosion.glsl",
     "share/gabor-noise/shaders/gabor_lattice.glsl",
     "share/gabor-noise/shaders/gabor_lattice_3d.glsl",
@@ -34,7 +35,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
-      for name in ("erosion", "lattice", "lattice_3d", "materials", "noise", "spectrum")
+      for name in ("direction", "erosion", "lattice", "lattice_3d", "materials", "noise", "spectrum")
       for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")),
 }
 

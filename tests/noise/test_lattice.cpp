@@ -258,7 +258,7 @@ struct Numbers {
 
 Numbers numbers(std::uint32_t word) {
     const double high = static_cast<std::int32_t>(word) * 0x1p-31;
-    const double low = static_cast<std::int16_t>(word) * 0x1p-15;
+    const double low = static_cast<std::int32_t>(word << 12) * 0x1p-31;
     const double three = std::sqrt(3.0);
     const double square = std::sqrt(45.0) / 2; // of u^2 - 1/3
     return {{three * high, three * low, square * (high * high - 1.0 / 3), square * (low * low - 1.0 / 3)}};
@@ -357,7 +357,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
                 for (std::size_t k = 0; k < 4; ++k) {
                     a[k] = lattice_amplitude(words[k]) / lattice_amplitude_deviation();
                     high_bits = high_bits << 2 | words[k] >> 30;
-                    low_bits = low_bits << 2 | (words[k] >> 14 & 3);
+                    low_bits = low_bits << 2 | (words[k] >> 18 & 3);
                 }
                 alternating += a[0] * std::conj(a[1]) * a[2] * std::conj(a[3]);
                 plain += a[0] * a[1] * a[2] * a[3];
@@ -402,7 +402,7 @@ TEST_CASE("the leading bits of both parts of node words are uniform, along rows 
                                        : along == 2 ? lattice_word(-77, k, 7)
                                                     : lattice_word(3, -5, static_cast<std::uint32_t>(i));
             ++counts[0][word >> 20];
-            ++counts[1][word >> 4 & 0xfff];
+            ++counts[1][word >> 8 & 0xfff];
         }
         for (const auto& part : counts) {
             const double expected = static_cast<double>(count) / 4096;

@@ -57,7 +57,7 @@ std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed
     constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
     const std::uint32_t salt = mix(seed * spread, 0x2545f491u) ^ axes.at(static_cast<std::size_t>(axis));
     std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
+    word *= word ^ word >> 15;
     return word >> 8 | 0x800001u;
 }
 
@@ -73,10 +73,9 @@ double lattice_amplitude_part(double u) {
     return (u - flattening * std::clamp(u, -knee, knee)) * (1 + cubic * u * u);
 }
 
-// One part takes 2^32 values, the other 2^16.
 double lattice_amplitude_deviation() {
     static const double deviation = [] {
-        constexpr int values = 1 << 16;
+        constexpr int values = 1 << 20;
         double sum = 0;
         for (int k = 0; k < values; ++k)
             sum += std::pow(lattice_amplitude_part((2.0 * k + 1) / values - 1), 2);
@@ -87,8 +86,8 @@ double lattice_amplitude_deviation() {
 
 Complex lattice_amplitude(std::uint32_t word) {
     const auto whole = static_cast<std::int32_t>(word);
-    const auto low = static_cast<std::int16_t>(word);
-    return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-15)};
+    const auto low = static_cast<std::int32_t>(word << 12);
+    return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-31)};
 }
 
 Complex lattice_amplitude(std::uint32_t word, double time) {
@@ -174,6 +173,39 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
     sum.slope_y *= scale;
     for (double& value : sum.four)
         value *= scale;
+    return sum;
+}
+
+// n(p) = K sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)), and its derivatives.
+Lattice::Field Lattice::field(const LatticePlace& place, const Waves& waves, std::uint32_t seed) {
+    const auto nearest_x = static_cast<std::int64_t>(std::floor(place.local_x + 0.5));
+    const auto nearest_y = static_cast<std::int64_t>(std::floor(place.local_y + 0.5));
+    Field sum;
+    for (int k = 0; k < 9; ++k) {
+        const std::int64_t i = nearest_x + k % 3 - 1;
+        const std::int64_t j = nearest_y + k / 3 - 1;
+        const double x = place.local_x - static_cast<double>(i);
+        const double y = place.local_y - static_cast<double>(j);
+        const LatticeWindow across = lattice_window(3, x / 1.5);
+        const LatticeWindow along = lattice_window(3, y / 1.5);
+        const auto [wave_x, wave_y] = waves.at(static_cast<std::size_t>(k));
+        const std::uint32_t word = lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed) *
+                                   lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
+        const Complex amplitude =
+            place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+        const Complex wave =
+            amplitude * std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
+        const Complex kernel = across.value * along.value * wave;
+        sum.value += kernel;
+        sum.slope_x +=
+            across.slope * place.radius_x / 1.5 * along.value * wave + Complex(0, 2 * pi * wave_x) * kernel;
+        sum.slope_y +=
+            across.value * along.slope * place.radius_y / 1.5 * wave + Complex(0, 2 * pi * wave_y) * kernel;
+    }
+    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(3));
+    sum.value *= scale;
+    sum.slope_x *= scale;
+    sum.slope_y *= scale;
     return sum;
 }
 

@@ -33,7 +33,7 @@ double lattice_amplitude_part(double u);
 /// The root mean square of the parts of all amplitudes.
 double lattice_amplitude_deviation();
 
-/// The amplitude of a word: parts from all of it, of which the high half counts, and from its low half.
+/// The amplitude of a word: one part from all of it, the other from its low 20 bits.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
 /// The same at a moment of an animation of period 1, with two others that follow from the word.
@@ -71,6 +71,10 @@ class Lattice {
     };
 
     Field field(const LatticePlace& place) const;
+
+    /// With a wave vector for each of the nine nodes around the place, three taps, row by row.
+    using Waves = std::array<std::array<double, 2>, 9>;
+    static Field field(const LatticePlace& place, const Waves& waves, std::uint32_t seed);
 
   private:
     int taps_;

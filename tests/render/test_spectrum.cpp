@@ -329,7 +329,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
                       noise::Spectrum(sum), s);
         }
     }
-    small.check("deviations up to 1/6", 0.005, 0.01);
+    small.check("deviations up to 1/6", 0.005, 0.011);
     small.check_four(0.005);
     large.check("deviations up to 1/2", 0.01, 0.02);
     large.check_four(0.01);

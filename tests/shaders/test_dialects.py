@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -20,7 +21,9 @@ FILES = {
     "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
     "gabor_materials": ["gabor_lattice", "gabor_spectrum", "gabor_materials"],
     "gabor_erosion": ["gabor_lattice", "gabor_erosion"],
+    "gabor_direction": ["gabor_lattice", "gabor_direction"],
 }
+MAP = "vec2 gabor_map(vec2 p)\n{\n    return p.yx;\n}\n#define GABOR_DIRECTION(p) gabor_map(p)\n"
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
 LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
@@ -34,6 +37,7 @@ RECIPES = {
     },
     "gabor_lattice_3d": {"default": {}},
     "gabor_materials": {"default": {}},
+    "gabor_direction": {"default": {}},
     "gabor_erosion": {"default": {}, "lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}},
 }
 
@@ -56,6 +60,7 @@ BAD_MACROS = {
     ],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
+    "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4")],
 }
 
@@ -96,6 +101,16 @@ USE_MORE = {
     "gabor_materials": "".join(
         f"    noise += {material}(p, 7u).colour.x + {material}_filtered(p, p, p.yx, 7u).height;\n"
         for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(", SOURCES["gabor_materials"], re.MULTILINE)),
+    "gabor_direction": """
+    GaborWaves waves;
+    GaborPlace here = gabor_place(ivec2(p), p);
+    for (int i = 0; i < 9; ++i)
+        waves.wave[i] = gabor_node_position(here, i).yx;
+    noise += gabor_field_waves(here, waves, 7u).slope_x.y + gabor_noise_direction(p, 7u)
+           + dot(gabor_noise_direction_gradient(p, 7u), vec3(1.0)) + dot(gabor_noise_direction_complex(p, 7u), vec2(1.0))
+           + gabor_noise_direction_tiled(p, vec2(5.0, 7.5), 7u) + dot(gabor_stripes_direction(p, 2.0, 7u), vec3(1.0))
+           + dot(gabor_stripes_direction_tiled(p, vec2(5.0, 7.5), 2.0, 7u), vec3(1.0));
+""",
     "gabor_erosion": """
     GaborErosion erosion = gabor_erosion();
     GaborTerrain hills = gabor_terrain(p, 7u), tile = gabor_terrain_tiled(p, p.yx, 7u);
@@ -127,7 +142,7 @@ DIALECTS = {
 def shader(name, version, before, body, target, macros={}, times=1):
     defines = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
     use = USE + USE_MORE[name]
-    return f"#version {version}\n{before}{defines}{SOURCES[name] * times}{body.format(target=target, use=use)}"
+    return f"#version {version}\n{before}{defines}{MAP * ('direction' in name)}{SOURCES[name] * times}{body.format(target=target, use=use)}"
 
 
 def strip_comments(text):
@@ -185,9 +200,22 @@ class Dialects(unittest.TestCase):
 
     def test_they_say_what_must_come_before(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
-        for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion"):
+        for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction"):
             with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_lattice . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
+
+    def test_bundles_compile(self):
+        subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "translate", "--bundles", "-o", self.folder], check=True)
+        bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
+        self.assertEqual(len(bundles), 10)
+        for bundle in bundles:
+            for version in ("450", "300 es"):
+                with self.subTest(bundle.name, version=version):
+                    text = bundle.read_text()
+                    self.assertIn("SPDX-License-Identifier: MIT", text)
+                    use = "c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u));"
+                    output = "layout(location = 0) out" if version == "450" else "out"
+                    self.compile(f"#version {version}\n{text}\n{output} vec4 c;\nvoid main()\n{{\n    {use}\n}}\n", "frag", [])
 
     def test_both_at_once_are_an_error_that_says_so(self):
         for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
@@ -280,7 +308,7 @@ class Names(unittest.TestCase):
         # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Besides lobes the only arrays are
         # of nodes, along an axis and in space, indexed by constants and in loops of constant length.
         self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
-                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]"})
+                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 

@@ -64,7 +64,7 @@ class Version(unittest.TestCase):
         major, minor, patch = map(int, version.split("."))
         number = str(10000 * major + 100 * minor + patch)
         found = {"package.json": json.loads(text("package.json"))["version"],
-                 "CHANGELOG.md": re.search(r"^## (\S+)$", text("CHANGELOG.md"), re.MULTILINE)[1]}
+                 "CHANGELOG.md": re.search(r"^## (\S+)(?: \(unreleased\))?$", text("CHANGELOG.md"), re.MULTILINE)[1]}
         self.assertEqual(found, dict.fromkeys(found, version))
 
         naming = [path for folder in ("shaders", "shaders/translations") for path in (ROOT / folder).glob("gabor_*")

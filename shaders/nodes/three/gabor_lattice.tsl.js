@@ -34,12 +34,12 @@ const gabor_impl_salt = (seed) => {
 
 const gabor_impl_line_word = (index, salt) => {
     let word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
-    word = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    word = word.mul(word.bitXor(word.shiftRight(uint(15)))).toVar();
     return word.shiftRight(uint(8)).bitOr(uint(0x800001));
 };
 
 const gabor_impl_amplitude = (word) => {
-    const u = vec2(float(int(word)), float(int(word.shiftLeft(uint(16))))).toVar();
+    const u = vec2(float(int(word)), float(int(word.shiftLeft(uint(12))))).toVar();
     return u.sub(float(0.89289313).mul(clamp(u, -2011925800.0, 2011925800.0))).mul(u.mul(u).add(7.3973916e+18));
 };
 

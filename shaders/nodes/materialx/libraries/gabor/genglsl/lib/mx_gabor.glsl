@@ -31,13 +31,13 @@ uint mx_gabor_salt(uint seed)
 uint mx_gabor_line_word(int index, uint salt)
 {
     uint word = uint(index) * 0x9e3779b1u + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    word = word * (word ^ (word >> 15u));
     return (word >> 8u) | 0x800001u;
 }
 
 vec2 mx_gabor_amplitude(uint word)
 {
-    vec2 u = vec2(float(int(word)), float(int(word << 16u)));
+    vec2 u = vec2(float(int(word)), float(int(word << 12u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 

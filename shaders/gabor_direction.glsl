@@ -1,0 +1,143 @@
+// gabor_direction.glsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the pixel.
+//
+// Paste or include this file after gabor_lattice.glsl, with GABOR_TAPS 3.
+//
+//     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
+//     #define GABOR_DIRECTION(p) flow(p)
+//     #include "gabor_direction.glsl"
+//     ...
+//     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
+//
+// gabor_noise_wave takes the map's wave vector at the pixel: where the map jumps, the noise jumps, and around a vortex
+// stripes crowd. Here each of the nine nodes around a point has one wave vector, so that stripes run across jumps within
+// a kernel radius. Value and gradient are normal at every place for any map, the value with variance 1, and the gradient
+// is exact, the map's own variation included. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis;
+// (0, 0) where the map has no direction. Cost: about 1.5 times gabor_noise_wave, and nine reads of the map.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_LATTICE_GLSL
+#error Include gabor_lattice.glsl before gabor_direction.glsl
+#endif
+#if GABOR_TAPS != 3
+#error gabor_direction.glsl needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_DIRECTION_GLSL
+#define GABOR_DIRECTION_GLSL
+
+// ---- With wave vectors that you have read yourself: several maps, or a language without macros ---------------------
+
+// The wave vectors of the nine nodes around a place, row by row: see gabor_node_position.
+struct GaborWaves {
+    vec2 wave[9];
+};
+
+// vec2 gabor_node_position(GaborPlace place, int index)
+//     Where to read the map for node `index`, 0 to 8, around a place: in kernel radii, within the place's period.
+
+// GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
+//     Noise, quadrature and both gradients at a place. gabor_stripes_of makes stripes of its value.
+
+// ---- With a map, where GABOR_DIRECTION(p) is defined before the file -----------------------------------------------
+
+// GaborField gabor_field_direction(GaborPlace place, uint seed)
+//     Noise, quadrature and both gradients at a place. All functions below call this one.
+
+// float gabor_noise_direction(vec2 p, uint seed)
+// vec3 gabor_noise_direction_gradient(vec2 p, uint seed)
+// vec2 gabor_noise_direction_complex(vec2 p, uint seed)
+// float gabor_noise_direction_tiled(vec2 p, vec2 period, uint seed)
+//     The noise; with its gradient, (noise, d/dx, d/dy); (quadrature, noise); and with a period, as gabor_noise_tiled.
+
+// vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed)
+// vec3 gabor_stripes_direction_tiled(vec2 p, vec2 period, float sharpness, uint seed)
+// vec3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed)
+//     Stripes along the map, as gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// With a wave vector F_c of each node c, windows h and amplitudes A as in gabor_lattice.glsl,
+//
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
+//
+// where the F_c are numbers that do not depend on p. A_c and its product with a number of length 1 have the same law, so
+// the value's is that of gabor_noise whatever the F_c are. The gradient, linear in the same amplitudes, is normal too, of
+// covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), h for the product of both windows.
+
+vec2 gabor_node_position(GaborPlace place, int index) {
+    ivec2 node = ivec2(floor(place.local + 0.5)) + ivec2(index - index / 3 * 3 - 1, index / 3 - 1);
+    node = ivec2(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
+                 gabor_impl_wrap(place.cell.y + node.y, place.period.y));
+    return vec2(node) / place.radius;
+}
+
+// Adds a node's wave, `d` kernel radii from it, with (window, derivative) along each axis.
+void gabor_impl_add_wave(inout GaborField sum, vec2 amplitude, vec2 wave, vec2 d, vec2 x, vec2 y) {
+    wave = clamp(wave, -1.0e6, 1.0e6);
+    vec2 value = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
+    vec2 turned = 6.2831853 * x.x * y.x * vec2(-value.y, value.x);
+    sum.value += x.x * y.x * value;
+    sum.slope_x += x.y * y.x * value + wave.x * turned;
+    sum.slope_y += x.x * y.y * value + wave.y * turned;
+}
+
+GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  place.radius.y);
+    vec2 stretch = place.radius / GABOR_RADIUS;
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+            vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.time);
+            vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
+            gabor_impl_add_wave(sum, amplitude, waves.wave[3 * j + i], d, vec2(x.node[i].x, stretch.x * x.node[i].z),
+                                vec2(y.node[j].x, stretch.y * y.node[j].z));
+        }
+    }
+    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
+}
+
+#ifdef GABOR_DIRECTION
+GaborField gabor_field_direction(GaborPlace place, uint seed) {
+    GaborWaves waves;
+    for (int i = 0; i < 9; ++i)
+        waves.wave[i] = GABOR_DIRECTION(gabor_node_position(place, i));
+    return gabor_field_waves(place, waves, seed);
+}
+
+float gabor_noise_direction(vec2 p, uint seed) {
+    return gabor_field_direction(gabor_place(ivec2(0), p * GABOR_RADIUS), seed).value.y;
+}
+
+vec3 gabor_noise_direction_gradient(vec2 p, uint seed) {
+    GaborField field = gabor_field_direction(gabor_place(ivec2(0), p * GABOR_RADIUS), seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+vec2 gabor_noise_direction_complex(vec2 p, uint seed) {
+    return gabor_field_direction(gabor_place(ivec2(0), p * GABOR_RADIUS), seed).value;
+}
+
+float gabor_noise_direction_tiled(vec2 p, vec2 period, uint seed) {
+    return gabor_field_direction(gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9)), seed).value.y;
+}
+
+vec3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed) {
+    return gabor_stripes_of(gabor_field_direction(place, seed).value, sharpness);
+}
+
+vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed) {
+    return gabor_stripes_direction_at(gabor_place(ivec2(0), p * GABOR_RADIUS), sharpness, seed);
+}
+
+vec3 gabor_stripes_direction_tiled(vec2 p, vec2 period, float sharpness, uint seed) {
+    return gabor_stripes_direction_at(gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9)), sharpness, seed);
+}
+#endif
+
+#endif // GABOR_DIRECTION_GLSL

@@ -1,0 +1,223 @@
+// The field of the nodes' amplitudes: lines that repeat each other, special nodes, seeds that are alike,
+// periods.
+
+#include "reference/lattice.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+using namespace gabor;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// Seeds far from each other, from a counter.
+std::uint32_t seed_of(std::uint32_t i) {
+    return noise::lattice_lobe_seed(12345, static_cast<int>(i));
+}
+
+// More than this is not chance where `expected` is.
+double most(double expected) {
+    return expected + 6 * std::sqrt(expected) + 6;
+}
+
+Complex amplitude(std::int32_t column, std::int32_t row, std::uint32_t seed) {
+    return noise::lattice_amplitude(noise::lattice_word(column, row, seed)) /
+           (std::numbers::sqrt2 * noise::lattice_amplitude_deviation());
+}
+
+// The discrete Fourier transform of 2^k numbers, in place.
+void transform(std::vector<Complex>& a) {
+    const std::size_t n = a.size();
+    for (std::size_t i = 1, j = 0; i < n; ++i) {
+        std::size_t bit = n >> 1;
+        for (; j & bit; bit >>= 1)
+            j ^= bit;
+        j ^= bit;
+        if (i < j)
+            std::swap(a[i], a[j]);
+    }
+    for (std::size_t length = 2; length <= n; length *= 2) {
+        const Complex root = std::polar(1.0, 2 * std::numbers::pi / static_cast<double>(length));
+        for (std::size_t i = 0; i < n; i += length) {
+            Complex turn = 1;
+            for (std::size_t k = i; k < i + length / 2; ++k, turn *= root) {
+                const Complex odd = a[k + length / 2] * turn;
+                a[k + length / 2] = a[k] - odd;
+                a[k] += odd;
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("lines at no distance have equal or opposite words more often than chance", "[amplitudes]") {
+    constexpr int seeds = 1 << 17;
+    for (const int axis : {0, 1}) {
+        double equal = 0, near = 0, low = 0;
+        for (int distance = 1; distance <= 96; ++distance) {
+            int equal_here = 0, near_here = 0, low_here = 0;
+            for (std::uint32_t i = 0; i < seeds; ++i) {
+                const std::uint32_t a = noise::lattice_line_word(-3, axis, seed_of(i));
+                const std::uint32_t b = noise::lattice_line_word(distance - 3, axis, seed_of(i));
+                const std::uint32_t difference = (a - b) & 0x7fffff; // the highest bit is set in both
+                equal_here += difference == 0;
+                near_here += difference < 64 || difference > 0x7fffff - 63;
+                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // of the imaginary part
+            }
+            INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
+                         << " nearly, " << low_here << " in the low bits");
+            CHECK(equal_here < most(seeds * 0x1p-22));
+            CHECK(near_here < most(seeds * 64 * 0x1p-22));
+            CHECK(low_here < most(seeds * 0x1p-18));
+            equal += equal_here;
+            near += near_here;
+            low += low_here;
+        }
+        fmt::print("axis {}: {} lines equal, {} nearly, {} in the low bits\n", axis, equal, near, low);
+        CHECK(equal < most(96.0 * seeds * 0x1p-22));
+        CHECK(near < 1.1 * 96.0 * seeds * 64 * 0x1p-22);
+        CHECK(low < most(96.0 * seeds * 0x1p-18));
+    }
+}
+
+// 384 lines reach across 8192 pixels of 32 to the kernel radius.
+TEST_CASE("in a large picture no line repeats another up to sign", "[amplitudes]") {
+    constexpr int lines = 384, pictures = 64;
+    for (const int axis : {0, 1}) {
+        int repeated = 0;
+        for (std::uint32_t seed = 0; seed < pictures; ++seed) {
+            std::vector<std::uint32_t> words;
+            for (int i = 0; i < lines; ++i) { // an odd number or its opposite, whichever is 1 modulo 4
+                const std::uint32_t low = noise::lattice_line_word(i, axis, seed) & 0xfffff;
+                words.push_back(low % 4 == 1 ? low : 0x100000 - low);
+            }
+            std::ranges::sort(words);
+            repeated += static_cast<int>(words.end() - std::unique(words.begin(), words.end()));
+        }
+        fmt::print("axis {}: {} of {} lines repeat another up to sign\n", axis, repeated, lines * pictures);
+        CHECK(repeated < most(pictures * lines * (lines - 1) / 2.0 * 0x1p-18));
+    }
+}
+
+TEST_CASE("few pairs of lines correlate, and no more in one part than in the other", "[amplitudes]") {
+    constexpr int lines = 512, length = 1024;
+    for (const bool columns : {true, false}) {
+        std::vector<std::array<float, 2>> parts(lines * length);
+        for (int i = 0; i < lines; ++i)
+            for (int j = 0; j < length; ++j) {
+                const Complex a = columns ? amplitude(i, j, 7) : amplitude(j, i, 7);
+                parts[static_cast<std::size_t>(i * length + j)] = {static_cast<float>(a.real()),
+                                                                   static_cast<float>(a.imag())};
+            }
+        for (const std::size_t part : {0u, 1u}) {
+            int correlated = 0;
+            for (std::size_t a = 0; a < lines; ++a)
+                for (std::size_t b = 0; b < a; ++b) {
+                    float sum = 0;
+                    for (std::size_t j = 0; j < length; ++j)
+                        sum += parts[a * length + j][part] * parts[b * length + j][part];
+                    correlated += std::abs(2 * sum / length) > 0.2; // six deviations of chance
+                }
+            fmt::print("{} of {} pairs of {} correlate in part {}\n", correlated, lines * (lines - 1) / 2,
+                       columns ? "columns" : "rows", part);
+            CHECK(correlated < 30);
+        }
+    }
+}
+
+TEST_CASE("the amplitudes around node (0, 0) have mean 0 and variance 1 over seeds", "[amplitudes]") {
+    const double deviation = noise::lattice_amplitude_deviation();
+    for (const auto& [column, row, seeds] : {std::array{0, 0, 1 << 25},
+                                             {1, 0, 1 << 21},
+                                             {0, 1, 1 << 21},
+                                             {-1, -1, 1 << 21},
+                                             {1, 1, 1 << 21},
+                                             {5, 0, 1 << 21},
+                                             {13, 0, 1 << 21}}) {
+        double sums[5] = {};
+        for (int i = 0; i < seeds; ++i) {
+            const Complex a =
+                noise::lattice_amplitude(noise::lattice_word(column, row, static_cast<std::uint32_t>(i)));
+            sums[0] += a.real();
+            sums[1] += a.imag();
+            sums[2] += a.real() * a.real();
+            sums[3] += a.imag() * a.imag();
+            sums[4] += a.real() * a.imag();
+        }
+        const double error = 5 / std::sqrt(seeds);
+        INFO("node (" << column << ", " << row << ")");
+        CHECK(std::abs(sums[0] / seeds) < error * deviation);
+        CHECK(std::abs(sums[1] / seeds) < error * deviation);
+        CHECK(std::abs(sums[2] / seeds / (deviation * deviation) - 1) < std::numbers::sqrt2 * error);
+        CHECK(std::abs(sums[3] / seeds / (deviation * deviation) - 1) < std::numbers::sqrt2 * error);
+        CHECK(std::abs(sums[4] / seeds / (deviation * deviation)) < error + 5e-4); // they share 20 bits
+    }
+}
+
+TEST_CASE("fields of small seeds and of lobes do not correlate", "[amplitudes]") {
+    constexpr int side = 48, fields = 64;
+    for (const bool lobes : {false, true}) {
+        std::vector<std::vector<Complex>> field(fields);
+        for (int k = 0; k < fields; ++k)
+            for (int i = 0; i < side * side; ++i)
+                field[static_cast<std::size_t>(k)].push_back(
+                    amplitude(i % side - 9, i / side - 9,
+                              lobes ? noise::lattice_lobe_seed(0, k - 4) : static_cast<std::uint32_t>(k)));
+        double largest = 0;
+        for (std::size_t a = 0; a < fields; ++a)
+            for (std::size_t b = 0; b < a; ++b) {
+                Complex with = 0, mirrored = 0;
+                for (std::size_t i = 0; i < side * side; ++i) {
+                    with += field[a][i] * std::conj(field[b][i]);
+                    mirrored += field[a][i] * std::conj(field[b][side * side - 1 - i]);
+                }
+                largest = std::max({largest, std::abs(with) / side, std::abs(mirrored) / side});
+            }
+        fmt::print("{}: largest correlation {:.2f} deviations\n", lobes ? "lobes" : "small seeds", largest);
+        CHECK(largest < 5); // 4032 moduli of normal complex numbers: one of a million such sets
+    }
+}
+
+TEST_CASE("periodograms of lines, diagonals and increments are flat", "[amplitudes]") {
+    constexpr std::size_t length = 4096;
+    const auto largest = [&](auto value) {
+        double peak = 0;
+        for (std::int32_t line = -8; line < 8; ++line) {
+            std::vector<Complex> row(length);
+            for (std::size_t i = 0; i < length; ++i)
+                row[i] = value(static_cast<std::int32_t>(i), line);
+            transform(row);
+            for (std::size_t k = 1; k < length; ++k)
+                peak = std::max(peak, std::norm(row[k]) / length);
+        }
+        return peak;
+    };
+    const auto a = [](std::int32_t x, std::int32_t y) { return amplitude(x - 2048, y, 7); };
+    const auto power = [&](std::int32_t x, std::int32_t y) { return Complex(std::norm(a(x, y)) - 1); };
+    const auto sign = [](double part) { return part < 0 ? -1.0 : 1.0; };
+    const std::pair<const char*, double> peaks[] = {
+        {"rows", largest(a)},
+        {"columns", largest([&](auto i, auto line) { return amplitude(line, i - 2048, 7); })},
+        {"diagonals", largest([&](auto i, auto line) { return amplitude(i - 2048, i - 2048 + line, 7); })},
+        {"increments", largest([&](auto i, auto line) { return a(i, line) * std::conj(a(i + 1, line)); })},
+        {"power", largest(power)},
+        {"signs", largest([&](auto i, auto line) {
+             const Complex value = a(i, line);
+             return Complex(sign(value.real()), sign(value.imag())) / std::numbers::sqrt2;
+         })},
+    };
+    // The largest of 65536 exponential numbers is 11.1 on average; 22 comes once in 5 * 10^4.
+    for (const auto& [name, peak] : peaks) {
+        fmt::print("{}: largest power of a wave {:.1f}\n", name, peak);
+        CHECK(peak < 22);
+    }
+}
