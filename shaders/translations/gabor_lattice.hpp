@@ -367,7 +367,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 // float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 //     gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
 //     place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
-//     frequency 0. Where a map jumps, the noise jumps too, and stripes end.
+//     frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.hpp joins them.
 
 // vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
 // vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)

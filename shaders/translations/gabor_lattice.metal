@@ -67,7 +67,7 @@ using namespace metal;
 // float gabor_noise_wave(float2 p, float2 wave, uint seed)
 //     gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
 //     place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
-//     frequency 0. Where a map jumps, the noise jumps too, and stripes end.
+//     frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.metal joins them.
 
 // float3 gabor_noise_wave_gradient(float2 p, float2 wave, uint seed)
 // float2 gabor_noise_wave_complex(float2 p, float2 wave, uint seed)

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: a244350b7c08be6d
+// Digest of the GLSL and of this file: 163536a22a08dfa6
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -188,7 +188,7 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
 
 // gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
 // place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
-// frequency 0. Where a map jumps, the noise jumps too, and stripes end.
+// frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.wgsl joins them.
 fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e10 = gabor_kernel_wave(wave);

@@ -22,6 +22,9 @@
 #endif
 #if defined GOLDEN_EROSION
 #include "gabor_erosion.hpp"
+#elif defined GOLDEN_DIRECTION
+#define GABOR_DIRECTION(p) (0.3f * (p))
+#include "gabor_direction.hpp"
 #elif !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
 #include "gabor_spectrum.hpp"
 #endif

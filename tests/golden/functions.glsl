@@ -158,17 +158,10 @@ void see_all(int i) {
     SEE(gabor_noise_wave_tiled(s.p, s.period, wave, s.seed))
     SEE(kept(gabor_field(place, gabor_kernel_wave(wave), s.seed)))
     SEE(kept(gabor_stripes(s.p, wave, sharpness, s.seed)))
+    SEE(kept(gabor_stripes_of(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed), sharpness)))
     SEE(kept(gabor_stripes_at(place, wave, sharpness, s.seed)))
     SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, sharpness, s.seed)))
     SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
-    vec2 wave = s.frequency * vec2(s.direction.x, s.direction.y);
-    SEE(gabor_noise_wave(s.p, wave, s.seed))
-    SEE(kept_gradient(gabor_noise_wave_gradient(s.p, wave, s.seed)))
-    SEE(kept(gabor_noise_wave_complex(s.p, wave, s.seed)))
-    SEE(gabor_noise_wave_tiled(s.p, s.period, wave, s.seed))
-    SEE(kept(gabor_stripes(s.p, wave, abs(s.time), s.seed)))
-    SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, abs(s.time), s.seed)))
-    SEE(kept(gabor_stripes_at(place, wave, abs(s.time), s.seed)))
 #endif
 #if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
@@ -223,6 +216,27 @@ void see_all(int i) {
     SEE(gabor_stripes_sawtooth(stripes))
     SEE(gabor_stripes_pulse(stripes, 0.3f))
     SEE(gabor_stripes_ridges(stripes))
+#endif
+#if defined GOLDEN_DIRECTION
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map grows with p
+    GaborPlace place = gabor_place(s.cell, s.local);
+    place.radius *= 0.9f;
+    place.period = ivec2(7, 12);
+    place.animated = i % 2 == 0;
+    place.time = s.time;
+    GaborWaves waves;
+    for (int k = 0; k < 9; ++k)
+        waves.wave[k] = vec2(drawn(i, 40 + k, -3.0f, 3.0f), drawn(i, 50 + k, -3.0f, 3.0f));
+    SEE(kept(gabor_node_position(place, i % 9)))
+    SEE(kept(gabor_field_waves(place, waves, s.seed)))
+    SEE(kept(gabor_field_direction(place, s.seed)))
+    SEE(gabor_noise_direction(p, s.seed))
+    SEE(kept_gradient(gabor_noise_direction_gradient(p, s.seed)))
+    SEE(kept(gabor_noise_direction_complex(p, s.seed)))
+    SEE(gabor_noise_direction_tiled(p, s.period, s.seed))
+    SEE(kept(gabor_stripes_direction(p, 2.0f, s.seed)))
+    SEE(kept(gabor_stripes_direction_tiled(p, s.period, 2.0f, s.seed)))
+    SEE(kept(gabor_stripes_direction_at(place, 2.0f, s.seed)))
 #endif
 #if defined GOLDEN_LATTICE_3D
     GaborPlace3d place = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));

@@ -30,6 +30,8 @@
 #define GOLDEN_SPECTRUM
 #elif defined GABOR_OF_lattice_3d
 #define GOLDEN_LATTICE_3D
+#elif defined GABOR_OF_direction
+#define GOLDEN_DIRECTION
 #elif defined GABOR_OF_erosion
 #define GOLDEN_EROSION
 #elif defined GABOR_OF_materials
