@@ -28,9 +28,9 @@ class Readme(ProgramTest):
         stats = json.loads(self.succeed("stats", "noise.exr", "--json", "-"))
         for name, truth in (("mean", 0), ("variance", 1)):
             interval = stats[f"{name}_interval"]
-            half = interval["high"] - interval["low"]  # 95 % reach half of that from the middle
-            self.assertTrue(interval["low"] - half / 2 < truth < interval["high"] + half / 2, (name, interval))
-        self.assertLess(abs(stats["cvm"]["value"]), stats["smallest_cvm"])
+            length = interval["high"] - interval["low"]  # of 95 %: twice as long, one picture in 10^4 fails
+            self.assertTrue(interval["low"] - length / 2 < truth < interval["high"] + length / 2, (name, interval))
+        self.assertLess(abs(stats["cvm"]["value"]), 1.5 * stats["smallest_cvm"])
 
 
     def test_its_cycles_are_those_of_the_table_of_performance(self):
