@@ -16,8 +16,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr bool elliptical = false;
-
 // All frequencies of the first scale's grid, from those of the half that is kept: opposite ones are the same,
 // or negative.
 Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, float opposite) {

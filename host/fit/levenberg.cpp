@@ -20,7 +20,6 @@ using Eigen::Index;
 constexpr double root_2 = std::numbers::sqrt2;
 // Of a wave: its atom, and that by both frequencies and by the logarithms of both radii.
 constexpr int functions = 5;
-constexpr bool elliptical = false;
 
 // An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
 // cross-spectra have their sum, imaginary ones their difference.

@@ -8,6 +8,9 @@
 
 namespace gabor::fit {
 
+/// Whether a lobe may have another radius along each axis.
+inline constexpr bool elliptical = false;
+
 /// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
 /// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c has Re(weight_c z):
 /// cross-spectra weight_c weight_d*.
