@@ -1,7 +1,7 @@
 // gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the pixel: for WGSL.
 //
 // Made from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 795225f1e93e249e
+// Digest of the GLSL and of this file: 0ec502524fd3996d
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -100,7 +100,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
                     let _e127 = stretch_1;
                     let _e129 = j_1;
                     let _e132 = y_5.node[_e129];
-                    gabor_impl_add_wave((&sum_5), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
+                    gabor_impl_add_directed((&sum_5), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
                 }
                 continuing {
                     let _e63 = i;
@@ -142,7 +142,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), h for the product of both windows.
 
 // Adds a node's wave, `d` kernel radii from it, with (window, derivative) along each axis.
-fn gabor_impl_add_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
+fn gabor_impl_add_directed(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
     var wave_11: vec2<f32>;
     var value_5: vec2<f32>;
     var turned_1: vec2<f32>;

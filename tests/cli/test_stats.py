@@ -155,10 +155,12 @@ class Laws(StatsTest):
         self.assertAlmostEqual(stats["reference_variance"] / variance, 1, delta=1e-5)
         interval = stats["variance_interval"]
         print(f"  {channel}: {stats['variance']:.5g} for {variance:.5g}, cvm {stats['cvm']['value']:.2g}")
-        self.assertTrue(interval["low"] < variance < interval["high"], (channel, variance, interval))
+        length = interval["high"] - interval["low"]  # of 95 %: twice as long, one picture in 10^4 fails
+        self.assertTrue(interval["low"] - length / 2 < variance < interval["high"] + length / 2, (channel, variance, interval))
         self.assertLess(stats["cvm"]["low"], 0.5)
-        self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}",
-                      self.succeed("stats", "in.exr", "--channel", channel))
+        text = self.succeed("stats", "in.exr", "--channel", channel)
+        if "too small to test its distribution" not in text:
+            self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
         """A wave's slope, and that of its windows: the energy of a window's derivative over its own, by sums over
