@@ -1,15 +1,7 @@
 #include "render/bake.hpp"
 
 #include "noise/variance.hpp"
-#include "render/pixels.hpp"
-
-#include "passes/bake.h"
-#include "passes/bake_colour.h"
-#include "passes/bake_lattice_2.h"
-#include "passes/bake_lattice_3.h"
-#include "passes/bake_lattice_4.h"
-
-#include <fmt/format.h>
+#include "render/plan_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +11,16 @@ namespace gabor::render {
 
 namespace {
 
-constexpr RecipeModules bake_modules{bake_spirv,
-                                     {bake_lattice_2_spirv, bake_lattice_3_spirv, bake_lattice_4_spirv}};
-
-constexpr std::uint32_t bake_buffers = 5;
-
-// A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even width.
-// `scale`: pixels per radius of the kernels.
-Block block_for(const vulkan::Device& device, const noise::Recipe& recipe, double scale) {
-    if (device.info().kind != "CPU")
-        return gpu_block(recipe);
+// A CPU has few lanes to fill and large caches. A GPU wants many small blocks, whose impulses fit its
+// registers. A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even
+// width. `scale`: pixels per radius of the kernels.
+Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, double scale) {
+    if (device == DeviceKind::gpu)
+        return recipe.is_lattice() ? Block{8, 16} : Block{noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
     if (!recipe.is_lattice())
-        return cpu_block;
+        return {8, 32};
+    if (blocks == Blocks::fixed)
+        return {12, 32};
     const double cell = std::ceil(scale / double{recipe.radius}); // pixels
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
@@ -64,30 +54,7 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
     return result;
 }
 
-std::vector<noise::Wave> waves_of(const Request& request) {
-    return in_space(request) ? noise::waves_in_space(request.lobes, request.seed)
-                             : noise::waves(request.lobes, request.seed);
-}
-
 } // namespace
-
-std::string recipe_pass(std::string_view name, const noise::Recipe& recipe) {
-    const std::string path = fmt::format("passes/{}.comp", name);
-    return recipe.is_lattice() ? fmt::format("{}@{}", path, recipe.taps) : path;
-}
-
-std::array<std::uint32_t, 7> recipe_constants(const noise::Recipe& recipe) {
-    using vulkan::constant;
-    return {constant(recipe.impulses), constant(recipe.radius),    constant(recipe.weight_floor),
-            constant(recipe.phases),   constant(recipe.window[0]), constant(recipe.window[1]),
-            constant(recipe.window[2])};
-}
-
-Block gpu_block(const noise::Recipe& recipe) {
-    if (recipe.is_lattice())
-        return {8, 16};
-    return {noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
-}
 
 std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
                                    double origin) {
@@ -119,62 +86,42 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
     return runs;
 }
 
-std::vector<std::uint32_t> bake_constants(const Request& request, int block_columns, int fixed_rows) {
+void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, DeviceKind device,
+               const Constants& constants) {
     const noise::Recipe recipe = drawing_recipe(request);
-    const auto of_recipe = recipe_constants(recipe);
-    std::vector<std::uint32_t> constants(of_recipe.begin(), of_recipe.end());
-    constants.push_back(vulkan::constant(noise::visited_cells(recipe)));
-    constants.push_back(vulkan::constant(block_columns));
-    constants.push_back(vulkan::constant(fixed_rows));
-    constants.push_back(request.quadrature);
-    constants.push_back(request.gradient);
-    constants.push_back(wrapped_time(request) != 0);
-    constants.push_back(waves_of(request).size() > 1);
-    constants.push_back(request.colour.has_value());
-    constants.push_back(in_space(request));
-    return constants;
-}
-
-vulkan::Pass make_bake_pass(const vulkan::Device& device, const Request& request, int block_columns,
-                            int fixed_rows, Code code) {
-    return {device,
-            code_or(code, bake_modules.of(drawing_recipe(request))),
-            {bake_buffers, sizeof(passes::BakePush), fixed_rows > 0},
-            bake_constants(request, block_columns, fixed_rows)};
-}
-
-bool Bake::can_fill(const Request& request) {
-    const bool flat =
-        std::holds_alternative<Plane>(request.view) ||
-        (std::holds_alternative<Slice>(request.view) && std::ranges::none_of(request.lobes, is_isotropic));
-    return request.paint.empty() && flat && !request.filter && !request.phasor && request.values == 1;
-}
-
-BakeTables make_bake_tables(const Request& request, const BakeAxis& across, const BakeAxis& down,
-                            const std::function<Block(double)>& block_of) {
-    const noise::Recipe recipe = drawing_recipe(request);
-    const std::vector<noise::Wave> waves = waves_of(request);
-    BakeTables tables;
+    const std::vector<noise::Wave> waves = in_space(request)
+                                               ? noise::waves_in_space(request.lobes, request.seed)
+                                               : noise::waves(request.lobes, request.seed);
+    const double values_per_radius = request.scale * viewport.camera.zoom / viewport.stride;
+    const image::Window& region = viewport.region;
+    std::vector<passes::Run> columns;
+    std::vector<passes::Run> rows;
+    std::vector<passes::BakeWave> wave_table;
     for (const double radius : noise::radii(waves)) {
         const Axis x = axis_along(request, request.width, radius);
         const Axis y = axis_along(request, request.height, radius);
-        const double scale = across.scale * radius;
-        const Block block = block_of(scale);
-        // The lattice's windows stretch with its nodes to fit a period.
-        const auto runs = [&](const Axis& axis, const BakeAxis& pixels, int longest) {
+        const double scale = values_per_radius * radius;
+        const Block block = block_for(recipe, device, viewport.blocks, scale);
+        const auto runs = [&](const Axis& axis, const Coordinate& corner, int first, int count, int longest) {
+            // The lattice's windows stretch with its nodes to fit a period.
             const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
-            const auto [cell, place] =
-                pixels.origin ? pixels.origin(axis.radius / radius) : std::pair(0, 0.0);
+            const auto [cell, place] = cell_at(corner, axis.radius / radius);
             std::vector<passes::Run> made =
-                make_runs(pixels.first, pixels.count, axis.radius / scale, reach, longest, place);
+                make_runs(first, count, axis.radius / scale, reach, longest, place);
             for (passes::Run& run : made) // cells wrap around at 2^31
                 run.cell = static_cast<std::int32_t>(static_cast<std::uint32_t>(run.cell) +
                                                      static_cast<std::uint32_t>(cell));
             return made;
         };
-        const std::vector<passes::Run> columns = runs(x, across, block.columns);
-        const std::vector<passes::Run> rows = runs(y, down, block.rows);
+        const std::vector<passes::Run> across =
+            runs(x, corner_of(viewport.camera.x, viewport.width, request, viewport), region.x, region.width,
+                 block.columns);
+        const std::vector<passes::Run> down =
+            runs(y, corner_of(viewport.camera.y, viewport.height, request, viewport), region.y, region.height,
+                 block.rows);
         passes::BakePush push{};
+        push.width = region.width;
+        push.height = region.height;
         push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);
@@ -186,94 +133,41 @@ BakeTables make_bake_tables(const Request& request, const BakeAxis& across, cons
             push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
             push.slice_offset = static_cast<float>(place - push.first_slice - 1);
         }
-        push.first_wave = static_cast<std::uint32_t>(tables.waves.size());
+        push.first_wave = static_cast<std::uint32_t>(wave_table.size());
         for (std::size_t i = 0; i < waves.size(); ++i)
-            if (waves[i].radius == radius)
-                tables.waves.push_back(make_wave(request, i, waves[i], x, y, scale));
-        push.wave_count = static_cast<std::uint32_t>(tables.waves.size()) - push.first_wave;
-        push.width = across.count;
-        push.first_column_run = static_cast<std::uint32_t>(tables.columns.size());
-        push.column_runs = static_cast<std::uint32_t>(columns.size());
-        push.first_row_run = static_cast<std::uint32_t>(tables.rows.size());
-        tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
-        tables.rows.insert(tables.rows.end(), rows.begin(), rows.end());
-        tables.grids.push_back({push, rows, block.columns});
+            if (waves[i].radius == radius) {
+                passes::BakeWave wave = make_wave(request, i, waves[i], x, y, scale);
+                wave.amplitude *= share_left(request, viewport, waves[i].frequency);
+                wave_table.push_back(wave);
+            }
+        push.wave_count = static_cast<std::uint32_t>(wave_table.size()) - push.first_wave;
+        push.first_column_run = static_cast<std::uint32_t>(columns.size());
+        push.column_runs = static_cast<std::uint32_t>(across.size());
+        push.first_run = static_cast<std::uint32_t>(rows.size());
+        columns.insert(columns.end(), across.begin(), across.end());
+        rows.insert(rows.end(), down.begin(), down.end());
+
+        Step& step = plan.steps.emplace_back();
+        step.shader = recipe_pass("bake", recipe);
+        step.constants = constants;
+        step.constants[passes::visited_id] = vulkan::constant(noise::visited_cells(recipe));
+        step.constants[passes::block_columns_id] = vulkan::constant(block.columns);
+        step.constants[passes::sum_id] = waves.size() > 1;
+        step.push = bytes_of(push);
+        step.across = static_cast<int>(across.size());
+        step.group = {passes::bake_group, 1};
+        for (const passes::Run& run : down)
+            step.runs.emplace_back(run.first, run.count);
     }
-    return tables;
-}
-
-Bake::Bake(const vulkan::Device& device, const Request& request, const image::Window& region, Code code)
-    : Bake(device,
-           make_bake_tables(request, {region.x, region.width, request.scale, {}},
-                            {region.y, region.height, request.scale, {}},
-                            [&, recipe = drawing_recipe(request)](double scale) {
-                                return block_for(device, recipe, scale);
-                            }),
-           pixels_colour(request), region.height) {
-    for (BakeTables::Grid& grid : tables_.grids) {
-        if (!passes_.contains(grid.block_columns))
-            passes_.emplace(grid.block_columns, make_bake_pass(device, request, grid.block_columns, 0, code));
-        grid.pass = &passes_.at(grid.block_columns);
+    if (request.colour) {
+        Step& step = plan.steps.emplace_back();
+        step.shader = "bake_colour";
+        step.constants[passes::channels_id] = vulkan::constant(static_cast<int>(plan.channels.size()));
+        step.push = plan.steps.front().push;
+        step.across = region.width;
+        step.group = {passes::bake_group, 1};
     }
-    if (request.colour)
-        colouring_ = std::make_unique<vulkan::Pass>(
-            device, bake_colour_spirv, vulkan::Pass::Interface{bake_buffers, sizeof(passes::BakePush)},
-            std::vector{vulkan::constant(static_cast<int>(channels(request).size()))});
-    tables_.colouring = colouring_.get();
-}
-
-Bake::Bake(const vulkan::Device& device, BakeTables tables, const passes::PixelsColour& colour, int height)
-    : height_(height), tables_(std::move(tables)), columns_(upload(device, tables_.columns)),
-      rows_(upload(device, tables_.rows)), waves_(upload(device, tables_.waves)),
-      colour_(upload(device, std::vector{colour})) {}
-
-// Of the first grid, whole runs; those of others that cross a band's edge are evaluated on both sides.
-std::vector<RegionRenderer::Band> Bake::bands(int most_rows) const {
-    std::vector<Band> bands;
-    for (const passes::Run& run : tables_.grids.front().row_runs) {
-        const int begin = std::max(run.first, 0);
-        const int end = std::min(run.first + run.count, height_);
-        if (bands.empty() || end - bands.back().first_row > most_rows)
-            bands.push_back({begin, 0});
-        bands.back().rows = end - bands.back().first_row;
-    }
-    return bands;
-}
-
-vulkan::Job Bake::job(const vulkan::Device& device, const vulkan::Buffer& result) const {
-    return {device, passes_.begin()->second, {columns_, rows_, waves_, result, colour_}};
-}
-
-void Bake::submit(vulkan::Job& job, const Band& band, const std::optional<vulkan::Job::Copy>& copy) const {
-    tables_.submit(job, band, 0, copy);
-}
-
-void BakeTables::submit(vulkan::Job& job, const RegionRenderer::Band& band, int before,
-                        const std::optional<vulkan::Job::Copy>& copy) const {
-    std::vector<passes::BakePush> pushes;
-    std::vector<vulkan::Job::Dispatch> dispatches;
-    pushes.reserve(grids.size());
-    for (const Grid& grid : grids) {
-        const auto ends = [](const passes::Run& run) { return run.first + run.count; };
-        const auto first = std::ranges::upper_bound(grid.row_runs, band.first_row, {}, ends);
-        const auto last =
-            std::ranges::lower_bound(grid.row_runs, band.first_row + band.rows, {}, &passes::Run::first);
-        passes::BakePush& push = pushes.emplace_back(grid.push);
-        push.first_row = band.first_row;
-        push.height = band.rows;
-        push.before = before;
-        push.first_row_run += static_cast<std::uint32_t>(first - grid.row_runs.begin());
-        dispatches.push_back({std::as_bytes(std::span(&push, 1)),
-                              {groups(static_cast<int>(push.column_runs), passes::bake_group),
-                               static_cast<std::uint32_t>(last - first)},
-                              grid.pass});
-    }
-    if (colouring)
-        dispatches.push_back(
-            {dispatches.front().push,
-             {groups(pushes.front().width, passes::bake_group), static_cast<std::uint32_t>(band.rows)},
-             colouring});
-    job.submit(dispatches, copy);
+    plan.tables = {bytes_of(columns), bytes_of(rows), bytes_of(wave_table), bytes_of(colour_of(request))};
 }
 
 } // namespace gabor::render

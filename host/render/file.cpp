@@ -4,11 +4,11 @@
 #include "image/png.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
+#include "seconds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -47,9 +47,8 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame, i
            fmt::format("{}.{:04}{}", path.stem().string(), frame + 1, path.extension().string());
 }
 
-std::string software(const vulkan::Device& device, Code code) {
-    return fmt::format("gabor {}, {}, {}{}", GABOR_VERSION, device.info().name, device.info().driver,
-                       code.empty() ? "" : ", with other shaders");
+std::string software(const vulkan::Device& device) {
+    return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
 }
 
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
@@ -62,10 +61,6 @@ FileTimes& FileTimes::operator+=(const FileTimes& other) {
 
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Window& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance) {
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;
     if (files.exr)
@@ -75,29 +70,26 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                                                   .channels = names,
                                                   .compression = files.compression,
                                                   .parameters = to_json(request),
-                                                  .software = software(device, files.code)});
+                                                  .software = software(device)});
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));
 
     FileTimes times;
     std::vector<float> shown;
-    times.rendering = render_region(
-        device, request, region,
-        [&](std::span<const float> values) {
-            advance(values.size() / names.size());
-            const Clock::time_point before = Clock::now();
-            if (exr)
-                exr->write_rows(values);
-            if (png && files.colours) {
-                png->write_rows(files.colours(values));
-            } else if (png) {
-                show(request, values, shown);
-                png->write_rows(shown);
-            }
-            times.writing += seconds_since(before);
-        },
-        files.code);
+    times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
+        advance(values.size() / names.size());
+        const Clock::time_point before = Clock::now();
+        if (exr)
+            exr->write_rows(values);
+        if (png && files.colours) {
+            png->write_rows(files.colours(values));
+        } else if (png) {
+            show(request, values, shown);
+            png->write_rows(shown);
+        }
+        times.writing += seconds_since(before);
+    });
     advance(0);
     const Clock::time_point before = Clock::now();
     if (exr)

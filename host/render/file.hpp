@@ -42,9 +42,8 @@ struct FileTimes {
     FileTimes& operator+=(const FileTimes& other);
 };
 
-/// What rendered a picture, as its header says: pixels agree between files where this does. `code`: of its
-/// pass, where it is not what was built in.
-std::string software(const vulkan::Device& device, Code code = {});
+/// What rendered a picture, as its header says: pixels agree between files where this does.
+std::string software(const vulkan::Device& device);
 
 struct Files {
     std::optional<std::filesystem::path> exr;
@@ -52,7 +51,6 @@ struct Files {
     std::string_view compression = "none";
     /// Red, green and blue of a band's pixels, from 0 to 1, that the PNG is to show in place of that.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
-    Code code = {}; ///< of `pass_of(request)`, in place of what was built in
 };
 
 /// Renders `region` of a checked request into an EXR, a PNG or both. `advance` is called with the number of

@@ -2,7 +2,7 @@
 
 #include "noise/spectrum.hpp"
 #include "noise/variance.hpp"
-#include "render/renderer.hpp"
+#include "render/camera.hpp"
 
 #include <algorithm>
 #include <array>

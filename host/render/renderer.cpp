@@ -1,139 +1,164 @@
 #include "render/renderer.hpp"
 
-#include "render/bake.hpp"
-#include "render/material.hpp"
-#include "render/pixels.hpp"
-#include "render/solid.hpp"
+#include "seconds.hpp"
 
-#include <fmt/format.h>
+#include "passes/pictures.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
-#include <optional>
+#include <cstring>
 
 namespace gabor::render {
 
 namespace {
 
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+constexpr std::size_t most_pipelines = 16; // lavapipe takes a megabyte for each
 
 // A band's memory on the device, and the job that fills it.
 class BandBuffer {
   public:
-    BandBuffer(const vulkan::Device& device, const RegionRenderer& renderer, std::size_t bytes)
-        : result_(device, bytes, device.unified() ? vulkan::Memory::readback : vulkan::Memory::device),
-          job_(renderer.job(device, result_)) {
+    BandBuffer(const vulkan::Device& device, const Renderer& renderer, std::size_t bytes)
+        : values_(device, bytes, values_memory(device)), job_(renderer.job(values_)) {
         if (!device.unified())
             staging_.emplace(device, bytes, vulkan::Memory::readback);
     }
 
-    void submit(const RegionRenderer& renderer, const RegionRenderer::Band& band, std::size_t values) {
-        values_ = values;
+    void submit(const Renderer& renderer, const Band& band, std::size_t count) {
+        count_ = count;
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
-            copy.emplace(vulkan::Job::Copy{result_, *staging_, values * sizeof(float)});
-        renderer.submit(job_, band, copy);
+            copy.emplace(vulkan::Job::Copy{values_, *staging_, count * sizeof(float)});
+        renderer.submit(job_, band, 0, copy);
     }
 
     double wait() { return job_.wait(); }
     std::span<const float> values() const {
-        return (staging_ ? *staging_ : result_).as<float>().first(values_);
+        return (staging_ ? *staging_ : values_).as<float>().first(count_);
     }
 
   private:
-    vulkan::Buffer result_;
+    vulkan::Buffer values_;
     std::optional<vulkan::Buffer> staging_; // where the host cannot read the device's memory
     vulkan::Job job_;
-    std::size_t values_ = 0;
+    std::size_t count_ = 0;
 };
 
 } // namespace
 
-Axis axis_along(const Request& request, int side, double radius) {
-    const double cells = double{drawing_recipe(request).radius};
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    if (!plane || !plane->tileable)
-        return {cells, 0};
-    const double scale = request.scale * radius;
-    const double period = std::floor(side / scale * cells);
-    return {period / side * scale, static_cast<std::int32_t>(period)};
+vulkan::Memory values_memory(const vulkan::Device& device) {
+    return device.unified() ? vulkan::Memory::readback : vulkan::Memory::device;
 }
 
-float wrapped_time(const Request& request) {
-    return static_cast<float>(request.time - std::floor(request.time));
+DeviceKind kind_of(const vulkan::Device& device) {
+    return device.info().kind == "CPU" ? DeviceKind::cpu : DeviceKind::gpu;
 }
 
-std::vector<RegionRenderer::Band> RegionRenderer::bands_of_rows(int height, int most_rows) {
-    std::vector<Band> bands;
-    for (int row = 0; row < height; row += most_rows)
-        bands.push_back({row, std::min(most_rows, height - row)});
-    return bands;
+vulkan::Pass make_pass(const vulkan::Device& device, const Plan& plan, const Step& step, bool statistics) {
+    const auto found = std::ranges::find(passes::pictures, step.shader, &passes::Module::name);
+    return {device,
+            found->spirv,
+            {static_cast<std::uint32_t>(plan.tables.size() + 1), static_cast<std::uint32_t>(step.push.size()),
+             statistics},
+            step.constants};
 }
 
-std::string pass_of(const Request& request) {
-    if (has_material(request)) {
-        std::string function = request.material;
-        std::ranges::replace(function, '-', '_');
-        return "passes/material.comp@" + function;
+Renderer::Renderer(const vulkan::Device& device, Plan plan) : device_(device) {
+    set(std::move(plan));
+}
+
+void Renderer::set(Plan plan) {
+    plan_ = std::move(plan);
+    if (passes_.size() > most_pipelines)
+        passes_.clear();
+    of_steps_.clear();
+    for (const Step& step : plan_.steps) {
+        const std::pair key(step.shader, step.constants);
+        auto found = passes_.find(key);
+        if (found == passes_.end())
+            found = passes_.emplace(key, make_pass(device_, plan_, step)).first;
+        of_steps_.push_back(&found->second);
     }
-    if (Bake::can_fill(request))
-        return recipe_pass("bake", drawing_recipe(request));
-    return in_space(request) ? solid_pass(request) : recipe_pass("pixels", request.recipe);
+    for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
+        const Bytes& table = plan_.tables[i];
+        if (i == tables_.size())
+            tables_.emplace_back(device_, table.size(), vulkan::Memory::upload);
+        else if (tables_[i].size() < table.size())
+            tables_[i] = vulkan::Buffer(device_, table.size(), vulkan::Memory::upload);
+        std::ranges::copy(table, tables_[i].as<std::byte>().begin());
+    }
 }
 
-std::unique_ptr<RegionRenderer> make_renderer(const vulkan::Device& device, const Request& request,
-                                              const image::Window& region, Code code) {
-    if (has_material(request))
-        return std::make_unique<Material>(device, request, region, code);
-    if (Bake::can_fill(request))
-        return std::make_unique<Bake>(device, request, region, code);
-    if (in_space(request))
-        return std::make_unique<Solid>(device, request, region, code);
-    return std::make_unique<Pixels>(device, request, region, code);
+vulkan::Job Renderer::job(const vulkan::Buffer& values) const {
+    vulkan::Job::Buffers buffers{values};
+    buffers.insert(buffers.end(), tables_.begin(),
+                   tables_.begin() + static_cast<std::ptrdiff_t>(plan_.tables.size()));
+    return {device_, *of_steps_.front(), buffers};
+}
+
+void Renderer::submit(vulkan::Job& job, const Band& band, int before,
+                      const std::optional<vulkan::Job::Copy>& copy) const {
+    std::vector<Bytes> pushes;
+    std::vector<vulkan::Job::Dispatch> dispatches;
+    pushes.reserve(plan_.steps.size());
+    for (const Step& step : plan_.steps) {
+        Bytes& push = pushes.emplace_back(step.push);
+        passes::Band pushed{};
+        std::memcpy(&pushed, push.data(), sizeof pushed);
+        pushed.first_row += band.first_row;
+        pushed.height = band.rows;
+        pushed.before = before;
+        std::uint32_t rows = groups(band.rows, static_cast<std::uint32_t>(step.group.rows));
+        if (!step.runs.empty()) {
+            const auto end = [](const auto& run) { return run.first + run.second; };
+            const auto first = std::ranges::upper_bound(step.runs, band.first_row, {}, end);
+            const auto last = std::ranges::lower_bound(step.runs, band.first_row + band.rows, {},
+                                                       &std::pair<int, int>::first);
+            pushed.first_run += static_cast<std::uint32_t>(first - step.runs.begin());
+            rows = static_cast<std::uint32_t>(last - first);
+        }
+        std::memcpy(push.data(), &pushed, sizeof pushed);
+        dispatches.push_back({push,
+                              {groups(step.across, static_cast<std::uint32_t>(step.group.columns)), rows},
+                              of_steps_[dispatches.size()]});
+    }
+    job.submit(dispatches, copy);
 }
 
 Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
-                    const std::function<void(std::span<const float>)>& sink, Code code) {
+                    const std::function<void(std::span<const float>)>& sink) {
     const Clock::time_point start = Clock::now();
-    const std::unique_ptr<RegionRenderer> renderer = make_renderer(device, request, region, code);
+    const Renderer renderer(
+        device, plan(request, viewport_of(request, region), load_paint(request.paint), kind_of(device)));
     const double ready = seconds_since(start);
-    Times times = render_region(device, *renderer, request, region, sink);
+    Times times = render_plan(device, renderer, sink);
     times.first_dispatch += ready;
     return times;
 }
 
-Times render_region(const vulkan::Device& device, const RegionRenderer& renderer, const Request& request,
-                    const image::Window& region, const std::function<void(std::span<const float>)>& sink) {
+Times render_plan(const vulkan::Device& device, const Renderer& renderer,
+                  const std::function<void(std::span<const float>)>& sink) {
     const Clock::time_point start = Clock::now();
-    const std::size_t row_values = static_cast<std::size_t>(region.width) * channels(request).size();
+    const Plan& plan = renderer.plan();
+    const std::size_t row_values = static_cast<std::size_t>(plan.width) * plan.channels.size();
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
     const int fitting = std::max(1, static_cast<int>(limit / (row_values * sizeof(float))));
-    const std::vector<RegionRenderer::Band> bands = renderer.bands(fitting);
-    const auto values = [&](const RegionRenderer::Band& band) {
-        return static_cast<std::size_t>(band.rows) * row_values;
-    };
-    const int most_rows = std::ranges::max(bands, {}, &RegionRenderer::Band::rows).rows;
+    const std::vector<Band> all = bands(plan, fitting);
+    const auto count = [&](const Band& band) { return static_cast<std::size_t>(band.rows) * row_values; };
+    const int most_rows = std::ranges::max(all, {}, &Band::rows).rows;
     const std::size_t bytes = static_cast<std::size_t>(most_rows) * row_values * sizeof(float);
     std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, bytes),
                                       BandBuffer(device, renderer, bytes)};
 
     Times times;
-    buffers[0].submit(renderer, bands[0], values(bands[0]));
+    buffers[0].submit(renderer, all[0], count(all[0]));
     times.first_dispatch = seconds_since(start);
-    for (std::size_t i = 0; i < bands.size(); ++i) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
         const Clock::time_point before = Clock::now();
         times.gpu += buffers[i % 2].wait();
         times.waiting += seconds_since(before);
-        if (i + 1 < bands.size())
-            buffers[(i + 1) % 2].submit(renderer, bands[i + 1], values(bands[i + 1]));
+        if (i + 1 < all.size())
+            buffers[(i + 1) % 2].submit(renderer, all[i + 1], count(all[i + 1]));
         sink(buffers[i % 2].values());
     }
     return times;

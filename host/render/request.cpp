@@ -6,6 +6,19 @@
 
 namespace gabor::render {
 
+bool is_flat(const View& view) {
+    return std::holds_alternative<Plane>(view) || std::holds_alternative<Slice>(view);
+}
+
+bool in_perspective(const Request& request) {
+    return std::holds_alternative<Horizon>(request.view);
+}
+
+bool along_surface(const Request& request) {
+    const Body* body = std::get_if<Body>(&request.view);
+    return body && !body->solid;
+}
+
 bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
 }

@@ -76,6 +76,15 @@ struct Request {
     bool operator==(const Request&) const = default;
 };
 
+/// Whether a view shows a plane from above, at one scale.
+bool is_flat(const View& view);
+
+/// Whether it is seen in perspective on a horizon.
+bool in_perspective(const Request& request);
+
+/// Whether the waves run along a body's surface, and not through it.
+bool along_surface(const Request& request);
+
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 

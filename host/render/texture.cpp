@@ -2,15 +2,13 @@
 
 #include "error.hpp"
 #include "image/exr.hpp"
-#include "render/material.hpp"
 #include "render/parameters.hpp"
-#include "render/pixels.hpp"
+#include "seconds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -103,13 +101,9 @@ void write_levels(const image::Window& region, std::size_t channels, const Write
 
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
                          const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance, Code code) {
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
+                         const std::function<void(std::uint64_t)>& advance) {
     const std::size_t channels = render::channels(request).size();
-    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device, code));
+    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device));
 
     FileTimes times;
     const auto write = [&](std::span<const float> values) {
@@ -118,21 +112,18 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
         writer.write_rows(values);
         times.writing += seconds_since(before);
     };
-    const auto pass = has_material(request) ? Material::make_pass(device, request, code)
-                                            : Pixels::make_pass(device, request, code);
-    const auto renderer_of = [&](const Request& here,
-                                 const image::Window& window) -> std::unique_ptr<RegionRenderer> {
-        if (has_material(here))
-            return std::make_unique<Material>(here, window, pass);
-        return std::make_unique<Pixels>(device, here, window, pass);
-    };
+    const Paint paint = load_paint(request.paint);
+    Renderer renderer(device);
     write_levels(region, channels, write, [&](int level, const Write& take) {
         const Request here = texture_level(request, level);
         const image::Window window{region.x >> level, region.y >> level, region.width >> level,
                                    region.height >> level};
-        const Times rendering = render_region(device, *renderer_of(here, window), here, window, take);
+        const Clock::time_point before = Clock::now();
+        renderer.set(plan(here, viewport_of(here, window), paint, kind_of(device)));
+        const double ready = seconds_since(before);
+        const Times rendering = render_plan(device, renderer, take);
         if (level == 0)
-            times.rendering.first_dispatch = rendering.first_dispatch;
+            times.rendering.first_dispatch = ready + rendering.first_dispatch;
         times.rendering.waiting += rendering.waiting;
         times.rendering.gpu += rendering.gpu;
     });

@@ -27,10 +27,10 @@ Request texture_level(Request request, int level);
 
 /// Renders `region` of a checked request as a mip-mapped texture, a picture of its own: each level as the
 /// filter of a pixel of its own size sees the noise, instead of an average of the level before. `advance` as
-/// for render_file; `code`: of `pass_of(request)`, in place of what was built in.
+/// for render_file.
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
                          const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance, Code code = {});
+                         const std::function<void(std::uint64_t)>& advance);
 
 /// Pixels of all levels, about: a quarter more, a sixteenth, and so on.
 constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {

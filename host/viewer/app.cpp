@@ -35,8 +35,8 @@ void drop(GLFWwindow* window, int count, const char** paths) {
 }
 
 // The values of a material have none.
-bool has_law(const NoisePass& noise) {
-    return !render::has_material(noise.request);
+bool has_law(const Drawing& drawing) {
+    return !render::has_material(drawing.request);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -68,7 +68,8 @@ App::App(const Options& options)
            options.ui_scale.value_or(settings_.ui_scale)),
       painter_(device_, swapchain_.render_pass()), pool_(make_pool(device_)),
       commands_(make_commands(device_, pool_)),
-      session_(options.document.value_or(document_of({})), options.device), remember_(!options.screenshot) {
+      session_(options.document.value_or(document_of({})), options.device), canvas_(device_),
+      sampler_(device_), remember_(!options.screenshot) {
     if (remember_)
         restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
@@ -108,10 +109,6 @@ Document App::shown() const {
     return document;
 }
 
-NoisePass App::wanted() const {
-    return noise_pass(shown(), device_.info().kind == "CPU");
-}
-
 Area App::view_area(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
@@ -132,15 +129,13 @@ bool App::refine(Extent window) {
     if (session_.tiles && without_effect(session_.document(), "tiles").empty())
         session_.tiling = tiling_of(session_.document(), session_.view);
     const Camera camera = shown().camera;
-    const NoisePass wanted = this->wanted();
+    const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
-    if (!canvas_ || !canvas_->noise().same_pipeline(wanted))
-        canvas_ = std::make_unique<Canvas>(device_, wanted);
-    bool more = canvas_->refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
-                                moving ? moving_budget : resting_budget);
-    if (more || moving || wanted != shown_ || camera != shown_from_) {
-        shown_ = wanted;
-        shown_from_ = camera;
+    bool more = canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
+                               moving ? moving_budget : resting_budget);
+    if (more || moving || wanted != drawn_ || camera != drawn_from_) {
+        drawn_ = wanted;
+        drawn_from_ = camera;
         changed_ = glfwGetTime();
         picture_measured_ = false;
     }
@@ -148,8 +143,7 @@ bool App::refine(Extent window) {
     if (has_law(wanted)) {
         measure(wanted, rested || session_.playing);
         more |= !picture_measured_ || samples_ < most_samples;
-    } else if (std::exchange(sampler_, nullptr)) {
-        measured_ = {};
+    } else if (std::exchange(measured_, {})) {
         measuring_.reset();
     }
     session_.measured = measuring_.measured();
@@ -158,8 +152,8 @@ bool App::refine(Extent window) {
 
 // While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
 // them with every frame.
-void App::measure(const NoisePass& noise, bool rested) {
-    const NoisePass values = value_pass(noise);
+void App::measure(const Drawing& drawing, bool rested) {
+    const render::Request values = value_request(drawing);
     if (measured_ != values) {
         measured_ = values;
         samples_ = 0;
@@ -168,20 +162,17 @@ void App::measure(const NoisePass& noise, bool rested) {
     }
     if (!rested || !measuring_.idle())
         return;
-    if (!sampler_ || !sampler_->noise().same_pipeline(values))
-        sampler_ = std::make_unique<ValueSampler>(device_, values);
-    sampler_->set(values);
-    if (canvas_->fine() && !picture_measured_) {
+    if (canvas_.fine() && !picture_measured_) {
         picture_measured_ = true;
-        if (is_flat(noise.request.view) && !noise.request.colour)
-            measuring_.add_picture(canvas_->pixels(), noise.channel_count(), canvas_->grid(),
-                                   noise.request.scale * shown().camera.zoom);
-    } else if ((canvas_->fine() || session_.playing) && samples_ < most_samples) {
+        if (render::is_flat(drawing.request.view) && !drawing.request.colour)
+            measuring_.add_picture(canvas_.pixels(), static_cast<int>(canvas_.channels().size()),
+                                   canvas_.grid(), drawing.request.scale * shown().camera.zoom);
+    } else if ((canvas_.fine() || session_.playing) && samples_ < most_samples) {
         const std::span<const float> sampled =
-            sampler_->sample(draws_++, session_.playing ? sampling_budget : resting_budget);
-        const int channels = sampler_->noise().channel_count();
+            sampler_.sample(values, draws_++, session_.playing ? sampling_budget : resting_budget);
+        const bool covered = render::in_space(values);
+        const int channels = covered ? 2 : 1;
         samples_ += static_cast<std::uint32_t>(sampled.size()) / static_cast<std::uint32_t>(channels);
-        const bool covered = sampler_->noise().channels.back() == "A";
         measuring_.add_samples(sampled, channels, covered ? channels - 1 : -1);
     }
 }
@@ -237,14 +228,14 @@ void App::panels() {
 }
 
 bool App::fine() const {
-    return canvas_ && canvas_->fine();
+    return canvas_.fine();
 }
 
 void App::paint(vk::CommandBuffer commands, const Area& view) {
     if (session_.gallery)
         return paint_presets(commands, view);
-    if (canvas_)
-        painter_.paint(commands, *canvas_, view, session_.document(), session_.tiling);
+    if (canvas_.stride() > 0)
+        painter_.paint(commands, canvas_, view, session_.document(), session_.tiling);
     if (shows_photograph(session_) && view.x > 0)
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
@@ -314,19 +305,15 @@ void App::write_window_png(const std::string& path) {
 
 void App::save_picture(const std::string& path) {
     const Document& document = session_.document();
-    const NoisePass noise = wanted();
+    const Drawing drawing = drawing_of(document);
     const Extent extent{document.request.width, document.request.height};
-    std::unique_ptr<Canvas> own; // where the window has none, because making one takes time
-    if (!canvas_ || !canvas_->noise().same_pipeline(noise))
-        own = std::make_unique<Canvas>(device_, noise);
-    Canvas& canvas = own ? *own : *canvas_;
-    while (canvas.refine(noise, default_camera(document), extent, resting_budget)) {
+    while (canvas_.refine(drawing, render::default_camera(document.request), extent, resting_budget)) {
     }
     swapchain_.wait();
     save_png(
         device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); },
         [&](vk::CommandBuffer commands) {
-            painter_.paint(commands, canvas, {0, 0, extent.width, extent.height}, document);
+            painter_.paint(commands, canvas_, {0, 0, extent.width, extent.height}, document);
         });
 }
 

@@ -50,7 +50,7 @@ class App {
     void restore(const Options& options);
     Area view_area(Extent window) const; ///< of the noise, in the window's pixels
     bool refine(Extent window);          ///< whether anything is left to do
-    void measure(const NoisePass& noise, bool rested);
+    void measure(const Drawing& drawing, bool rested);
     float view_width() const; ///< in Dear ImGui's units
     void panels();
     void draw(const Target& target);
@@ -58,8 +58,7 @@ class App {
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void paint_presets(vk::CommandBuffer commands, const Area& view);
     void write_window_png(const std::string& path);
-    Document shown() const;   ///< the session's, as its camera shows it
-    NoisePass wanted() const; ///< of that
+    Document shown() const; ///< the session's, as its camera shows it
 
     Settings settings_;
     Window window_;
@@ -71,14 +70,14 @@ class App {
     vk::raii::CommandBuffer commands_ = nullptr;
     Session session_;
     MeasuringThread measuring_;
-    std::unique_ptr<Canvas> canvas_;
-    std::unique_ptr<ValueSampler> sampler_;
-    NoisePass measured_; ///< whose values these samples are
+    Canvas canvas_;
+    ValueSampler sampler_;
+    std::optional<render::Request> measured_; ///< whose values these samples are
     std::uint32_t samples_ = 0;
     std::uint32_t draws_ = 0;
     bool picture_measured_ = false;
-    NoisePass shown_; ///< in the last frame
-    Camera shown_from_;
+    Drawing drawn_; ///< in the last frame
+    Camera drawn_from_;
     double changed_ = 0;                           ///< when it was something else
     std::shared_ptr<const Photograph> photograph_; ///< whose pixels these are
     std::optional<vulkan::Buffer> photograph_pixels_;

@@ -3,7 +3,6 @@
 #include "render/load.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gabor::viewer {
 
@@ -22,20 +21,6 @@ Document without_viewpoint(Document document) {
 
 } // namespace
 
-Coordinate Coordinate::moved(double by) const {
-    const double carried = std::floor(by);
-    Coordinate result{whole + static_cast<std::int64_t>(carried), part + (by - carried)};
-    if (result.part >= 1) {
-        ++result.whole;
-        result.part -= 1;
-    }
-    return result;
-}
-
-bool is_flat(const render::View& view) {
-    return std::holds_alternative<render::Plane>(view) || std::holds_alternative<render::Slice>(view);
-}
-
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
     render::Request& request = document.request;
     if (name == "paint")
@@ -47,12 +32,12 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
         request.scale = was_noise ? std::max(2.0, std::min(request.width, request.height) / 4.0)
                                   : render::Request().scale;
     if (name == "view") {
-        request.filter = !is_flat(request.view) && render::can_filter(request);
+        request.filter = !render::is_flat(request.view) && render::can_filter(request);
         render::give_way(request, "filter");
     }
     render::give_way(request, name);
     if (name == "view" || name == "material" || name == "width" || name == "height")
-        document.camera = default_camera(document);
+        document.camera = render::default_camera(document.request);
 }
 
 render::Request with_output(render::Request request, Output output) {
@@ -71,17 +56,10 @@ render::Request with_output(render::Request request, Output output) {
     return request;
 }
 
-Camera default_camera(const Document& document) {
-    const render::Request& request = document.request;
-    if (!is_flat(request.view))
-        return {};
-    return Camera{}.moved(request.width / 2.0 / request.scale, request.height / 2.0 / request.scale);
-}
-
 Document document_of(const render::Request& request) {
     Document document;
     document.request = request;
-    document.camera = default_camera(document);
+    document.camera = render::default_camera(document.request);
     return document;
 }
 

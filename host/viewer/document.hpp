@@ -1,30 +1,14 @@
 #pragma once
 
+#include "render/camera.hpp"
 #include "render/parameters.hpp"
 
-#include <cstdint>
 #include <vector>
 
 namespace gabor::viewer {
 
-/// A coordinate in kernel radii that is as precise far away as it is near: whole + part, part in [0, 1).
-struct Coordinate {
-    std::int64_t whole = 0;
-    double part = 0;
-
-    Coordinate moved(double by) const;
-    bool operator==(const Coordinate&) const = default;
-};
-
-/// The point of the plane in the middle of the view, and how much larger than in the picture it is seen.
-struct Camera {
-    Coordinate x;
-    Coordinate y;
-    double zoom = 1;
-
-    Camera moved(double by_x, double by_y) const { return {x.moved(by_x), y.moved(by_y), zoom}; }
-    bool operator==(const Camera&) const = default;
-};
+using render::Camera;
+using render::Coordinate;
 
 enum class Output { value, gradient, phase, intensity, variance, phasor, lit };
 
@@ -50,18 +34,12 @@ struct Document {
 /// A document with the request's picture in the middle of the view.
 Document document_of(const render::Request& request);
 
-/// Whether a view shows a plane from above, at one scale.
-bool is_flat(const render::View& view);
-
 /// Puts in a parameter, and back to default what cannot stand beside it. Another view begins where the camera
 /// is by default, and filtered where it has a distance. Throws RequestError where that value cannot be.
 void set_parameter(Document& document, std::string_view name, const render::Value& value);
 
 /// The request with the channels that an output is made of, beside its own.
 render::Request with_output(render::Request request, Output output);
-
-/// Where the camera is for the view to show what gabor render does.
-Camera default_camera(const Document& document);
 
 /// What undo and redo go through. What is edited is `now`; `commit` makes a step of what has changed since
 /// the last one.

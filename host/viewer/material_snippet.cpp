@@ -1,7 +1,9 @@
 #include "viewer/material_snippet.hpp"
 
+#include "viewer/drawing.hpp"
 #include "viewer/glsl_literal.hpp"
-#include "viewer/noise_pass.hpp"
+
+#include "passes/material_interface.h"
 
 #include <fmt/format.h>
 
@@ -83,8 +85,10 @@ std::string material_snippet(const Document& document, Extent extent) {
 )";
     if (render::in_space(request))
         return text + of_body(request);
-    const GridInput input = view_grid(noise_pass(document), document.camera, extent, 1, {});
-    return text + of_plane(request, std::get<MaterialInput>(input.of).push, extent);
+    const render::Plan plan =
+        render::plan(request, viewport_of(drawing_of(document), document.camera, extent));
+    const auto push = render::values_of<passes::MaterialPush>(plan.steps.front().push).front();
+    return text + of_plane(request, push, extent);
 }
 
 } // namespace gabor::viewer

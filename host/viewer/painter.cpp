@@ -121,9 +121,8 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
     const bool coarse = canvas.stride() > 1;
-    draw(commands, canvas.values(),
-         show_constants(document, canvas.noise().channels, coarse, tiling.has_value()), push, visible,
-         canvas_set);
+    draw(commands, canvas.values(), show_constants(document, canvas.channels(), coarse, tiling.has_value()),
+         push, visible, canvas_set);
 }
 
 void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,

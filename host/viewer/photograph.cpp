@@ -33,7 +33,7 @@ void take(Session& session, FittedPreset fitted) {
         next.output = document.output;
         next.camera = in_radii(document.camera, next.request.scale / document.request.scale);
     } else {
-        next.camera = default_camera(next);
+        next.camera = render::default_camera(next.request);
         next.contrast = Document().contrast;
         session.preset_path =
             std::filesystem::path(session.fitter.path()).replace_extension(".json").string();

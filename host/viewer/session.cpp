@@ -231,7 +231,7 @@ void copy_glsl(Session& session) {
 
 void reset_camera(Session& session) {
     Document& document = session.document();
-    document.camera = default_camera(document);
+    document.camera = render::default_camera(document.request);
     if (auto* body = std::get_if<render::Body>(&document.request.view))
         *body = {body->shape, body->solid};
 }

@@ -7,7 +7,6 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -51,24 +50,13 @@ std::string first_error(const std::string& log) {
     return log.substr(0, log.find('\n'));
 }
 
-// As shaders/CMakeLists.txt compiles its passes.
-std::string macros_of(std::string_view variant) {
-    if (std::isdigit(static_cast<unsigned char>(variant.front())) != 0)
-        return fmt::format("#define GABOR_TAPS {}\n", variant);
-    return fmt::format("#define GABOR_OF_{0}\n#define GABOR_MATERIAL gabor_{0}\n"
-                       "#define GABOR_MATERIAL_FILTERED gabor_{0}_filtered\n",
-                       variant);
-}
-
 } // namespace
 
 std::vector<std::uint32_t> compile_shader(std::string_view path) {
     static const bool initialized = glslang::InitializeProcess();
     if (!initialized)
         throw std::runtime_error("the shader compiler does not start");
-    const std::size_t at = path.find('@');
-    const std::string name(path.substr(0, at));
-    const std::string preamble = at == path.npos ? "" : macros_of(path.substr(at + 1));
+    const std::string name(path);
     const EShLanguage language = language_of(name);
     const EmbeddedShader* found = find(name);
     if (!found)
@@ -78,7 +66,6 @@ std::vector<std::uint32_t> compile_shader(std::string_view path) {
     const char* label = name.c_str();
     glslang::TShader shader(language);
     shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
-    shader.setPreamble(preamble.c_str());
     shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 110);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);

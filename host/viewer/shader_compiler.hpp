@@ -15,9 +15,8 @@ struct EmbeddedShader {
 /// The shaders as they were when the program was built.
 std::span<const EmbeddedShader> embedded_shaders();
 
-/// SPIR-V of a shader. `path`: relative to shaders/; PATH@N is PATH with GABOR_TAPS N, and PATH@NAME with
-/// GABOR_OF_NAME, GABOR_MATERIAL gabor_NAME and its filtered form. PATH's extension tells the stage. Throws
-/// std::runtime_error with the compiler's first complaint as "file:line: message".
+/// SPIR-V of a shader. `path`: relative to shaders/; its extension tells the stage. Throws std::runtime_error
+/// with the compiler's first complaint as "file:line: message".
 std::vector<std::uint32_t> compile_shader(std::string_view path);
 
 } // namespace gabor::viewer

@@ -118,7 +118,7 @@ std::span<const float> FileColours::of(std::span<const float> values) {
     std::ranges::copy(values, values_.as<float>().begin());
     push_.count = static_cast<int>(pixels);
     vulkan::Job job(device_, pass_, {values_, colours_});
-    job.submit(push_, {render::groups(push_.count, passes::show_group)});
+    job.submit(push_, {(static_cast<std::uint32_t>(pixels) + passes::show_group - 1) / passes::show_group});
     job.wait();
     push_.first_row = (push_.first_row + push_.count / push_.grid.x) % push_.grid.y; // of the next picture
     return colours_.as<float>().first(3 * pixels);

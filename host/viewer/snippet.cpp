@@ -1,10 +1,13 @@
 #include "viewer/snippet.hpp"
 
 #include "fit/glsl.hpp"
+#include "viewer/drawing.hpp"
 #include "viewer/glsl_literal.hpp"
-#include "viewer/noise_pass.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/show.hpp"
+
+#include "passes/pixels_interface.h"
+#include "passes/solid_interface.h"
 
 #include <fmt/format.h>
 
@@ -60,6 +63,18 @@ const Quantity& quantity(const Document& document) {
     default:
         return document.request.colour ? colour : value;
     }
+}
+
+render::Plan pixel_plan(const render::Request& request) {
+    render::Viewport viewport = viewport_of(request, {0, 0, 1, 1});
+    viewport.blocks = render::Blocks::none;
+    return render::plan(request, viewport);
+}
+
+// The waves that add up, of a table of the plan.
+template <typename Wave>
+std::vector<Wave> waves_of(const render::Request& request, std::size_t table) {
+    return render::values_of<Wave>(pixel_plan(request).tables.at(table));
 }
 
 // The sums over the waves; `type`: of the quantity, which a gradient has another one of in space.
@@ -153,7 +168,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
 
     // The middle of the first pixel; or where the camera stands.
     const auto corner = [&](const Coordinate& middle, int pixels, double cells) {
-        return axis_point(middle, horizon ? 0 : (0.5 - pixels / 2.0) / scale, cells);
+        return render::cell_at(horizon ? middle : middle.moved((0.5 - pixels / 2.0) / scale), cells);
     };
     const double time = render::wrapped_time(request);
     const std::string moment = (!request.recipe.is_lattice() ? ""
@@ -164,16 +179,16 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     if (request.filter)
         text += "    GaborFootprint footprint;\n";
     int table = -1;
-    for (const passes::PixelsWave& wave : render::pixels_waves(request, render::Paint())) {
+    for (const passes::PixelsWave& wave : waves_of<passes::PixelsWave>(request, 2)) {
         if (wave.table != table) { // another kernel radius
             table = wave.table;
             const double x_cells = double{wave.nodes.x} / wave.radius; // per kernel radius of the picture
             const double y_cells = double{wave.nodes.y} / wave.radius;
-            const passes::Line x = corner(document.camera.x, extent.width, x_cells);
-            const passes::Line y = corner(document.camera.y, extent.height, y_cells);
+            const auto [x, x_place] = corner(document.camera.x, extent.width, x_cells);
+            const auto [y, y_place] = corner(document.camera.y, extent.height, y_cells);
             text +=
-                fmt::format("    place = GaborPlace(ivec2({}, {}), {} + p * {}, {}, ivec2({}, {}), {});\n",
-                            x.cell, y.cell, vec2(x.local, y.local), vec2(x_cells, y_cells),
+                fmt::format("    place = GaborPlace(ivec2({}, {}), {} + p * {}, {}, ivec2({}, {}), {});\n", x,
+                            y, vec2(x_place, y_place), vec2(x_cells, y_cells),
                             vec2(wave.nodes.x, wave.nodes.y), wave.period.x, wave.period.y, moment);
             if (request.filter) {
                 const std::string unit =
@@ -219,7 +234,7 @@ std::string of_space(const render::Request& request, const Quantity& of) {
 )",
                                    of.is, type, of.name, sums(of, type));
     float radius = 0;
-    for (const passes::SolidWave& wave : render::solid_waves(request)) {
+    for (const passes::SolidWave& wave : waves_of<passes::SolidWave>(request, 0)) {
         if (wave.radius != radius) {
             radius = wave.radius;
             const std::string unit = radius == 1 ? "" : fmt::format(" / {}", literal(radius));
@@ -242,7 +257,8 @@ std::string gradient_in_picture(const render::Request& request) {
     std::string right = vec3(1, 0, 0);
     std::string down = vec3(0, 1, 0);
     if (std::holds_alternative<render::Body>(request.view)) { // the camera's axes of passes/solid.comp
-        const auto push = render::solid_push(request, request.width, request.height);
+        const auto push =
+            render::values_of<passes::SolidPush>(pixel_plan(request).steps.front().push).front();
         right = vec3(push.yaw.x, push.yaw.y, 0);
         down = vec3(push.yaw.y * push.pitch.y, -push.yaw.x * push.pitch.y, -push.pitch.x);
     }

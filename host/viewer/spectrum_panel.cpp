@@ -279,7 +279,7 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    if (session.measured.spectrum && is_flat(session.document().request.view))
+    if (session.measured.spectrum && render::is_flat(session.document().request.view))
         draw_measured(draw, plane, *session.measured.spectrum);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)

@@ -14,7 +14,7 @@ Tiling tiling_of(const Document& document, Extent view) {
         std::min(fitting(request.width, view.width), fitting(request.height, view.height)), 1, parts);
     Tiling tiling;
     tiling.tile = {request.width / parts * kept, request.height / parts * kept};
-    tiling.camera = default_camera(document);
+    tiling.camera = render::default_camera(request);
     tiling.camera.zoom = static_cast<double>(kept) / parts;
     const double scale = request.scale * tiling.camera.zoom;
     const auto moved = [&](const Coordinate& from, const Coordinate& to, int side) {

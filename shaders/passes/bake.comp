@@ -27,15 +27,16 @@
 #include "gabor_spectrum.glsl"
 #endif
 
-layout(constant_id = 7) const int visited = 3; // cells along an axis, ceil(2 R) + 1
-layout(constant_id = 8) const int block_columns = 8;
-layout(constant_id = 9) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
-layout(constant_id = 10) const bool with_quadrature = false; // the real part beside the noise
-layout(constant_id = 11) const bool with_gradient = false;   // and the noise's derivatives along x and y
-layout(constant_id = 12) const bool animated = false;        // for the lattice: whether time is not 0
-layout(constant_id = 13) const bool sum = false;             // of more than one noise
-layout(constant_id = 14) const bool coloured = false;        // the components of a colour in place of the noise
-layout(constant_id = 15) const bool slice = false;           // of noise in space, with GABOR_TAPS 3
+layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
+layout(constant_id = block_columns_id) const int block_columns = 8;
+layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
+layout(constant_id = quadrature_id) const bool with_quadrature = false; // the real part beside the noise
+layout(constant_id = gradient_id) const bool with_gradient = false;   // and the noise's derivatives along x and y
+layout(constant_id = animated_id) const bool animated = false;        // for the lattice: whether time is not 0
+layout(constant_id = sum_id) const bool sum = false;             // of more than one noise
+layout(constant_id = coloured_id) const bool coloured = false;        // the components of a colour in place of the noise
+layout(constant_id = view_id) const uint view = view_flat;
+const bool slice = view == view_slice; // of noise in space, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -47,10 +48,10 @@ const int channels = gradient_at + (with_gradient ? 2 : 0) + (slice ? 1 : 0);
 
 layout(local_size_x = bake_group) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Columns { Run columns[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Rows { Run rows[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Waves { BakeWave waves[]; };
-layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Columns { Run columns[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Rows { Run rows[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Waves { BakeWave waves[]; };
+layout(std430, set = 0, binding = 0) buffer Picture { float picture[]; };
 
 vec2 rotated(vec2 z, vec2 by) {
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
@@ -240,7 +241,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= column_runs)
         return;
     Run across = columns[first_column_run + gl_GlobalInvocationID.x];
-    Run down = rows[first_row_run + gl_GlobalInvocationID.y];
+    Run down = rows[first_run + gl_GlobalInvocationID.y];
     if (sum) {
         for (uint i = 0u; i < wave_count; ++i)
             fill(across, down, first_wave + i);

@@ -7,11 +7,11 @@
 const int colour_binding = 4;
 #include "colour.glsl"
 
-layout(constant_id = 0) const int channels = 3; // floats per pixel
+layout(constant_id = channels_id) const int channels = 3; // floats per pixel
 
 layout(local_size_x = bake_group) in;
 
-layout(std430, set = 0, binding = 3) buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 0) buffer Picture { float picture[]; };
 
 void main() {
     if (gl_GlobalInvocationID.x >= uint(width))

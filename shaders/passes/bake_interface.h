@@ -3,7 +3,7 @@
 #ifndef GABOR_BAKE_INTERFACE_H
 #define GABOR_BAKE_INTERFACE_H
 
-#include "passes/interface.h"
+#include "passes/constants.h"
 
 GABOR_INTERFACE_BEGIN
 
@@ -29,6 +29,7 @@ struct BakeWave {
 
 // The noises of one kernel radius: their pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
+    GABOR_BAND
     vec2 radius;   // as in GaborPlace
     ivec2 period;  // as in GaborPlace
     float time;    // as in GaborPlace, within [0, 1)
@@ -36,13 +37,8 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     float stretch; // kernel radii per unit of length, in which derivatives are
     uint first_wave;
     uint wave_count;
-    int width;
-    int height;
-    int first_row; // of the band, in the units of Run.first
-    int before;    // pixels in the buffer before those of the band
     uint first_column_run;
     uint column_runs;
-    uint first_row_run;
     int first_slice;    // of a slice of space: the first of its three nodes along z
     float slice_offset; // from the second of them, in node spacings
 };

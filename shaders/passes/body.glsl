@@ -1,4 +1,4 @@
-// A sphere or a torus as a camera sees it. What includes this has the constants `view`, 1 a sphere and 2 a torus, and
+// A sphere or a torus as a camera sees it. What includes this has the constants `view` and
 // `rays`, and pushes center, pixel, yaw and pitch as passes/solid_interface.h says.
 //
 // Bodies are in a unit of their own, in which the sphere has radius 1. The camera looks at their centre from a distance
@@ -84,7 +84,7 @@ Hit torus_hit(vec3 eye, vec3 ray) {
 
 Hit hit_of(vec2 at, Axes axes) {
     vec3 eye = eye_distance * axes.toward_eye;
-    if (view == 1)
+    if (view == view_sphere)
         return sphere_hit(eye, ray_of(at, axes));
     return torus_hit(eye, ray_of(at, axes));
 }

@@ -28,12 +28,33 @@ struct alignas(16) vec4 {
 #define GABOR_INTERFACE_END }
 #define GABOR_PUSH_CONSTANTS(name) struct name
 
-#else
+#else // GLSL
 
 #define GABOR_INTERFACE_BEGIN
 #define GABOR_INTERFACE_END
 #define GABOR_PUSH_CONSTANTS(name) layout(push_constant) uniform name
 
+#endif
+
+// The push constants of every pass over a picture begin with the band that it fills:
+//   first_column, first_row   of the band's pixels, in the units of the pass's tables or of the picture
+//   width, height             pixels
+//   before                    pixels in the buffer before those of the band
+//   first_run                 in passes/bake.comp, of the band's rows
+#define GABOR_BAND                                                                                           \
+    int first_column;                                                                                        \
+    int first_row;                                                                                           \
+    int width;                                                                                               \
+    int height;                                                                                              \
+    int before;                                                                                              \
+    uint first_run;
+
+#ifdef __cplusplus
+namespace gabor::passes {
+struct Band {
+    GABOR_BAND
+};
+} // namespace gabor::passes
 #endif
 
 #endif // GABOR_INTERFACE_H

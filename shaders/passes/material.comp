@@ -9,9 +9,9 @@
 #include "gabor_materials.glsl"
 #include "light.glsl"
 
-layout(constant_id = 0) const bool filtered = false;
-layout(constant_id = 1) const int view = 0; // 0 flat, 1 sphere, 2 torus, 3 a plane in perspective
-const bool body = view == 1 || view == 2;
+layout(constant_id = filter_id) const bool filtered = false;
+layout(constant_id = view_id) const uint view = view_flat;
+const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? 10 : 9;
 const int rays = 4;
 
@@ -59,7 +59,7 @@ void main() {
     vec3 eye = eye_above(seen_from);
     float coverage = 1.0;
     Axes axes;
-    if (view == 3) {
+    if (view == view_horizon) {
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
         seen_from = vec2(0.0);
         vec2 below = place - vec2(center.x, sky);

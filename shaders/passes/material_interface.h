@@ -1,15 +1,16 @@
-// For passes/material.comp, host/render, and the viewer, which draws with it.
+// For passes/material.comp and host/render.
 
 #ifndef GABOR_MATERIAL_INTERFACE_H
 #define GABOR_MATERIAL_INTERFACE_H
 
-#include "passes/interface.h"
+#include "passes/constants.h"
 
 GABOR_INTERFACE_BEGIN
 
 const uint material_group = 8; // pixels along x and y
 
 GABOR_PUSH_CONSTANTS(MaterialPush) {
+    GABOR_BAND
     vec2 size;   // of the whole picture, in pixels
     vec2 center; // the pixel that is seen from straight above, or where the camera looks
     vec2 corner; // where p is in the picture's corner, or under the camera
@@ -20,11 +21,6 @@ GABOR_PUSH_CONSTANTS(MaterialPush) {
     float unit; // of a body: the unit in which the sphere has radius 1, in those of p
     float sky;  // rows above the horizon, 0 but in perspective
     uint seed;
-    int first_column; // of these pixels in the picture
-    int first_row;
-    int width;
-    int height;
-    int before; // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END

@@ -4,32 +4,33 @@
 // A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
-const int colour_binding = 4;
+const int colour_binding = 5;
 #include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
 #endif
 
-layout(constant_id = 7) const bool filtered = false; // with GABOR_TAPS 3
-layout(constant_id = 8) const bool horizon = false;  // a plane in perspective
-layout(constant_id = 9) const bool painted = false;
-layout(constant_id = 10) const bool with_quadrature = false;
-layout(constant_id = 11) const bool with_gradient = false;
-layout(constant_id = 12) const bool with_phasor = false;
-layout(constant_id = 13) const int values = 1; // uncorrelated ones
-layout(constant_id = 14) const bool animated = false; // for the lattice: whether time is not 0
-layout(constant_id = 15) const bool coloured = false; // red, green and blue in place of the noise
+layout(constant_id = filter_id) const bool filtered = false; // with GABOR_TAPS 3
+layout(constant_id = view_id) const uint view = view_flat;
+const bool horizon = view == view_horizon; // a plane in perspective
+layout(constant_id = painted_id) const bool painted = false;
+layout(constant_id = quadrature_id) const bool with_quadrature = false;
+layout(constant_id = gradient_id) const bool with_gradient = false;
+layout(constant_id = phasor_id) const bool with_phasor = false;
+layout(constant_id = values_id) const int values = 1; // uncorrelated ones
+layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
+layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue in place of the noise
 const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
 layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Columns { Line columns[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Rows { Line rows[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Waves { PixelsWave wave_table[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
-layout(std430, set = 0, binding = 5) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Columns { Line columns[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Rows { Line rows[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_table[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
+layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
 // Frequency and orientation at a pixel, between the samples of the paint around it.
 vec2 painted_at(vec2 pixel) {

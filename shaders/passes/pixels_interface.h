@@ -1,9 +1,10 @@
-// For passes/pixels.comp, host/render, and the viewer, which draws with it.
+// For passes/pixels.comp and host/render.
 
 #ifndef GABOR_PIXELS_INTERFACE_H
 #define GABOR_PIXELS_INTERFACE_H
 
 #include "passes/colour.h"
+#include "passes/constants.h"
 #include "passes/line.h"
 
 GABOR_INTERFACE_BEGIN
@@ -26,6 +27,7 @@ struct PixelsWave {
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
+    GABOR_BAND
     ivec2 paint_size;   // samples
     vec2 paint_scale;   // samples of the paint per pixel
     vec2 paint_corner;  // of the region, in samples
@@ -34,10 +36,6 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     float focal_length; // pixels, in perspective
     int waves;
     int tables; // of lines: each column and each row has one in each, side by side
-    int width;
-    int height;
-    int first_row; // of the band
-    int before;    // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END

@@ -7,13 +7,15 @@
 #include "gabor_lattice.glsl"
 #else
 
-layout(constant_id = 0) const int recipe_impulses = 1;
-layout(constant_id = 1) const float recipe_radius = 1.0;
-layout(constant_id = 2) const float recipe_weight_floor = 1.0;
-layout(constant_id = 3) const int recipe_phases = 2;
-layout(constant_id = 4) const float recipe_window_x = 1.0;
-layout(constant_id = 5) const float recipe_window_y = 0.0;
-layout(constant_id = 6) const float recipe_window_z = 0.0;
+#include "passes/constants.h"
+
+layout(constant_id = impulses_id) const int recipe_impulses = 1;
+layout(constant_id = radius_id) const float recipe_radius = 1.0;
+layout(constant_id = weight_floor_id) const float recipe_weight_floor = 1.0;
+layout(constant_id = phases_id) const int recipe_phases = 2;
+layout(constant_id = window_id) const float recipe_window_x = 1.0;
+layout(constant_id = window_id + 1) const float recipe_window_y = 0.0;
+layout(constant_id = window_id + 2) const float recipe_window_z = 0.0;
 
 #define GABOR_UNROLL [[unroll]]
 #define GABOR_UNCHECKED

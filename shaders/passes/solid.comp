@@ -6,18 +6,18 @@
 
 #include "passes/solid_interface.h"
 
-layout(constant_id = 0) const int view = 0;             // 0 slice, 1 sphere, 2 torus
-layout(constant_id = 1) const bool some_isotropic = false; // of the noises
-layout(constant_id = 2) const bool some_directed = false;
-layout(constant_id = 3) const bool filtered = true;     // by the pixel's footprint
-layout(constant_id = 4) const int values = 1; // independent ones
-layout(constant_id = 5) const bool with_quadrature = false;
-layout(constant_id = 6) const bool with_gradient = false; // along the picture's right and down
-layout(constant_id = 7) const bool with_phasor = false;
+layout(constant_id = view_id) const uint view = view_slice;
+layout(constant_id = isotropic_id) const bool some_isotropic = false; // of the noises
+layout(constant_id = directed_id) const bool some_directed = false;
+layout(constant_id = filter_id) const bool filtered = true;     // by the pixel's footprint
+layout(constant_id = values_id) const int values = 1; // independent ones
+layout(constant_id = quadrature_id) const bool with_quadrature = false;
+layout(constant_id = gradient_id) const bool with_gradient = false; // along the picture's right and down
+layout(constant_id = phasor_id) const bool with_phasor = false;
 const int rays = 4; // through a pixel for its coverage, along each axis
-layout(constant_id = 8) const bool animated = false; // whether time is not 0
-layout(constant_id = 9) const bool coloured = false; // three values are a colour
-layout(constant_id = 10) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
+layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
+layout(constant_id = coloured_id) const bool coloured = false; // three values are a colour
+layout(constant_id = normals_id) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
 const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
@@ -27,8 +27,8 @@ const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Waves { SolidWave wave_table[]; };
-layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Waves { SolidWave wave_table[]; };
+layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
 #include "body.glsl"
 const int colour_binding = 2;
@@ -116,7 +116,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 corner = vec2(here + ivec2(first_column, first_row));
-    if (view == 0) { // its axes are those of the plane, y growing downwards
+    if (view == view_slice) { // its axes are those of the plane, y growing downwards
         Axes flat_axes = Axes(vec3(1.0, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, 1.0));
         vec3 p = vec3(pixel * (corner + 0.5), depth);
         Values here_values = values_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));

@@ -1,9 +1,10 @@
-// For passes/solid.comp, host/render, and the viewer, which draws with it.
+// For passes/solid.comp and host/render.
 
 #ifndef GABOR_SOLID_INTERFACE_H
 #define GABOR_SOLID_INTERFACE_H
 
 #include "passes/colour.h"
+#include "passes/constants.h"
 
 GABOR_INTERFACE_BEGIN
 
@@ -22,6 +23,7 @@ struct SolidWave {
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
+    GABOR_BAND
     vec2 center; // of the picture, in pixels from its corner
     vec2 yaw;    // cosine and sine of the eye's angle around the axis z
     vec2 pitch;  // and of its height above the plane z = 0
@@ -30,11 +32,6 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
     float depth; // z of the slice, kernel radii
     float time;
     int waves;
-    int first_column; // of these pixels in the picture
-    int first_row;
-    int width;
-    int height;
-    int before; // pixels in the buffer before those of the band
 };
 
 GABOR_INTERFACE_END

@@ -32,6 +32,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/bake_interface.h",
     "share/gabor-noise/shaders/passes/colour.glsl",
     "share/gabor-noise/shaders/passes/colour.h",
+    "share/gabor-noise/shaders/passes/constants.h",
     "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "oracle.hpp"
-#include "render/bake.hpp"
+#include "render/plan.hpp"
 #include "vulkan/pass.hpp"
 
 #include "passes/sample.h"

@@ -1,9 +1,8 @@
 // passes/bake.comp, block by block, and passes/pixels.comp, pixel by pixel, draw the same picture.
 
 #include "largest.hpp"
-#include "render/bake.hpp"
 #include "render/parameters.hpp"
-#include "render/pixels.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -17,10 +16,14 @@ using namespace gabor;
 
 namespace {
 
-std::vector<float> filled(const vulkan::Device& device, const render::RegionRenderer& renderer,
-                          const render::Request& request, const image::Window& region) {
+// What a plan draws, by a renderer that keeps its pipelines.
+std::vector<float> filled(render::Renderer& renderer, const render::Request& request,
+                          const image::Window& region, render::Blocks blocks) {
+    render::Viewport viewport = render::viewport_of(request, region);
+    viewport.blocks = blocks;
+    renderer.set(render::plan(request, viewport));
     std::vector<float> values;
-    render::render_region(device, renderer, request, region, [&](std::span<const float> rows) {
+    render::render_plan(renderer.device(), renderer, [&](std::span<const float> rows) {
         values.insert(values.end(), rows.begin(), rows.end());
     });
     return values;
@@ -32,15 +35,13 @@ render::Request with_phasor(render::Request request) {
     return request;
 }
 
-// Compares a region, and its phasor with its values. `pass`: for the request with its phasor.
-void check_blocks_are_pixels(const vulkan::Device& device, const render::Request& request,
-                             const image::Window& region, std::shared_ptr<const vulkan::Pass> pass) {
+// Compares a region, and its phasor with its values.
+void check_blocks_are_pixels(render::Renderer& renderer, const render::Request& request,
+                             const image::Window& region) {
     render::check(request);
-    REQUIRE(render::Bake::can_fill(request));
-    const render::Request phasor = with_phasor(request);
-    const std::vector<float> blocks = filled(device, render::Bake(device, request, region), request, region);
-    const std::vector<float> pixels =
-        filled(device, render::Pixels(device, phasor, region, std::move(pass)), phasor, region);
+    REQUIRE(render::uses_blocks(request, render::viewport_of(request, region)));
+    const std::vector<float> blocks = filled(renderer, request, region, render::Blocks::fitted);
+    const std::vector<float> pixels = filled(renderer, with_phasor(request), region, render::Blocks::none);
     const std::vector<std::string> names = render::channels(request);
     const std::size_t all = names.size() + 2; // phase and intensity
     const auto count = static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height);
@@ -72,6 +73,7 @@ void check_blocks_are_pixels(const vulkan::Device& device, const render::Request
 
 TEST_CASE("pixel by pixel it is the noise of the blocks", "[pixels]") {
     const vulkan::Device device;
+    render::Renderer renderer(device);
     for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one", "pure", "paper"}) {
         for (const bool tileable : {false, true}) {
             const render::Request request{.width = 300,
@@ -83,14 +85,14 @@ TEST_CASE("pixel by pixel it is the noise of the blocks", "[pixels]") {
                                           .view = render::Plane{.tileable = tileable},
                                           .quadrature = true,
                                           .gradient = true};
-            check_blocks_are_pixels(device, request, {0, 0, 300, 200},
-                                    render::Pixels::make_pass(device, with_phasor(request)));
+            check_blocks_are_pixels(renderer, request, {0, 0, 300, 200});
         }
     }
 }
 
 TEST_CASE("blocks are pixels on both sides of a cell at large scales", "[pixels]") {
     const vulkan::Device device;
+    render::Renderer renderer(device);
     for (const auto& [recipe, cells_per_radius] : {std::pair("lattice", 1.5),
                                                    {"lattice-2", 1.0},
                                                    {"lattice-4", 2.0},
@@ -99,22 +101,20 @@ TEST_CASE("blocks are pixels on both sides of a cell at large scales", "[pixels]
                                                    {"pure", 1.5}}) {
         render::Request request{
             .width = 16384, .height = 16384, .recipe = noise::find_recipe(recipe), .lobes = {{6, 25}}};
-        const auto pass = render::Pixels::make_pass(device, with_phasor(request));
         for (const double scale : {999.5, 1507.0, 4096.0}) {
             request.scale = scale;
             const double cell = scale / cells_per_radius;
-            check_blocks_are_pixels(device, request,
-                                    {static_cast<int>(2 * cell) - 40, static_cast<int>(cell) - 21, 83, 61},
-                                    pass);
+            check_blocks_are_pixels(renderer, request,
+                                    {static_cast<int>(2 * cell) - 40, static_cast<int>(cell) - 21, 83, 61});
         }
     }
 }
 
 TEST_CASE("blocks are pixels in every corner of the largest picture", "[pixels]") {
     const vulkan::Device device;
+    render::Renderer renderer(device);
     const render::Request request{.width = 65536, .height = 65536, .scale = 7.7, .lobes = {{2, 25}}};
-    const auto pass = render::Pixels::make_pass(device, with_phasor(request));
     for (const int x : {0, 65536 - 37})
         for (const int y : {0, 65536 - 45})
-            check_blocks_are_pixels(device, request, {x, y, 37, 45}, pass);
+            check_blocks_are_pixels(renderer, request, {x, y, 37, 45});
 }

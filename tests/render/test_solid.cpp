@@ -2,7 +2,7 @@
 #include "largest.hpp"
 #include "reference/lattice_3d.hpp"
 #include "render/parameters.hpp"
-#include "render/solid.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -26,14 +26,16 @@ namespace {
 std::vector<float> rendered(const vulkan::Device& device, const Request& request, const image::Window& region,
                             int most_rows) {
     render::check(request);
-    const render::Solid solid(device, request, region);
+    render::Viewport viewport = render::viewport_of(request, region);
+    viewport.blocks = render::Blocks::none;
+    const render::Renderer renderer(device, render::plan(request, viewport));
     const std::size_t row_values = render::channels(request).size() * static_cast<std::size_t>(region.width);
     vulkan::Buffer buffer(device, static_cast<std::size_t>(most_rows) * row_values * sizeof(float),
                           vulkan::Memory::readback);
-    vulkan::Job job = solid.job(device, buffer);
+    vulkan::Job job = renderer.job(buffer);
     std::vector<float> pixels;
-    for (const render::Solid::Band& band : solid.bands(most_rows)) {
-        solid.submit(job, band);
+    for (const render::Band& band : render::bands(renderer.plan(), most_rows)) {
+        renderer.submit(job, band);
         job.wait();
         const auto values = buffer.as<float>().first(static_cast<std::size_t>(band.rows) * row_values);
         pixels.insert(pixels.end(), values.begin(), values.end());

@@ -6,9 +6,8 @@
 #include "reference/lattice.hpp"
 #include "reference/reference.hpp"
 #include "reference/spectrum.hpp"
-#include "render/bake.hpp"
 #include "render/parameters.hpp"
-#include "render/pixels.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -182,7 +181,7 @@ TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]")
                     if (each != &tile && recipe != noise::recipes().front())
                         continue;
                     each->phasor = phasor;
-                    CHECK(render::Bake::can_fill(*each) == !phasor);
+                    CHECK(render::uses_blocks(*each, render::viewport_of(*each, {})) == !phasor);
                     const image::Window region = each == &far ? image::Window{65536 - 17, 65536 - 12, 17, 12}
                                                               : image::Window{43, 50, 17, 12};
                     compare(largest, device, *each, region,
@@ -219,12 +218,14 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
                                     .seed = 77};
             request.view = render::Plane{.tileable = tileable};
             request.colour = colour;
-            CHECK(render::Bake::can_fill(request));
+            REQUIRE(render::uses_blocks(request, render::viewport_of(request, {})));
             const image::Window region{43, 50, 17, 12};
             std::vector<float> blocks = rendered(device, request, region);
             std::vector<float> pixels;
-            render::render_region(
-                device, render::Pixels(device, request, region), request, region,
+            render::Viewport one_by_one = render::viewport_of(request, region);
+            one_by_one.blocks = render::Blocks::none;
+            render::render_plan(
+                device, render::Renderer(device, render::plan(request, one_by_one)),
                 [&](std::span<const float> rows) { pixels.insert(pixels.end(), rows.begin(), rows.end()); });
             REQUIRE(blocks.size() == 3u * 17 * 12);
             REQUIRE(pixels.size() == blocks.size());

@@ -22,27 +22,29 @@ const vulkan::Device& device() {
     return device;
 }
 
-Canvas canvas_of(const NoisePass& noise) {
-    return {device(), noise};
-}
-
 // All values of a view, in full resolution or coarser.
-std::vector<float> values_of(Canvas& canvas, const Camera& camera, Extent extent, int stride = 1) {
-    canvas.draw(camera, extent, stride);
+std::vector<float> values_of(Canvas& canvas, const Document& document, Extent extent, int stride = 1) {
+    canvas.draw(drawing_of(document), document.camera, extent, stride);
     const std::span<const float> values = canvas.pixels();
     return {values.begin(), values.end()};
 }
 
-NoisePass pass_of(const Document& document) {
-    return noise_pass(document);
+// The same, by single pixels.
+std::vector<float> unbaked(render::Renderer& renderer, const Document& document, Extent extent, int stride) {
+    const Drawing drawing = drawing_of(document);
+    render::Viewport viewport = viewport_of(drawing, document.camera, extent, stride);
+    viewport.blocks = render::Blocks::none;
+    renderer.set(render::plan(drawing.request, viewport));
+    std::vector<float> values;
+    render::render_plan(device(), renderer, [&](std::span<const float> rows) {
+        values.insert(values.end(), rows.begin(), rows.end());
+    });
+    return values;
 }
 
-// The same pixel by pixel.
-NoisePass unbaked(NoisePass noise) {
-    noise.block.reset();
-    noise.shader = render::recipe_pass("pixels", noise.request.recipe);
-    noise.constants = render::pixels_constants(noise.request);
-    return noise;
+bool uses_blocks(const Document& document) {
+    const Drawing drawing = drawing_of(document);
+    return render::uses_blocks(drawing.request, viewport_of(drawing, document.camera, {1, 1}));
 }
 
 void compare(const std::string& what, const std::vector<float>& found, const std::vector<float>& expected,
@@ -66,17 +68,16 @@ TEST_CASE("the window's blocks have the values of single pixels, wherever the ca
     const auto check = [&](const std::string& name, const render::Request& request, Output output) {
         Document document = document_of(request);
         document.output = output;
-        const NoisePass noise = pass_of(document);
-        REQUIRE(noise.block);
-        Canvas blocks = canvas_of(noise);
-        Canvas pixels = canvas_of(unbaked(noise));
+        REQUIRE(uses_blocks(document));
+        Canvas blocks(device());
+        render::Renderer pixels(device());
         for (const Coordinate& corner :
              {Coordinate{0, 0}, Coordinate{-2, 0.37}, Coordinate{1'000'000'000, 0.9}})
             for (const auto& [zoom, stride] : {std::pair{1.0, 1}, std::pair{2.3, 1}, std::pair{2.3, 4}}) {
-                const Camera camera{corner, corner.moved(0.61), zoom};
+                document.camera = {corner, corner.moved(0.61), zoom};
                 compare(fmt::format("{}, from {} on, zoom {}, stride {}", name, corner.whole, zoom, stride),
-                        values_of(blocks, camera, extent, stride), values_of(pixels, camera, extent, stride),
-                        output == Output::gradient ? 2e-3 : 1e-4);
+                        values_of(blocks, document, extent, stride),
+                        unbaked(pixels, document, extent, stride), output == Output::gradient ? 2e-3 : 1e-4);
             }
     };
     render::Request request{.scale = 32, .seed = 3};
@@ -117,18 +118,18 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
             }
         return seen;
     };
-    const auto check = [&](const std::string& name, const Document& document, const NoisePass& noise) {
-        Canvas canvas = canvas_of(noise);
+    const auto check = [&](const std::string& name, const Document& document) {
+        Canvas canvas(device());
         const auto first = [&](const std::vector<float>& values) { // of each pixel's channels
             std::vector<float> kept;
-            for (std::size_t i = 0; i < values.size(); i += noise.channels.size())
+            for (std::size_t i = 0; i < values.size(); i += canvas.channels().size())
                 kept.push_back(values[i]);
             return kept;
         };
-        const std::vector<float> fine = first(values_of(canvas, document.camera, {side, side}));
+        const std::vector<float> fine = first(values_of(canvas, document, {side, side}));
         for (const int stride : {2, 4, 8}) {
-            const std::vector<float> found = first(values_of(canvas, document.camera, {side, side}, stride));
-            const std::vector<float> wanted = expected(fine, stride, noise.request.filter ? 1 : 0);
+            const std::vector<float> found = first(values_of(canvas, document, {side, side}, stride));
+            const std::vector<float> wanted = expected(fine, stride, document.request.filter ? 1 : 0);
             double off = 0;
             const int count = side / stride;
             const int margin = 24 / stride + 1; // where the fine view ends
@@ -140,7 +141,7 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
                 }
             fmt::print("{}, stride {}: off by {:.3f}\n", name, stride, std::sqrt(off));
             // Without a filter of its own a noise has each wave's amplitude filtered, and not its windows.
-            CHECK(std::sqrt(off) < (noise.request.filter ? 0.03 : 0.2)); // 1 where waves show as others
+            CHECK(std::sqrt(off) < (document.request.filter ? 0.03 : 0.2)); // 1 where waves show as others
         }
     };
     for (const double frequency : {1.0, 4.0}) { // 20 and 5 pixels to a wave
@@ -149,19 +150,19 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
                                          .scale = 20,
                                          .lobes = {{.frequency = frequency, .orientation = 20}}});
         const std::string name = fmt::format("frequency {}", frequency);
-        REQUIRE(pass_of(document).block);
-        check(name, document, pass_of(document));
+        REQUIRE(uses_blocks(document));
+        check(name, document);
         document.request.filter = true;
-        check(name + ", filtered", document, pass_of(document));
+        check(name + ", filtered", document);
         document.request.view = render::Slice{0.3};
-        check(name + ", filtered slice", document, pass_of(document));
+        check(name + ", filtered slice", document);
         document.request.filter = false;
-        check(name + ", slice", document, pass_of(document));
+        check(name + ", slice", document);
     }
     Document document = document_of({.scale = 20, .lobes = {{.frequency = 3}}});
     document.output = Output::phase; // which do not fade
     const auto coarsest = [&](double zoom) {
-        return coarsest_stride(pass_of(document), render::Paint(), zoom);
+        return coarsest_stride(drawing_of(document), render::Paint(), zoom);
     };
     CHECK(coarsest(1) == 2);
     CHECK(coarsest(0.5) == 1);
@@ -182,14 +183,14 @@ TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
           std::pair{"torus", body(render::Body{Shape::torus}, 0)},
           std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
           std::pair{"slice", body(render::Slice{}, 0)}}) {
-        const NoisePass noise = value_pass(pass_of(document));
-        ValueSampler sampler(device(), noise);
+        const render::Request request = value_request(drawing_of(document));
+        ValueSampler sampler(device());
         statistics::Moments moments;
         statistics::Gaussianity gaussianity;
         const std::uint64_t wanted = std::uint64_t{1} << 18;
         for (std::uint32_t draw = 0; moments.count() < wanted; ++draw) {
             REQUIRE(draw < 200);
-            const std::span<const float> values = sampler.sample(draw, 1);
+            const std::span<const float> values = sampler.sample(request, draw, 1);
             for (std::size_t i = 0; i < values.size(); i += 2)
                 if (values[i + 1] > 0) { // covered
                     moments.add(values[i]);

@@ -2,13 +2,13 @@
 
 #include "bench/subjects.hpp"
 #include "error.hpp"
-#include "render/bake.hpp"
+#include "render/renderer.hpp"
+#include "seconds.hpp"
 #include "statistics/gaussianity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace gabor::bench {
@@ -29,9 +29,9 @@ using Measurements = std::vector<Measurement>;
 
 template <typename Make>
 auto timed(double& seconds, Make make) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     auto made = make();
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds = seconds_since(start);
     return made;
 }
 
@@ -64,20 +64,15 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
                                  .recipe = recipe,
                                  .lobes = {{.frequency = setting.frequency, .orientation = base_orientation}},
                                  .seed = 7};
-    struct State {
-        render::Bake bake;
-        vulkan::Job job;
-        std::vector<render::Bake::Band> bands;
-    };
-    render::Bake made = timed(measurement.row.pipeline, [&] {
-        return render::Bake(device, wanted, {0, 0, setting.side, setting.side});
+    const auto renderer = timed(measurement.row.pipeline, [&] {
+        const render::Viewport whole = render::viewport_of(wanted, {0, 0, setting.side, setting.side});
+        return std::make_shared<render::Renderer>(device,
+                                                  render::plan(wanted, whole, {}, render::kind_of(device)));
     });
-    vulkan::Job job = made.job(device, picture);
-    std::vector<render::Bake::Band> bands = made.bands(setting.side);
-    auto state = std::make_shared<State>(State{std::move(made), std::move(job), std::move(bands)});
-    measurement.run = [state] {
-        state->bake.submit(state->job, state->bands.front());
-        return state->job.wait();
+    const auto job = std::make_shared<vulkan::Job>(renderer->job(picture));
+    measurement.run = [renderer, job, rows = setting.side] {
+        renderer->submit(*job, {0, rows});
+        return job->wait();
     };
     return measurement;
 }

@@ -1,6 +1,6 @@
 #include "bench/bench.hpp"
 #include "bench/subjects.hpp"
-#include "render/bake.hpp"
+#include "render/renderer.hpp"
 
 #include <fmt/format.h>
 
@@ -22,14 +22,22 @@ Code unrolled(std::string name, const Statistics& statistics) {
 
 // A block's code is what comes before its rows, and the rows: the difference of two rows and one is one row.
 Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
-    const render::Block block = render::gpu_block(recipe);
     render::Request request;
     request.recipe = recipe;
-    const Statistics one = render::make_bake_pass(device, request, block.columns, 1).statistics(device);
-    const Statistics two = render::make_bake_pass(device, request, block.columns, 2).statistics(device);
+    const render::Plan plan =
+        render::plan(request, render::viewport_of(request, {0, 0, 64, 64}), {}, render::DeviceKind::gpu);
+    render::Step step = plan.steps.front();
+    const auto statistics = [&](std::uint32_t rows) {
+        step.constants[passes::fixed_rows_id] = rows;
+        return render::make_pass(device, plan, step, true).statistics(device);
+    };
+    const Statistics one = statistics(1);
+    const Statistics two = statistics(2);
+    const int columns = static_cast<int>(step.constants[passes::block_columns_id]);
+    constexpr int rows = 16; // of a GPU's block
     const auto per_pixel = [&](const char* name) {
         const double first = value(one, name);
-        return (first + (block.rows - 1) * (value(two, name) - first)) / (block.rows * block.columns);
+        return (first + (rows - 1) * (value(two, name) - first)) / (rows * columns);
     };
     return {fmt::format("bake, {}", recipe.name), per_pixel("Instructions"), per_pixel("Inverse Throughput"),
             static_cast<int>(value(two, "VGPRs"))};

@@ -1,6 +1,7 @@
 #include "bench/subjects.hpp"
 
-#include "render/bake.hpp"
+#include "recipe_modules.hpp"
+#include "render/plan.hpp"
 
 #include "passes/bench/bench_interface.h"
 #include "passes/bench/erosion.h"
@@ -24,8 +25,8 @@ namespace gabor::bench {
 
 namespace {
 
-constexpr render::RecipeModules modules{
-    recipe_spirv, {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
+constexpr RecipeModules modules{recipe_spirv,
+                                {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
 // The options of passes/bench/seminal.comp: impulses per cell, the paper's advice, hoisted.
 Subject published(std::string name, int impulses, bool advised, bool hoisted) {
@@ -142,7 +143,7 @@ void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {
                                  seed,
                                  side,
                                  side};
-    const std::uint32_t count = render::groups(setting.side, passes::bench_group);
+    const std::uint32_t count = (side + passes::bench_group - 1) / passes::bench_group;
     job.submit(push, {count, count});
 }
 

@@ -1,6 +1,7 @@
 #include "study/noise.hpp"
 
-#include "render/bake.hpp"
+#include "recipe_modules.hpp"
+#include "render/plan.hpp"
 
 #include "passes/drop_in.h"
 #include "passes/drop_in_lattice_2.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr std::size_t dispatch_size = std::size_t{1} << 20; // values
 
-constexpr render::RecipeModules drop_in_modules{
+constexpr RecipeModules drop_in_modules{
     drop_in_spirv, {drop_in_lattice_2_spirv, drop_in_lattice_3_spirv, drop_in_lattice_4_spirv}};
 
 } // namespace

@@ -1,0 +1,420 @@
+#include "render/plan.hpp"
+
+#include "render/bake.hpp"
+#include "render/material.hpp"
+#include "render/plan_parts.hpp"
+
+#include "passes/line.h"
+#include "passes/material_interface.h"
+#include "passes/pixels_interface.h"
+#include "passes/solid_interface.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gabor::render {
+
+namespace {
+
+constexpr double least_baked_cell = 8; // pixels: blocks are of one cell
+
+std::uint32_t view_constant(const View& view) {
+    if (std::holds_alternative<Horizon>(view))
+        return passes::view_horizon;
+    if (std::holds_alternative<Slice>(view))
+        return passes::view_slice;
+    if (const Body* body = std::get_if<Body>(&view))
+        return body->shape == Shape::sphere ? passes::view_sphere : passes::view_torus;
+    return passes::view_flat;
+}
+
+Constants constants_of(const Request& request) {
+    Constants constants{};
+    std::ranges::copy(recipe_constants(drawing_recipe(request)), constants.begin());
+    constants[passes::view_id] = view_constant(request.view);
+    constants[passes::filter_id] = request.filter;
+    constants[passes::painted_id] = !request.paint.empty();
+    constants[passes::quadrature_id] = request.quadrature;
+    constants[passes::gradient_id] = request.gradient;
+    constants[passes::phasor_id] = request.phasor;
+    constants[passes::values_id] = static_cast<std::uint32_t>(request.values);
+    constants[passes::animated_id] = wrapped_time(request) != 0;
+    constants[passes::coloured_id] = request.colour.has_value();
+    return constants;
+}
+
+// A pass with an invocation for each value.
+template <typename Push>
+Step step_of(std::string shader, const Constants& constants, const Push& push, std::uint32_t group) {
+    const int side = static_cast<int>(group);
+    return {std::move(shader), constants, bytes_of(push), push.width, {side, side}, {}};
+}
+
+template <typename Push>
+Push push_of(const image::Window& region) {
+    Push push{};
+    push.width = region.width;
+    push.height = region.height;
+    return push;
+}
+
+// ---- The plane, pixel by pixel ----
+
+// How long a pixel is, in kernel radii. In perspective, where the scale is that of the bottom row, the height
+// of the camera, of a picture of so many rows.
+double pixel_length(const Request& request, int height) {
+    return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
+}
+
+// Where pixels are along an axis, for kernels of each radius. In perspective the cell is the camera's, and
+// the place counts pixels from the horizon's middle, `origin` pixels from the edge of the view.
+std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, const Coordinate& middle,
+                                int view, int side, int first, int count, double origin) {
+    const std::vector<double> radii = noise::radii(noise::waves(request.lobes, request.seed));
+    const double scale = request.scale * viewport.camera.zoom;
+    const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
+    struct Table {
+        std::int32_t cell;
+        double place; // of the start
+        double step;  // cells
+    };
+    std::vector<Table> tables;
+    for (const double radius : radii) {
+        const double cells = axis_along(request, side, radius).radius;
+        const auto [cell, place] = cell_at(start, cells / radius);
+        tables.push_back({cell, place, cells / (scale * radius) * viewport.stride});
+    }
+    std::vector<passes::Line> result;
+    for (int i = first; i < first + count; ++i)
+        for (const Table& table : tables) {
+            const double here = in_perspective(request) ? i + 0.5 - origin / viewport.stride
+                                                        : table.place + (i + 0.5) * table.step;
+            const double carried = in_perspective(request) ? 0 : std::floor(here);
+            result.push_back(
+                {static_cast<std::int32_t>(static_cast<std::uint32_t>(table.cell) +
+                                           static_cast<std::uint32_t>(static_cast<std::int64_t>(carried))),
+                 static_cast<float>(here - carried)});
+        }
+    return result;
+}
+
+// Waves that follow the paint are as many as its highest frequency needs.
+std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewport& viewport,
+                                             const Paint& paint) {
+    std::vector<noise::Lobe> lobes = request.lobes;
+    double unit = 1;
+    if (!request.paint.empty()) { // a single lobe
+        unit = std::clamp(highest_frequency(paint), 1e-3, 1e6);
+        lobes.front().frequency = unit;
+        lobes.front().orientation = 0;
+    }
+    const std::vector<noise::Wave> waves = noise::waves(lobes, request.seed);
+    const std::vector<double> tables = noise::radii(noise::waves(request.lobes, request.seed));
+    std::vector<passes::PixelsWave> result;
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        const noise::Wave& wave = waves[i];
+        const Axis x = axis_along(request, request.width, wave.radius);
+        const Axis y = axis_along(request, request.height, wave.radius);
+        const auto camera = [&](const Coordinate& at, const Axis& axis) {
+            return in_perspective(request) ? static_cast<float>(cell_at(at, axis.radius / wave.radius).second)
+                                           : 0.0f;
+        };
+        passes::PixelsWave& made = result.emplace_back(passes::PixelsWave{
+            .nodes = {static_cast<float>(x.radius), static_cast<float>(y.radius)},
+            .period = {x.period, y.period},
+            .camera = {camera(viewport.camera.x, x), camera(viewport.camera.y, y)},
+            .frequency = static_cast<float>(wave.frequency / unit * wave.radius),
+            .orientation = static_cast<float>(wave.angle),
+            .radius = static_cast<float>(wave.radius),
+            .amplitude = static_cast<float>(std::sqrt(wave.share)),
+            .seed = wave.seed,
+            .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
+            .weights = {}});
+        put_weights(made.weights, request, i); // in colour one wave for each lobe
+        if (!in_perspective(request) && request.paint.empty())
+            fade(made, share_left(request, viewport, wave.frequency));
+    }
+    return result;
+}
+
+void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
+    const Camera& camera = viewport.camera;
+    const image::Window& region = viewport.region;
+    const auto stride = static_cast<float>(viewport.stride);
+    const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
+    auto push = push_of<passes::PixelsPush>(region);
+    push.time = wrapped_time(request);
+    push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
+    if (!in_perspective(request))
+        push.pixel *= stride;
+    push.focal_length = static_cast<float>(viewport.width) / stride; // a coarse view has fewer pixels
+    push.waves = static_cast<int>(waves.size());
+    push.tables = static_cast<int>(noise::radii(noise::waves(request.lobes, request.seed)).size());
+    // The paint lies over the picture, whose corner is the origin of the plane.
+    const auto scale = [&](int samples, int side) {
+        return static_cast<float>(viewport.stride * static_cast<double>(samples) / (side * camera.zoom));
+    };
+    const auto first = [&](const Coordinate& middle, int pixels, int value) {
+        const Coordinate corner = corner_of(middle, pixels, request, viewport);
+        return static_cast<float>((static_cast<double>(corner.whole) + corner.part) * request.scale *
+                                      camera.zoom / viewport.stride +
+                                  value);
+    };
+    push.paint_size = {paint.width, paint.height};
+    push.paint_scale = {scale(paint.width, request.width), scale(paint.height, request.height)};
+    push.paint_corner = {first(camera.x, viewport.width, region.x) * push.paint_scale.x,
+                         first(camera.y, viewport.height, region.y) * push.paint_scale.y};
+    plan.tables = {bytes_of(lines(request, viewport, camera.x, viewport.width, request.width, region.x,
+                                  region.width, viewport.width / 2.0)),
+                   bytes_of(lines(request, viewport, camera.y, viewport.height, request.height, region.y,
+                                  region.height, sky_rows(viewport.height))),
+                   bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
+    plan.steps = {
+        step_of(recipe_pass("pixels", request.recipe), constants_of(request), push, passes::pixels_group)};
+}
+
+// ---- Bodies and slices ----
+
+// Side of a pixel in the plane at distance 1 from the eye, such that a sphere of radius 1 at distance 4
+// leaves a margin of 1/20 in a picture whose shorter side has so many.
+double pixel_side(int shorter_side) {
+    return 2 * 1.05 * std::tan(std::asin(0.25)) / shorter_side;
+}
+
+// Kernel radii in the radius of the sphere: at distance 3 a unit takes 1 / (3 side) pixels.
+double sphere_radius(const Request& request) {
+    return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
+}
+
+passes::vec2 direction(double angle) {
+    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+}
+
+// What passes/body.glsl is pushed.
+template <typename Push>
+void push_body(Push& push, const Request& request, const Viewport& viewport) {
+    const Body& body = std::get<Body>(request.view);
+    push.pixel = static_cast<float>(pixel_side(std::min(viewport.width, viewport.height)) * viewport.stride /
+                                    body.zoom);
+    push.unit = static_cast<float>(sphere_radius(request));
+    push.yaw = direction(noise::radians(std::remainder(body.yaw, 360.0)));
+    push.pitch = direction(noise::radians(body.pitch));
+}
+
+passes::vec2 half(const Viewport& viewport) {
+    return {static_cast<float>(viewport.width / 2.0 / viewport.stride),
+            static_cast<float>(viewport.height / 2.0 / viewport.stride)};
+}
+
+void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
+    std::vector<passes::SolidWave> waves;
+    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed)) {
+        passes::SolidWave& made = waves.emplace_back(
+            passes::SolidWave{.direction = direction(wave.angle),
+                              .frequency = static_cast<float>(wave.frequency * wave.radius),
+                              .radius = static_cast<float>(wave.radius),
+                              .amplitude = static_cast<float>(std::sqrt(wave.share)),
+                              .seed = wave.seed,
+                              .isotropic = wave.isotropic,
+                              .weights = {}});
+        put_weights(made.weights, request, waves.size() - 1); // in colour one wave for each lobe
+        if (is_flat(request.view))
+            fade(made, share_left(request, viewport, wave.frequency));
+    }
+    auto push = push_of<passes::SolidPush>(viewport.region);
+    push.first_column = viewport.region.x;
+    push.first_row = viewport.region.y;
+    push.center = half(viewport);
+    push.time = wrapped_time(request);
+    push.waves = static_cast<int>(waves.size());
+    if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+        const Camera& camera = viewport.camera;
+        // It begins where the camera is, to a whole value.
+        const auto first = [&](const Coordinate& middle, int pixels) {
+            const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale * camera.zoom;
+            return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / viewport.stride), -1e9, 1e9));
+        };
+        push.first_column += first(camera.x, viewport.width);
+        push.first_row += first(camera.y, viewport.height);
+        push.pixel = static_cast<float>(viewport.stride / request.scale) / static_cast<float>(camera.zoom);
+        push.depth = static_cast<float>(slice->depth);
+    } else {
+        push_body(push, request, viewport);
+    }
+    Constants constants = constants_of(request);
+    constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
+    constants[passes::directed_id] = !std::ranges::all_of(request.lobes, is_isotropic);
+    constants[passes::normals_id] = viewport.normals;
+    if (viewport.normals)
+        plan.channels.insert(plan.channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
+    plan.tables = {bytes_of(waves), bytes_of(colour_of(request))};
+    plan.steps = {
+        step_of(along_surface(request) ? "solid@surface" : "solid", constants, push, passes::solid_group)};
+}
+
+// ---- Materials ----
+
+// The light stands still over a flat view, as over a picture of the request's size.
+void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
+    const Camera& camera = viewport.camera;
+    const bool flat = is_flat(request.view);
+    auto push = push_of<passes::MaterialPush>(viewport.region);
+    push.first_column = viewport.region.x;
+    push.first_row = viewport.region.y;
+    push.center = half(viewport);
+    push.seed = request.seed;
+    const auto size = [&](int picture, int view) {
+        return static_cast<float>((flat ? picture * camera.zoom : view) / viewport.stride);
+    };
+    push.size = {size(request.width, viewport.width), size(request.height, viewport.height)};
+    const auto corner = [&](const Coordinate& middle, int pixels) {
+        const Coordinate at = flat ? corner_of(middle, pixels, request, viewport) : middle;
+        return static_cast<float>(static_cast<double>(at.whole) + at.part);
+    };
+    push.corner = {corner(camera.x, viewport.width), corner(camera.y, viewport.height)};
+    if (in_perspective(request)) {
+        push.sky = static_cast<float>(sky_rows(viewport.height) / viewport.stride);
+        push.pixel =
+            static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
+    } else if (flat) {
+        push.pixel = static_cast<float>(viewport.stride * (1 / (request.scale * camera.zoom)));
+    } else {
+        push_body(push, request, viewport);
+    }
+    Constants constants{};
+    constants[passes::filter_id] = request.filter;
+    constants[passes::view_id] = view_constant(request.view);
+    std::string function = request.material;
+    std::ranges::replace(function, '-', '_');
+    plan.steps = {step_of("material@" + function, constants, push, passes::material_group)};
+}
+
+} // namespace
+
+std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::Recipe& recipe) {
+    using vulkan::constant;
+    std::array<std::uint32_t, passes::window_id + 3> constants{};
+    constants[passes::impulses_id] = constant(recipe.impulses);
+    constants[passes::radius_id] = constant(recipe.radius);
+    constants[passes::weight_floor_id] = constant(recipe.weight_floor);
+    constants[passes::phases_id] = constant(recipe.phases);
+    for (std::size_t i = 0; i < recipe.window.size(); ++i)
+        constants[passes::window_id + i] = constant(recipe.window[i]);
+    return constants;
+}
+
+std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe) {
+    return recipe.is_lattice() ? fmt::format("{}@{}", pass, recipe.taps) : std::string(pass);
+}
+
+float wrapped_time(const Request& request) {
+    return static_cast<float>(request.time - std::floor(request.time));
+}
+
+double highest_frequency(const Paint& paint) {
+    float highest = 0;
+    for (std::size_t i = 0; i < paint.samples.size(); i += 2)
+        highest = std::max(highest, std::abs(paint.samples[i]));
+    return highest;
+}
+
+float share_left(const Request& request, const Viewport& viewport, double frequency) {
+    if (request.filter)
+        return 1;
+    const double side = viewport.stride / viewport.camera.zoom; // pixels of the picture
+    const double variance = std::max(side * side - 1, 0.0) / 4;
+    return static_cast<float>(
+        std::exp(-2 * std::pow(std::numbers::pi * frequency / request.scale, 2) * variance));
+}
+
+passes::PixelsColour colour_of(const Request& request) {
+    const noise::Colour colour = request.colour.value_or(noise::Colour());
+    const auto vector = [](double x, double y, double z) {
+        return passes::vec4{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), 0};
+    };
+    const auto& h = colour.histogram;
+    passes::PixelsColour result{};
+    for (std::size_t n = 0; n < h[0].size(); ++n)
+        result.histogram[n] = vector(h[0][n], h[1][n], h[2][n]);
+    result.mean = vector(colour.mean[0], colour.mean[1], colour.mean[2]);
+    for (std::size_t i = 0; i < colour.mixing.size(); ++i)
+        result.mixing[i] = vector(colour.mixing[i][0], colour.mixing[i][1], colour.mixing[i][2]);
+    return result;
+}
+
+void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe) {
+    if (!request.colour)
+        return;
+    std::ranges::transform(
+        request.colour->weights.at(lobe), weights, [](const noise::Colour::Weight& weight) {
+            return passes::vec2{static_cast<float>(weight.quadrature), static_cast<float>(weight.noise)};
+        });
+}
+
+Viewport viewport_of(const Request& request, const image::Window& region) {
+    return {.camera = default_camera(request),
+            .width = request.width,
+            .height = request.height,
+            .region = region};
+}
+
+bool uses_blocks(const Request& request, const Viewport& viewport) {
+    if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
+        !request.paint.empty() || request.filter || request.phasor || request.values > 1)
+        return false;
+    // Isotropic noise in space has no wave that all nodes share.
+    if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
+        return false;
+    const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};
+    return viewport.blocks == Blocks::fitted ||
+           (!in_space(request) && !request.colour && cell >= least_baked_cell);
+}
+
+Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, DeviceKind device) {
+    Plan plan{channels(request), viewport.region.width, viewport.region.height, {}, {}};
+    if (has_material(request))
+        plan_material(plan, request, viewport);
+    else if (uses_blocks(request, viewport))
+        plan_bake(plan, request, viewport, device, constants_of(request));
+    else if (in_space(request))
+        plan_solid(plan, request, viewport);
+    else
+        plan_pixels(plan, request, viewport, paint);
+    return plan;
+}
+
+std::vector<Band> bands(const Plan& plan, int most_rows) {
+    std::vector<Band> bands;
+    if (plan.steps.front().runs.empty())
+        for (int row = 0; row < plan.height; row += most_rows)
+            bands.push_back({row, std::min(most_rows, plan.height - row)});
+    // Whole runs of the first step; those of others that cross a band's edge are evaluated on both sides.
+    for (const auto& [first, count] : plan.steps.front().runs) {
+        const int end = std::min(first + count, plan.height);
+        if (bands.empty() || end - bands.back().first_row > most_rows)
+            bands.push_back({std::max(first, 0), 0});
+        bands.back().rows = end - bands.back().first_row;
+    }
+    return bands;
+}
+
+std::string to_string(const Plan& plan) {
+    std::string text =
+        fmt::format("{} x {} values of {}\n", plan.width, plan.height, fmt::join(plan.channels, ", "));
+    for (const Step& step : plan.steps) {
+        text += fmt::format("{}: {} across in groups of {} x {}, {} bytes pushed, constants", step.shader,
+                            step.across, step.group.columns, step.group.rows, step.push.size());
+        for (std::size_t id = 0; id < step.constants.size(); ++id)
+            if (step.constants[id] != 0)
+                text += fmt::format(" {}={:#x}", id, step.constants[id]);
+        text += '\n';
+    }
+    for (std::size_t i = 0; i < plan.tables.size(); ++i)
+        text += fmt::format("table {}: {} bytes\n", i + 1, plan.tables[i].size());
+    return text;
+}
+
+} // namespace gabor::render

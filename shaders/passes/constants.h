@@ -1,0 +1,52 @@
+// The ids of specialization constants, the same in every pass over a picture, for GLSL and C++.
+
+#ifndef GABOR_CONSTANTS_H
+#define GABOR_CONSTANTS_H
+
+#include "passes/interface.h"
+
+GABOR_INTERFACE_BEGIN
+
+// passes/recipe.glsl
+const uint impulses_id = 0;
+const uint radius_id = 1;
+const uint weight_floor_id = 2;
+const uint phases_id = 3;
+const uint window_id = 4; // three numbers
+
+// What is drawn
+const uint view_id = 7; // one of those below
+const uint filter_id = 8;
+const uint painted_id = 9;
+const uint quadrature_id = 10;
+const uint gradient_id = 11;
+const uint phasor_id = 12;
+const uint values_id = 13;
+const uint animated_id = 14;
+const uint coloured_id = 15;
+const uint normals_id = 16;
+
+// passes/solid.comp: whether any of its noises is isotropic, and any is not
+const uint isotropic_id = 17;
+const uint directed_id = 18;
+
+// passes/bake.comp
+const uint visited_id = 19;
+const uint block_columns_id = 20;
+const uint fixed_rows_id = 21;
+const uint sum_id = 22;
+
+// passes/bake_colour.comp
+const uint channels_id = 23;
+
+const uint constant_count = 24;
+
+const uint view_flat = 0;
+const uint view_sphere = 1;
+const uint view_torus = 2;
+const uint view_horizon = 3;
+const uint view_slice = 4;
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_CONSTANTS_H

@@ -1,0 +1,226 @@
+// How requests are to be drawn: plans are values, and need no device.
+
+#include "render/bake.hpp"
+#include "render/material.hpp"
+#include "render/parameters.hpp"
+
+#include "passes/line.h"
+#include "passes/pictures.h"
+#include "passes/pixels_interface.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace gabor;
+using namespace gabor::render;
+
+namespace {
+
+Request request_of(const std::vector<std::pair<std::string, std::string>>& values) {
+    Request request{.width = 150, .height = 113};
+    for (const auto& [name, value] : values)
+        set_text(request, name, value);
+    check(request);
+    return request;
+}
+
+Plan whole(const Request& request) {
+    return plan(request, viewport_of(request, {0, 0, request.width, request.height}));
+}
+
+std::string shader_of(const std::vector<std::pair<std::string, std::string>>& values) {
+    return whole(request_of(values)).steps.front().shader;
+}
+
+// The columns' lines in a plan pixel by pixel.
+std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
+    viewport.blocks = Blocks::none;
+    return values_of<passes::Line>(plan(request, viewport).tables.at(0));
+}
+
+// Kernel cells from one line to the next, across the end of the world too.
+double step(const passes::Line& from, const passes::Line& to) {
+    const auto cells = static_cast<std::uint32_t>(to.cell) - static_cast<std::uint32_t>(from.cell);
+    return static_cast<double>(static_cast<std::int32_t>(cells)) + double{to.local} - double{from.local};
+}
+
+} // namespace
+
+TEST_CASE("the fastest pass that can draw a request is chosen") {
+    CHECK(shader_of({}) == "bake@3");
+    CHECK(shader_of({{"recipe", "lattice-4"}}) == "bake@4");
+    CHECK(shader_of({{"recipe", "one"}, {"gradient", "true"}}) == "bake");
+    CHECK(shader_of({{"view", "slice"}}) == "bake@3");
+    CHECK(shader_of({{"phasor", "true"}}) == "pixels@3");
+    CHECK(shader_of({{"filter", "true"}}) == "pixels@3");
+    CHECK(shader_of({{"values", "2"}}) == "pixels@3");
+    CHECK(shader_of({{"view", "horizon"}, {"recipe", "pure"}}) == "pixels");
+    CHECK(shader_of({{"view", "slice"}, {"filter", "true"}}) == "solid");
+    CHECK(shader_of({{"view", "sphere"}}) == "solid@surface");
+    CHECK(shader_of({{"view", "torus"}, {"solid", "true"}}) == "solid");
+    CHECK(shader_of({{"material", "brushed-metal"}}) == "material@brushed_metal");
+}
+
+TEST_CASE("in a window one size of blocks serves all scales, and single pixels small ones") {
+    Request request;
+    Viewport viewport = viewport_of(request, {0, 0, 64, 64});
+    viewport.blocks = Blocks::fixed;
+    const Constants near = plan(request, viewport).steps.front().constants;
+    viewport.camera.zoom = 3.7;
+    CHECK(plan(request, viewport).steps.front().constants == near);
+    CHECK(uses_blocks(request, viewport));
+    viewport.camera.zoom = 0.3; // 6.4 pixels to a cell
+    CHECK_FALSE(uses_blocks(request, viewport));
+}
+
+TEST_CASE("every pass that a plan names was built") {
+    std::vector<Request> requests;
+    for (const noise::Recipe& recipe : noise::recipes())
+        for (const char* phasor : {"false", "true"})
+            requests.push_back(request_of({{"recipe", std::string(recipe.name)}, {"phasor", phasor}}));
+    for (const std::string_view material : materials)
+        requests.push_back(request_of({{"material", std::string(material)}}));
+    for (const char* view : {"slice", "sphere", "torus"})
+        requests.push_back(request_of({{"view", view}, {"filter", "true"}}));
+    for (const Request& request : requests)
+        for (const Step& step : whole(request).steps) {
+            INFO(step.shader);
+            CHECK(std::ranges::find(passes::pictures, step.shader, &passes::Module::name) !=
+                  passes::pictures.end());
+        }
+}
+
+TEST_CASE("each parameter that a request has changes its plan") {
+    const std::vector<std::pair<std::string_view, Value>> changes{{"scale", 31.0},
+                                                                  {"recipe", std::string("lattice-4")},
+                                                                  {"frequency", 3.0},
+                                                                  {"orientation", 10.0},
+                                                                  {"frequency_spread", 0.2},
+                                                                  {"orientation_spread", 20.0},
+                                                                  {"seed", 9.0},
+                                                                  {"time", 0.25},
+                                                                  {"view", std::string("torus")},
+                                                                  {"material", std::string("wood")},
+                                                                  {"tileable", true},
+                                                                  {"depth", 0.5},
+                                                                  {"solid", true},
+                                                                  {"yaw", 20.0},
+                                                                  {"pitch", 40.0},
+                                                                  {"zoom", 2.0},
+                                                                  {"filter", true},
+                                                                  {"paint", std::string("painted.exr")},
+                                                                  {"quadrature", true},
+                                                                  {"gradient", true},
+                                                                  {"phasor", true},
+                                                                  {"values", 3.0}};
+    for (const char* view : {"flat", "horizon", "slice", "sphere"}) {
+        const Request before = request_of({{"view", view}});
+        for (const auto& [name, value] : changes) {
+            if (!parameter(name).get(before) || (name == "recipe" && in_space(before)))
+                continue;
+            Request after = before;
+            set(after, name, value);
+            INFO(view << ", " << name);
+            const Plan a = whole(before);
+            const Plan b = whole(after);
+            const bool same = std::ranges::equal(a.steps, b.steps, [](const Step& x, const Step& y) {
+                return x.shader == y.shader && x.constants == y.constants && x.push == y.push &&
+                       x.runs == y.runs;
+            });
+            CHECK_FALSE((same && a.tables == b.tables && a.channels == b.channels));
+        }
+    }
+}
+
+TEST_CASE("a region's columns are those of the whole") {
+    for (const char* tileable : {"false", "true"}) {
+        const Request request = request_of({{"scale", "13.7"}, {"tileable", tileable}});
+        const std::vector<passes::Line> all = columns(request, viewport_of(request, {0, 0, 150, 1}));
+        const std::vector<passes::Line> part = columns(request, viewport_of(request, {31, 0, 70, 1}));
+        REQUIRE(all.size() == 150);
+        REQUIRE(part.size() == 70);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            CHECK(part[i].cell == all[i + 31].cell);
+            CHECK(part[i].local == all[i + 31].local);
+        }
+    }
+}
+
+TEST_CASE("the default camera stands exactly where the picture is") {
+    // 1000 / 2 / 7.3 is no binary fraction, and the corner must be the origin all the same.
+    const Request request{.width = 1000, .height = 10, .scale = 7.3, .recipe = noise::find_recipe("one")};
+    const std::vector<passes::Line> lines = columns(request, viewport_of(request, {0, 0, 1000, 1}));
+    for (int i = 0; i < 1000; ++i) {
+        const double place = (i + 0.5) * (1 / 7.3);
+        CHECK(lines[static_cast<std::size_t>(i)].cell == std::floor(place));
+        CHECK(lines[static_cast<std::size_t>(i)].local == static_cast<float>(place - std::floor(place)));
+    }
+}
+
+TEST_CASE("a camera is as precise far away as near by") {
+    Camera camera;
+    // There and back in steps that no single double could add to a place so far away.
+    camera = camera.moved(2e9, -2e9);
+    for (int i = 0; i < 1000; ++i)
+        camera = camera.moved(1e-7, -1e-7);
+    camera = camera.moved(-2e9, 2e9);
+    CHECK(static_cast<double>(camera.x.whole) + camera.x.part == Approx(1e-4).margin(1e-12));
+    CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
+}
+
+TEST_CASE("columns continue across the end of the world") {
+    for (const char* recipe : {"one", "lattice"}) {
+        const Request request{.scale = 32, .recipe = noise::find_recipe(recipe)};
+        const double cells = double{request.recipe.radius};
+        Viewport viewport = viewport_of(request, {0, 0, 400, 1});
+        viewport.width = 400;
+        viewport.camera.x = {static_cast<std::int64_t>(2147483648.0 / cells) - 1, 0.25};
+        const std::vector<passes::Line> lines = columns(request, viewport);
+        REQUIRE(lines.size() == 400);
+        for (std::size_t i = 1; i < lines.size(); ++i)
+            REQUIRE(step(lines[i - 1], lines[i]) == Approx(cells / 32).margin(1e-6));
+        CHECK(lines.front().cell > 0);
+        CHECK(lines.back().cell < 0);
+    }
+}
+
+TEST_CASE("a zoomed view shows places nearer to each other, and a coarse one farther apart") {
+    const Request request;
+    Viewport viewport = viewport_of(request, {0, 0, 64, 1});
+    const std::vector<passes::Line> before = columns(request, viewport);
+    viewport.camera.zoom = 2;
+    const std::vector<passes::Line> zoomed = columns(request, viewport);
+    viewport.stride = 8;
+    const std::vector<passes::Line> coarse = columns(request, viewport);
+    REQUIRE(before.size() == 64);
+    for (std::size_t i = 1; i < before.size(); ++i) {
+        CHECK(step(zoomed[0], zoomed[i]) == Approx(step(before[0], before[i]) / 2).margin(1e-5));
+        CHECK(step(coarse[0], coarse[i]) == Approx(step(before[0], before[i]) * 4).margin(1e-5));
+    }
+}
+
+TEST_CASE("bands cover a region once, and blocks are never cut") {
+    for (const char* phasor : {"false", "true"}) {
+        const Request request = request_of({{"phasor", phasor}});
+        const Plan made = plan(request, viewport_of(request, {5, 17, 90, 83}));
+        int row = 0;
+        for (const Band& band : bands(made, 20)) {
+            CHECK(band.first_row == row);
+            CHECK(band.rows > 0);
+            CHECK(band.rows <= 32);
+            for (const auto& [first, count] : made.steps.front().runs)
+                CHECK_FALSE((first < row && first + count > row));
+            row += band.rows;
+        }
+        CHECK(row == 83);
+    }
+}
+
+TEST_CASE("a plan prints its passes, constants and tables") {
+    const std::string text = to_string(whole(request_of({{"gradient", "true"}})));
+    CHECK_THAT(text, Catch::Contains("150 x 113 values of Y, gradient.x, gradient.y") &&
+                         Catch::Contains("bake@3: ") && Catch::Contains(" 11=0x1") &&
+                         Catch::Contains("table 4: "));
+}
