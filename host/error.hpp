@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace gabor {
 
@@ -9,5 +10,15 @@ namespace gabor {
 class RequestError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// What `work` returns; puts a prefix before the message of the RequestError that it throws.
+template <typename Work>
+auto with_prefix(const std::string& prefix, Work work) {
+    try {
+        return work();
+    } catch (const RequestError& error) {
+        throw RequestError(prefix + error.what());
+    }
+}
 
 } // namespace gabor

@@ -36,7 +36,7 @@ void join(const JoinOptions& options) {
         if (std::filesystem::equivalent(region, options.output, ignored))
             throw RequestError(fmt::format("cannot join: -o '{}' is one of the regions; choose another file",
                                            options.output));
-        const image::Window window = image::ExrReader(region).window();
+        const image::Rect window = image::ExrReader(region).window();
         pixels += static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height);
     }
     note_interrupts();
@@ -45,7 +45,7 @@ void join(const JoinOptions& options) {
         check_interrupt();
         progress.advance(done);
     };
-    const image::Window picture =
+    const image::Rect picture =
         options.texture ? render::join_texture(options.regions, options.output, options.half, advance)
                         : image::join_exr(options.regions, options.output, advance);
     fmt::print("{}: {} x {} pixels, from {} regions\n", options.output, picture.width, picture.height,

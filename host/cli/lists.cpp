@@ -35,13 +35,13 @@ void print_recipes(bool as_json) {
         for (const noise::Macro& macro : noise::macros(recipe))
             macros[std::string(macro.name)] = macro.value;
         list.push_back({{"name", recipe.name},
-                        {"is", recipe.is},
+                        {"is", recipe.summary},
                         {"visited", noise::visited_impulses(recipe)},
                         {"file", noise::drop_in(recipe)},
                         {"macros", macros}});
         if (as_json)
             continue;
-        fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.is,
+        fmt::print("{:<10}{}, {}; {} {} visited\n", recipe.name, noise::drop_in(recipe), recipe.summary,
                    noise::visited_impulses(recipe), recipe.is_lattice() ? "nodes" : "impulses");
         for (const noise::Macro& macro : noise::macros(recipe))
             fmt::print("          #define {} {}\n", macro.name, macro.value);

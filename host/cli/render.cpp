@@ -58,7 +58,7 @@ struct RenderOptions {
 // What to render, and which part of it.
 struct Work {
     render::Request request;
-    image::Window region;
+    image::Rect region;
 };
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
@@ -91,16 +91,6 @@ std::string option_name(const render::Parameter& parameter) {
     return "--" + name;
 }
 
-// Says of which option a wrong request speaks.
-template <typename Read>
-auto of_option(std::string_view option, Read read) {
-    try {
-        return read();
-    } catch (const RequestError& error) {
-        throw RequestError(fmt::format("{} {}", option, error.what()));
-    }
-}
-
 render::Values given_values(const RenderOptions& options) {
     render::Values values;
     for (const auto& [parameter, option] : options.parameters) {
@@ -108,7 +98,7 @@ render::Values given_values(const RenderOptions& options) {
             continue;
         const render::Parameter& p = *parameter;
         const auto text = option->as<std::string>();
-        values.emplace_back(&p, of_option(option_name(p), [&] {
+        values.emplace_back(&p, with_prefix(option_name(p) + ' ', [&] {
             return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
         }));
     }
@@ -127,7 +117,7 @@ render::Values given_values(const RenderOptions& options) {
 }
 
 render::Request level_of(const render::Request& request, const std::string& text) {
-    const image::Window whole{0, 0, request.width, request.height};
+    const image::Rect whole{0, 0, request.width, request.height};
     render::check_texture(request, whole);
     const int last = render::drawn_levels(whole) - 1;
     const std::string accepted = fmt::format("a whole number from 0 to {} at this size", last);
@@ -139,13 +129,13 @@ render::Request level_of(const render::Request& request, const std::string& text
 
 Work make_work(const RenderOptions& options) {
     Work work;
-    std::optional<image::Window> region;
+    std::optional<image::Rect> region;
     if (options.preset && options.like)
         throw RequestError("--preset and --like: one of them, for both say what is not given");
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {
-        render::Loaded like = of_option("--like:", [&] { return render::load_request(*options.like); });
+        render::Loaded like = with_prefix("--like: ", [&] { return render::load_request(*options.like); });
         work.request = std::move(like.request);
         if (!options.size)
             region = like.region;
@@ -160,12 +150,12 @@ Work make_work(const RenderOptions& options) {
         const auto [x, y, width, height] =
             parse_integers<4>("--region", *options.region, ',',
                               "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
-        region = image::Window{x, y, width, height};
+        region = image::Rect{x, y, width, height};
     }
     const int picture_width = work.request.width;
     const int picture_height = work.request.height;
-    work.region = region.value_or(image::Window{0, 0, picture_width, picture_height});
-    const image::Window& r = work.region;
+    work.region = region.value_or(image::Rect{0, 0, picture_width, picture_height});
+    const image::Rect& r = work.region;
     if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > picture_width - r.x ||
         r.height > picture_height - r.y)
         throw RequestError(
@@ -259,7 +249,7 @@ int frames_of(const RenderOptions& options) {
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
     const Work work = make_work(options);
-    const image::Window& region = work.region;
+    const image::Rect& region = work.region;
     const render::Files files = files_of(options);
     const int frames = frames_of(options);
     warn_above_nyquist(work.request);
@@ -294,7 +284,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
                    region.width, region.height,
                    render::has_material(request)
                        ? fmt::format("material {}", request.material)
-                       : fmt::format("recipe {}", noise::spelled_out(render::drawing_recipe(request))),
+                       : fmt::format("recipe {}", noise::to_string(render::drawing_recipe(request))),
                    device.info().name);
     }
     if (options.verbose)
@@ -321,7 +311,7 @@ const char* type_name(Kind kind) {
 std::string help_of(const render::Parameter& parameter) {
     const render::Request defaults;
     const std::optional<render::Value> value = parameter.get(defaults);
-    const std::string of = parameter.of.empty() ? "" : fmt::format(" (for {})", parameter.of);
+    const std::string of = parameter.applies_to.empty() ? "" : fmt::format(" (for {})", parameter.applies_to);
     std::vector<std::string> recipes;
     switch (parameter.kind) {
     case Kind::flag:
@@ -331,11 +321,11 @@ std::string help_of(const render::Parameter& parameter) {
         return fmt::format("{}: a JSON file with {}", parameter.help, render::accepted(parameter));
     case Kind::recipe:
         for (const noise::Recipe& recipe : noise::recipes())
-            recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.is));
+            recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.summary));
         return fmt::format("{}: {} [{}]", parameter.help, fmt::join(recipes, "; "), defaults.recipe.name);
     default:
         return fmt::format("{}{}: {}{}", parameter.help, of, render::accepted(parameter),
-                           value ? fmt::format(" [{}]", render::written(*value)) : "");
+                           value ? fmt::format(" [{}]", render::to_text(*value)) : "");
     }
 }
 

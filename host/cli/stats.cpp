@@ -3,8 +3,8 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
-#include "render/law.hpp"
 #include "render/parameters.hpp"
+#include "render/variance.hpp"
 #include "statistics/picture.hpp"
 
 #include <CLI/CLI.hpp>

@@ -13,7 +13,7 @@
 namespace gabor::image {
 
 /// A rectangle of pixels. x grows to the right, y downwards, as in the file.
-struct Window {
+struct Rect {
     int x = 0;
     int y = 0;
     int width = 0;
@@ -28,8 +28,8 @@ std::span<const std::string_view> compression_names();
 class ExrWriter {
   public:
     struct Description {
-        Window picture;                    ///< EXR's display window: the whole picture
-        Window window;                     ///< EXR's data window: the part of it in this file
+        Rect picture;                      ///< EXR's display window: the whole picture
+        Rect window;                       ///< EXR's data window: the part of it in this file
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
         std::string parameters;    ///< stored as the string attribute `gabor`
@@ -90,8 +90,8 @@ class ExrTextureWriter {
 /// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
 /// Returns the picture's rectangle. Throws RequestError if a file is not such a region, if regions differ in
 /// more than their position, or if they overlap or leave a gap.
-Window join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
-                const std::function<void(std::uint64_t)>& advance);
+Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
+              const std::function<void(std::uint64_t)>& advance);
 
 /// Reads half or float channels of a flat EXR, scanline or tiled, as floats, band by band. The picture may be
 /// spread over several files.
@@ -109,8 +109,8 @@ class ExrReader {
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
 
-    const Window& picture() const;
-    const Window& window() const;
+    const Rect& picture() const;
+    const Rect& window() const;
     const std::string& channel() const;
     /// Tells whether the file has a channel of that name.
     bool has_channel(const std::string& name) const;

@@ -106,8 +106,8 @@ void read_and_write(ExrMosaic& mosaic, const Imf::Header& header, ExrStream& str
 
 } // namespace
 
-Window join_exr(std::span<const fs::path> paths, const fs::path& output,
-                const std::function<void(std::uint64_t)>& advance) {
+Rect join_exr(std::span<const fs::path> paths, const fs::path& output,
+              const std::function<void(std::uint64_t)>& advance) {
     ExrMosaic mosaic(paths);
     Imf::Header header = mosaic.header();
     header.zipCompressionLevel() = exr_zip_level;
@@ -125,7 +125,7 @@ Window join_exr(std::span<const fs::path> paths, const fs::path& output,
         read_and_write(mosaic, header, stream, advance);
     stream.rethrow_failure();
     file.commit();
-    return to_window(picture);
+    return to_rect(picture);
 }
 
 } // namespace gabor::image

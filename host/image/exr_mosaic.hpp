@@ -15,7 +15,7 @@
 namespace gabor::image {
 
 /// Converts an Imath box.
-inline Window to_window(const Imath::Box2i& box) {
+inline Rect to_rect(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
 }
 

@@ -38,9 +38,9 @@ std::string default_channel(const Imf::ChannelList& channels) {
 
 struct ExrReader::State {
     State(ExrMosaic mosaic, std::filesystem::path first)
-        : image(std::move(mosaic)), path(std::move(first)),
-          picture(to_window(image.header().displayWindow())), window(to_window(image.header().dataWindow())),
-          parameters(text("gabor")), software(text("software")) {}
+        : image(std::move(mosaic)), path(std::move(first)), picture(to_rect(image.header().displayWindow())),
+          window(to_rect(image.header().dataWindow())), parameters(text("gabor")),
+          software(text("software")) {}
 
     std::string text(const char* attribute) const {
         const auto* found = image.header().findTypedAttribute<Imf::StringAttribute>(attribute);
@@ -50,8 +50,8 @@ struct ExrReader::State {
 
     ExrMosaic image;
     const std::filesystem::path path;
-    const Window picture;
-    const Window window;
+    const Rect picture;
+    const Rect window;
     const std::string parameters;
     const std::string software;
     std::vector<std::string> channels;
@@ -94,10 +94,10 @@ ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::ve
 ExrReader::~ExrReader() = default;
 ExrReader::ExrReader(ExrReader&&) noexcept = default;
 
-const Window& ExrReader::picture() const {
+const Rect& ExrReader::picture() const {
     return state_->picture;
 }
-const Window& ExrReader::window() const {
+const Rect& ExrReader::window() const {
     return state_->window;
 }
 const std::string& ExrReader::channel() const {
@@ -117,7 +117,7 @@ std::string_view ExrReader::compression() const {
 }
 
 std::span<const float> ExrReader::read_rows(int rows) {
-    const Window& window = state_->window;
+    const Rect& window = state_->window;
     rows = std::min(rows, window.height - state_->rows_read);
     if (rows <= 0)
         return {};

@@ -42,7 +42,7 @@ std::string_view exr_compression_name(Imf::Compression method) {
 
 namespace {
 
-Imath::Box2i box(const Window& window) {
+Imath::Box2i box(const Rect& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
@@ -69,7 +69,7 @@ struct ExrWriter::State {
         : window(description.window), channels(description.channels), file(not_a_pipe(path)), stream(file),
           image(std::in_place, stream, header) {}
 
-    const Window window;
+    const Rect window;
     const std::vector<std::string> channels;
     int rows_written = 0;
     OutputFile file;
@@ -86,7 +86,7 @@ ExrWriter::~ExrWriter() = default;
 ExrWriter::ExrWriter(ExrWriter&&) noexcept = default;
 
 void ExrWriter::write_rows(std::span<const float> pixels) {
-    const Window& window = state_->window;
+    const Rect& window = state_->window;
     const std::size_t x_stride = state_->channels.size();
     const std::size_t y_stride = x_stride * static_cast<std::size_t>(window.width);
     const std::size_t rows = pixels.size() / y_stride;

@@ -1,5 +1,7 @@
 #include "noise/recipe.hpp"
 
+#include "noise/glsl_literal.hpp"
+
 #include "error.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +79,7 @@ std::string accepted_recipes() {
         fmt::join(names, ", "), fields(sparse_recipes().front()), most_impulses, largest_radius);
 }
 
-std::string spelled_out(const Recipe& recipe) {
+std::string to_string(const Recipe& recipe) {
     if (recipe.is_lattice())
         return std::string(recipe.name);
     const auto same = std::ranges::find(sparse_recipes(), fields(recipe), fields);
@@ -90,10 +92,6 @@ std::vector<Macro> macros(const Recipe& recipe) {
                    ? std::vector<Macro>()
                    : std::vector<Macro>{{"GABOR_TAPS", fmt::format("{}", recipe.taps)}};
     const Recipe& standard = sparse_recipes().front();
-    const auto literal = [](float value) { // a point makes it a float in GLSL
-        const std::string text = fmt::format("{}", value);
-        return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-    };
     std::vector<Macro> macros;
     if (recipe.impulses != standard.impulses)
         macros.push_back({"GABOR_IMPULSES", fmt::format("{}", recipe.impulses)});

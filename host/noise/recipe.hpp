@@ -17,7 +17,7 @@ struct Recipe {
     float weight_floor;          ///< A, magnitudes are A or 1, equally likely (GABOR_WEIGHT_FLOOR)
     int phases;                  ///< 2 is a sine with random sign (GABOR_PHASES)
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
-    std::string_view is;         ///< what it is, for help texts
+    std::string_view summary;    ///< for help texts
     int taps = 0; ///< nodes along each axis that reach a point (GABOR_TAPS), R is half of it; 0: sparse
 
     bool is_lattice() const { return taps > 0; }
@@ -33,7 +33,7 @@ std::span<const Recipe> sparse_recipes();
 /// The drop-in's file in shaders/.
 std::string_view drop_in(const Recipe& recipe);
 
-/// The recipe of that name, or the one that is `spelled_out`, by its name where it has one. Throws
+/// The recipe of that name, or of the values that `to_string` gives, by its name where it has one. Throws
 /// RequestError, saying what is accepted, for anything else.
 Recipe find_recipe(std::string_view text);
 
@@ -41,7 +41,7 @@ Recipe find_recipe(std::string_view text);
 std::string accepted_recipes();
 
 /// The name of a known recipe; else its values: "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5".
-std::string spelled_out(const Recipe& recipe);
+std::string to_string(const Recipe& recipe);
 
 /// A macro to define before the drop-in.
 struct Macro {

@@ -93,7 +93,7 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
                                                ? noise::waves_in_space(request.lobes, request.seed)
                                                : noise::waves(request.lobes, request.seed);
     const double values_per_radius = request.scale * viewport.camera.zoom / viewport.stride;
-    const image::Window& region = viewport.region;
+    const image::Rect& region = viewport.region;
     std::vector<passes::Run> columns;
     std::vector<passes::Run> rows;
     std::vector<passes::BakeWave> wave_table;

@@ -59,7 +59,7 @@ FileTimes& FileTimes::operator+=(const FileTimes& other) {
     return *this;
 }
 
-FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Window& region,
+FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance) {
     const std::vector<std::string> names = channels(request);
     std::optional<image::ExrWriter> exr;

@@ -55,7 +55,7 @@ struct Files {
 
 /// Renders `region` of a checked request into an EXR, a PNG or both. `advance` is called with the number of
 /// pixels of each band before they are written; what it throws ends everything, and leaves no file.
-FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Window& region,
+FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);
 
 } // namespace gabor::render

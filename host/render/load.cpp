@@ -31,18 +31,8 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-// Says of which file a message speaks.
-template <typename Read>
-auto of_file(const std::string& path, Read read) {
-    try {
-        return read();
-    } catch (const RequestError& error) {
-        throw RequestError(fmt::format("'{}': {}", path, error.what()));
-    }
-}
-
 // One channel of a painted EXR, and its window.
-std::pair<std::vector<float>, image::Window> paint_channel(const std::string& path, const char* channel) {
+std::pair<std::vector<float>, image::Rect> paint_channel(const std::string& path, const char* channel) {
     constexpr std::size_t most = std::size_t{1} << 24;
     image::ExrReader file(path, channel);
     const auto width = static_cast<std::size_t>(file.window().width);
@@ -65,18 +55,19 @@ std::pair<std::vector<float>, image::Window> paint_channel(const std::string& pa
 Loaded load_request(const std::string& path) {
     if (path.ends_with(".json")) {
         const std::string text = read_text(path);
-        return {of_file(path, [&] { return from_json(text); }), {}, text};
+        return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(text); }), {}, text};
     }
     const image::ExrReader file(path);
     if (file.parameters().empty())
         throw RequestError(fmt::format(
             "'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
-    return {of_file(path, [&] { return from_json(file.parameters()); }), file.window(), file.parameters()};
+    return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(file.parameters()); }),
+            file.window(), file.parameters()};
 }
 
 std::vector<noise::Lobe> load_lobes(const std::string& path) {
     const std::string text = read_text(path);
-    return of_file(path, [&] { return lobes_from_json(text); });
+    return with_prefix(fmt::format("'{}': ", path), [&] { return lobes_from_json(text); });
 }
 
 std::vector<std::string_view> preset_names() {

@@ -12,7 +12,7 @@ namespace gabor::render {
 /// A request that a file holds, and the region of it whose pixels it holds, if any.
 struct Loaded {
     Request request;
-    std::optional<image::Window> region;
+    std::optional<image::Rect> region;
     std::string json; ///< as it stands in the file
 };
 

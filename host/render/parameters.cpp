@@ -62,7 +62,7 @@ View view_of(std::string_view name, const View& before) {
 // A row by a function that finds the value in a request, const or not, or returns a null pointer.
 template <typename Find>
 Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
-              std::string_view of, std::string_view help, Find find) {
+              std::string_view applies_to, std::string_view help, Find find) {
     using T = std::remove_pointer_t<decltype(find(std::declval<Request&>()))>;
     using Held = std::conditional_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, double, T>;
     return {name,
@@ -70,7 +70,7 @@ Parameter row(std::string_view name, Kind kind, std::string_view unit, Range ran
             unit,
             range,
             slider,
-            of,
+            applies_to,
             help,
             [find](const Request& request) {
                 const T* value = find(request);
@@ -82,8 +82,8 @@ Parameter row(std::string_view name, Kind kind, std::string_view unit, Range ran
 }
 
 template <typename Find>
-Parameter flag(std::string_view name, std::string_view of, std::string_view help, Find find) {
-    return row(name, Kind::flag, "", none, none, of, help, find);
+Parameter flag(std::string_view name, std::string_view applies_to, std::string_view help, Find find) {
+    return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
 // A value that only one kind of view has.
@@ -101,46 +101,46 @@ constexpr std::array of_lobe{
                   "cycles per kernel radius",
                   {0.001, 1024},
                   {0.05, 64},
-                  "How many waves fit a kernel radius",
+                  "Waves per kernel radius",
                   &Lobe::frequency},
     LobeParameter{"orientation",
                   Kind::angle,
                   "degrees",
                   {-36000, 36000},
                   {-180, 180},
-                  "Where the waves go, from right towards down",
+                  "Direction of the waves: 0 is right, 90 is down",
                   &Lobe::orientation},
     LobeParameter{"frequency_spread",
                   Kind::number,
-                  "a share of the frequency",
+                  "fraction of the frequency",
                   {0, 1},
                   {0, 1},
-                  "Waves of all frequencies as far from it as this",
+                  "Relative half-bandwidth",
                   &Lobe::frequency_spread},
     LobeParameter{"orientation_spread",
                   Kind::angle,
                   "degrees",
                   {0, 90},
                   {0, 90},
-                  "Waves of all orientations as far from it as this; 90 is isotropic",
+                  "Half-width of the directions; 90 is isotropic",
                   &Lobe::orientation_spread},
     LobeParameter{"power",
                   Kind::number,
-                  "in proportion to other lobes",
+                  "relative to other lobes",
                   {0, 1e9},
                   {0, 1},
-                  "The lobe's share of the variance",
+                  "Share of the variance",
                   &Lobe::power},
     LobeParameter{"radius",
                   Kind::number,
                   "kernel radii",
                   {0.01, 100},
                   {0.1, 10},
-                  "How far its kernels reach; the lobe is as narrow as they are wide",
+                  "Radius of its kernels; larger ones make the lobe narrower",
                   &Lobe::radius},
 };
 
-Parameter of_only_lobe(const LobeParameter& p) {
+Parameter single_lobe_row(const LobeParameter& p) {
     return row(p.name, p.kind, p.unit, p.range, p.slider, one_lobe, p.help,
                [member = p.member](auto& request) {
                    return request.lobes.size() == 1 ? &(request.lobes.front().*member) : nullptr;
@@ -149,65 +149,63 @@ Parameter of_only_lobe(const LobeParameter& p) {
 
 std::vector<Parameter> make_table() {
     return {
-        row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Columns of the picture",
+        row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture width",
             [](auto& r) { return &r.width; }),
-        row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Rows of the picture",
+        row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture height",
             [](auto& r) { return &r.height; }),
-        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "",
-            "How large the noise is", [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "Which form of the noise to take",
-         [](const Request& r) { return Value(noise::spelled_out(r.recipe)); },
+        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "", "Size of the noise",
+            [](auto& r) { return &r.scale; }),
+        {"recipe", Kind::recipe, "", none, none, "", "Form of the noise",
+         [](const Request& r) { return Value(noise::to_string(r.recipe)); },
          [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
-        of_only_lobe(of_lobe[0]),
-        of_only_lobe(of_lobe[1]),
-        of_only_lobe(of_lobe[2]),
-        of_only_lobe(of_lobe[3]),
-        {"lobes", Kind::lobes, "", none, none, "",
-         "The spectrum as a list of lobes, noises of their own that add up",
+        single_lobe_row(of_lobe[0]),
+        single_lobe_row(of_lobe[1]),
+        single_lobe_row(of_lobe[2]),
+        single_lobe_row(of_lobe[3]),
+        {"lobes", Kind::lobes, "", none, none, "", "The spectrum as a list of lobes, whose noises add up",
          [](const Request& r) { return Value(r.lobes); },
          [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Which instance of the noise",
+        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Instance of the noise",
             [](auto& r) { return &r.seed; }),
-        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "",
-            "Moment of an animation in place that repeats when this goes by 1",
+        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "", "Animation time, period 1",
             [](auto& r) { return &r.time; }),
         {"view", Kind::choice, "", none, none, "",
-         "`horizon` is a plane in perspective, of the scale at its bottom row; `slice` one through noise in "
+         "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
+         "in "
          "space; `sphere` and `torus` carry noise on their surface",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
-         "What to show in the noise's place, on planes and bodies: channels R, G, B (linear), height, "
-         "roughness and metalness, and lit.R, lit.G, lit.B, which a PNG shows",
+         "Draw a material instead of the noise, on planes and bodies: channels R, G, B (linear), height, "
+         "roughness, metalness, and lit.R, lit.G, lit.B, which a PNG shows",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
-        flag("tileable", "the view flat", "Let the picture continue from each edge at the opposite one",
-             in_view(&Plane::tileable)),
+        flag("tileable", "the view flat", "Make opposite edges match", in_view(&Plane::tileable)),
         row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the view slice",
-            "Where in space the slice is", in_view(&Slice::depth)),
-        flag("solid", bodies, "Cut the body out of noise in space instead", in_view(&Body::solid)),
-        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, bodies,
-            "From where the body is seen, around its axis", in_view(&Body::yaw)),
+            "Depth of the slice", in_view(&Slice::depth)),
+        flag("solid", bodies, "Carve the body out of noise in space", in_view(&Body::solid)),
+        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, bodies, "Camera azimuth",
+            in_view(&Body::yaw)),
         row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, bodies,
-            "From where the body is seen, above its equator", in_view(&Body::pitch)),
-        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, bodies,
-            "How much larger than to fit the picture the body is", in_view(&Body::zoom)),
-        flag("filter", "",
-             "See pixels through a normal filter of half a pixel: no aliasing. In the plane adds a channel "
-             "`removed`, the share of the variance that this takes",
-             [](auto& r) { return &r.filter; }),
+            "Camera elevation above the equator", in_view(&Body::pitch)),
+        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, bodies, "Zoom; 1 fits the picture",
+            in_view(&Body::zoom)),
+        flag(
+            "filter", "",
+            "Antialias with a normal filter of half a pixel. In the plane this adds a channel `removed`, the "
+            "share of the variance that it takes away",
+            [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
-            "An EXR with channels `frequency` and `orientation`, in degrees, to lay over the picture",
+            "EXR with channels `frequency` and `orientation` (degrees), stretched over the picture",
             [](auto& r) { return &r.paint; }),
-        flag("quadrature", "", "Add a channel `quadrature`: cosines for sines",
+        flag("quadrature", "", "Add a channel `quadrature`, the noise with cosines for sines",
              [](auto& r) { return &r.quadrature; }),
         flag("gradient", "",
              "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
              "radius",
              [](auto& r) { return &r.gradient; }),
-        flag("phasor", "", "Add channels `phase`, in turns, and `intensity`",
-             [](auto& r) { return &r.phasor; }),
-        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Independent noises in each pixel",
+        flag("phasor", "", "Add channels `phase` (turns) and `intensity`", [](auto& r) { return &r.phasor; }),
+        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Independent noises per pixel",
             [](auto& r) { return &r.values; }),
     };
 }
@@ -217,42 +215,42 @@ std::vector<Parameter> make_table() {
 struct Exclusion {
     std::string_view parameter;
     std::string_view other;
-    bool (*stands)(const Request&); // whether both are asked for
+    bool (*conflicts)(const Request&); // whether both are asked for
     std::string_view because;
 };
 
 const std::array exclusions{
     Exclusion{"view", "material",
               [](const Request& r) { return std::holds_alternative<Slice>(r.view) && has_material(r); },
-              "a material lies on planes and bodies"},
+              "materials lie on planes and bodies"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
-              "paint takes the place of the one lobe's frequency and orientation"},
+              "paint replaces the frequency and orientation of a single lobe"},
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
-              "paint is stretched over a picture of the view flat"},
+              "paint requires the view flat"},
     Exclusion{"values", "recipe",
               [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
-              "several values are for the lattice's recipes"},
+              "several values require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
-              "the filter in a plane is for the recipe lattice"},
+              "in a plane the filter requires the recipe lattice"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
                          r.recipe != noise::sparse_recipes().front();
               },
-              "noise in space has a recipe of its own"},
+              "noise in space always has the recipe lattice"},
 };
 
-// What a material leaves as it is. All else is the noise's, and has no use beside one.
+// The parameters of a material.
 constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
                                  "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv};
 
-// What is asked for beside a material that has no use.
-std::vector<const Parameter*> beside_material(const Request& request) {
+// Parameters that are set although a material has none such.
+std::vector<const Parameter*> unused_by_material(const Request& request) {
     std::vector<const Parameter*> found;
     if (has_material(request))
         for (const Parameter& p : parameters())
-            if (std::ranges::find(of_material, p.name) == of_material.end() && is_set(request, p.name))
+            if (!applies_to_material(p.name) && is_set(request, p.name))
                 found.push_back(&p);
     return found;
 }
@@ -300,18 +298,18 @@ void check_lobes(const std::vector<Lobe>& lobes) {
     if (lobes.empty())
         throw RequestError("the list of lobes is empty");
     if (lobes.size() > most_lobes)
-        throw RequestError(fmt::format("a spectrum may have {} lobes", most_lobes));
+        throw RequestError(fmt::format("a spectrum has at most {} lobes", most_lobes));
     for (const Lobe& lobe : lobes)
         for (const LobeParameter& p : of_lobe)
             if (!within(lobe.*p.member, p.range))
                 throw RequestError(fmt::format("{} of a lobe {}: it takes {}", p.name, lobe.*p.member,
                                                accepted_number(p.kind, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
-        throw RequestError("no lobe has any power: at least one must");
+        throw RequestError("no lobe has power: at least one must");
 }
 
 void check_value(const Parameter& p, const Value& value) {
-    const auto refused = [&] { refuse(written(value), accepted(p)); };
+    const auto refused = [&] { refuse(to_text(value), accepted(p)); };
     if (has_range(p.kind)) {
         const double number = std::get<double>(value);
         if (!within(number, p.range) || (p.kind == Kind::integer && number != std::floor(number)))
@@ -327,14 +325,9 @@ void check_value(const Parameter& p, const Value& value) {
     }
 }
 
-// Says of which parameter a message speaks that begins with a value.
-template <typename Work>
-auto of_parameter(const Parameter& p, Work work) {
-    try {
-        return work();
-    } catch (const RequestError& error) {
-        throw RequestError(fmt::format("{}{} {}", p.name, p.kind == Kind::lobes ? ":" : "", error.what()));
-    }
+// What a message about a parameter begins with.
+std::string prefix(const Parameter& p) {
+    return fmt::format("{}{} ", p.name, p.kind == Kind::lobes ? ":" : "");
 }
 
 } // namespace
@@ -420,7 +413,7 @@ Value read(const Parameter& p, std::string_view text) {
     return value;
 }
 
-std::string written(const Value& value) {
+std::string to_text(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value))
         return *text;
     if (const auto* number = std::get_if<double>(&value))
@@ -437,12 +430,12 @@ void set(Request& request, const Values& values) {
             const Value& value = named.second;
             if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
                 continue;
-            of_parameter(*p, [&] { check_value(*p, value); });
+            with_prefix(prefix(*p), [&] { check_value(*p, value); });
             if (!p->get(request))
-                throw RequestError(fmt::format(
-                    "{} is for {}, and here {}", p->name, p->of,
-                    p->of == one_lobe ? fmt::format("are {}, each with its own", request.lobes.size())
-                                      : fmt::format("it is {}", name_of(request.view))));
+                throw RequestError(fmt::format("{} requires {}, not {}", p->name, p->applies_to,
+                                               p->applies_to == one_lobe
+                                                   ? fmt::format("{}", request.lobes.size())
+                                                   : std::string(name_of(request.view))));
             p->put(request, value);
         }
     }
@@ -454,7 +447,7 @@ void set(Request& request, std::string_view name, const Value& value) {
 
 void set_text(Request& request, std::string_view name, std::string_view text) {
     const Parameter& p = parameter(name);
-    set(request, name, of_parameter(p, [&] { return read(p, text); }));
+    set(request, name, with_prefix(prefix(p), [&] { return read(p, text); }));
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -470,15 +463,15 @@ bool is_set(const Request& request, std::string_view name) {
     return value && value != by_default;
 }
 
-void give_way(Request& request, std::string_view name) {
-    for (const Parameter* p : beside_material(request)) {
+void drop_conflicting(Request& request, std::string_view name) {
+    for (const Parameter* p : unused_by_material(request)) {
         if (name == p->name)
             request.material = no_material;
         else if (const auto value = p->get(Request()); name == "material" && value && p->get(request))
             p->put(request, *value);
     }
     for (const Exclusion& exclusion : exclusions) {
-        if (!exclusion.stands(request) || (name != exclusion.parameter && name != exclusion.other))
+        if (!exclusion.conflicts(request) || (name != exclusion.parameter && name != exclusion.other))
             continue;
         const std::string_view loser = name == exclusion.parameter ? exclusion.other : exclusion.parameter;
         if (loser == "lobes")
@@ -495,31 +488,34 @@ namespace {
 void check_colour(const Request& request) {
     if (!are_of_colour(request.lobes, *request.colour))
         throw RequestError(
-            "a colour has weights for each lobe, and its lobes power and no spread: take the lobes "
-            "that came with it");
+            "a colour requires weights for each lobe, and lobes with power and without spread: use the "
+            "lobes that came with it");
     if (is_colourless(request))
         throw RequestError(
-            "colours are drawn without paint, materials and other values: quadrature, gradient, phasor");
+            "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
 }
 
 } // namespace
 
+bool applies_to_material(std::string_view name) {
+    return std::ranges::find(of_material, name) != of_material.end();
+}
+
 void check(const Request& request) {
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(request))
-            of_parameter(p, [&] { check_value(p, *value); });
+            with_prefix(prefix(p), [&] { check_value(p, *value); });
     for (const Exclusion& exclusion : exclusions)
-        if (exclusion.stands(request)) {
+        if (exclusion.conflicts(request)) {
             const auto described = [&](std::string_view name) {
                 return name == "view" ? fmt::format("view {}", name_of(request.view)) : std::string(name);
             };
-            throw RequestError(fmt::format("{} and {} exclude each other: {}", described(exclusion.parameter),
+            throw RequestError(fmt::format("{} conflicts with {}: {}", described(exclusion.parameter),
                                            described(exclusion.other), exclusion.because));
         }
-    for (const Parameter* p : beside_material(request))
-        throw RequestError(
-            fmt::format("{} and material {} exclude each other: a material has noises of its own", p->name,
-                        request.material));
+    for (const Parameter* p : unused_by_material(request))
+        throw RequestError(fmt::format("{} conflicts with material {}: it is a parameter of the noise",
+                                       p->name, request.material));
     if (request.colour)
         check_colour(request);
     const Plane* plane = std::get_if<Plane>(&request.view);

@@ -25,15 +25,15 @@ struct Parameter {
 
     std::string_view name; ///< in JSON; the option has - for _
     Kind kind;
-    std::string_view unit; ///< "cycles per kernel radius"; empty for none
-    Range range;           ///< of integers, numbers and angles; both ends belong to it
-    Range slider;          ///< the part of the range that is worth a slider, logarithmic where low > 0
-    std::string_view of;   ///< which requests have it, as in "the view slice"; empty for all
-    std::string_view help; ///< a sentence without its full stop
+    std::string_view unit;       ///< "cycles per kernel radius"; empty for none
+    Range range;                 ///< of integers, numbers and angles; both ends belong to it
+    Range slider;                ///< the part of the range that is worth a slider, logarithmic where low > 0
+    std::string_view applies_to; ///< the requests that have it, as in "the view slice"; empty for all
+    std::string_view help;       ///< a sentence without its full stop
 
     /// The value; none where the request has no such parameter.
     std::function<std::optional<Value>(const Request&)> get;
-    /// Puts in a value of the right kind and range, into a request that has the parameter.
+    /// Sets a value of the right kind and range, in a request that has the parameter.
     std::function<void(Request&, const Value&)> put;
 };
 
@@ -64,28 +64,31 @@ std::vector<std::string_view> choices(const Parameter& parameter);
 std::string accepted(const Parameter& parameter);
 
 /// The value that a text stands for: "12", "45deg", "0.7854rad", "true", "horizon", a JSON list of lobes.
-/// Throws RequestError, "'text': it takes ...". `written` is the way back.
+/// Throws RequestError, "'text': it takes ...". `to_text` is the way back.
 Value read(const Parameter& parameter, std::string_view text);
-std::string written(const Value& value);
+std::string to_text(const Value& value);
 
-/// Puts values in, view and lobes first, whatever their order: which other parameters there are depends on
-/// them. Throws RequestError where a value is outside its range, or the request has no such parameter.
+/// Sets values, view and lobes first: they decide which other parameters there are. Throws RequestError where
+/// a value is outside its range, or the request has no such parameter.
 using Values = std::vector<std::pair<const Parameter*, Value>>;
 void set(Request& request, const Values& values);
 void set(Request& request, std::string_view name, const Value& value);
 
-/// Puts in the value that a text stands for.
+/// Sets a parameter from text.
 void set_text(Request& request, std::string_view name, std::string_view text);
 
-/// Whether the request has that parameter, and with another value than by default.
+/// Whether the request has that parameter, with another value than its default.
 bool is_set(const Request& request, std::string_view name);
 
-/// Sets back to their defaults all that excludes this parameter as it is, colours too: what a window does
-/// where the command line refuses.
-void give_way(Request& request, std::string_view name);
+/// Resets everything that conflicts with this parameter, colours too: a window does so where the command line
+/// refuses.
+void drop_conflicting(Request& request, std::string_view name);
 
-/// Throws RequestError where a value is outside its range, or two exclude each other.
+/// Throws RequestError where a value is outside its range, or two conflict.
 void check(const Request& request);
+
+/// Whether a material has that parameter; all others are the noise's.
+bool applies_to_material(std::string_view name);
 
 /// The request as one JSON object, as kept in the `gabor` attribute of EXR files, and back. `from_json` lets
 /// absent values be as they are by default, and ignores those that such a request does not have; throws

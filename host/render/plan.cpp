@@ -54,7 +54,7 @@ Step step_of(std::string shader, const Constants& constants, const Push& push, s
 }
 
 template <typename Push>
-Push push_of(const image::Window& region) {
+Push push_of(const image::Rect& region) {
     Push push{};
     push.width = region.width;
     push.height = region.height;
@@ -142,7 +142,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
 
 void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
     const Camera& camera = viewport.camera;
-    const image::Window& region = viewport.region;
+    const image::Rect& region = viewport.region;
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
     auto push = push_of<passes::PixelsPush>(region);
@@ -354,7 +354,7 @@ void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t
         });
 }
 
-Viewport viewport_of(const Request& request, const image::Window& region) {
+Viewport viewport_of(const Request& request, const image::Rect& region) {
     return {.camera = default_camera(request),
             .width = request.width,
             .height = request.height,

@@ -79,15 +79,15 @@ struct Viewport {
     Camera camera;
     int width = 0; ///< pixels of the view, which a horizon or a body fits
     int height = 0;
-    image::Window region; ///< of the view's values
-    int stride = 1;       ///< a value stands for stride x stride pixels; waves too fine for that fade
+    image::Rect region; ///< of the view's values
+    int stride = 1;     ///< a value stands for stride x stride pixels; waves too fine for that fade
     Blocks blocks = Blocks::fitted;
     bool normals = false; ///< of bodies: adds normal.x, normal.y, normal.z and gradient.z before `A`, along
                           ///< the picture's right and down and to the eye
 };
 
 /// The viewport of a part of the request's own picture.
-Viewport viewport_of(const Request& request, const image::Window& region);
+Viewport viewport_of(const Request& request, const image::Rect& region);
 
 /// Whether the picture is drawn block by block.
 bool uses_blocks(const Request& request, const Viewport& viewport);

@@ -125,7 +125,7 @@ void Renderer::submit(vulkan::Job& job, const Band& band, int before,
     job.submit(dispatches, copy);
 }
 
-Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
+Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const std::function<void(std::span<const float>)>& sink) {
     const Clock::time_point start = Clock::now();
     const Renderer renderer(

@@ -69,7 +69,7 @@ struct Times {
 /// Renders `region` of a checked request from top to bottom and hands whole rows to `sink`, band by band:
 /// while one band is taken the next is on the device. Memory does not grow with the height. What `sink`
 /// throws ends it.
-Times render_region(const vulkan::Device& device, const Request& request, const image::Window& region,
+Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const std::function<void(std::span<const float>)>& sink);
 
 /// The same of a renderer's plan.

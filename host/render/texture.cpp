@@ -24,13 +24,13 @@ bool is_power_of_two(int side) {
     return std::has_single_bit(static_cast<unsigned>(side));
 }
 
-bool same_extent(const Request& request, const image::Window& region) {
+bool same_extent(const Request& request, const image::Rect& region) {
     return region.width == request.width && region.height == request.height;
 }
 
 } // namespace
 
-void check_texture(const Request& request, const image::Window& region) {
+void check_texture(const Request& request, const image::Rect& region) {
     if (!std::holds_alternative<Plane>(request.view))
         throw RequestError("--texture is for the view flat");
     if (!is_power_of_two(region.width) || !is_power_of_two(region.height))
@@ -44,7 +44,7 @@ void check_texture(const Request& request, const image::Window& region) {
                         region.x, region.y, region.width, region.height, request.width, request.height));
 }
 
-int drawn_levels(const image::Window& region) {
+int drawn_levels(const image::Rect& region) {
     return static_cast<int>(std::bit_width(static_cast<unsigned>(std::min(region.width, region.height))));
 }
 
@@ -60,7 +60,7 @@ Request texture_level(Request request, int level) {
 namespace {
 
 image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Request& request,
-                                    const image::Window& region, const TextureFormat& format,
+                                    const image::Rect& region, const TextureFormat& format,
                                     const std::string& made_by) {
     return {path,
             {.width = region.width,
@@ -76,7 +76,7 @@ image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Req
 using Write = std::function<void(std::span<const float>)>;
 
 // Hands the rows of all levels to `write`: `draw` those that are drawn.
-void write_levels(const image::Window& region, std::size_t channels, const Write& write,
+void write_levels(const image::Rect& region, std::size_t channels, const Write& write,
                   const std::function<void(int level, const Write&)>& draw) {
     int level = 0;
     for (; level + 1 < drawn_levels(region); ++level)
@@ -99,7 +99,7 @@ void write_levels(const image::Window& region, std::size_t channels, const Write
 
 } // namespace
 
-FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Window& region,
+FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
                          const std::filesystem::path& path, const TextureFormat& format,
                          const std::function<void(std::uint64_t)>& advance) {
     const std::size_t channels = render::channels(request).size();
@@ -116,8 +116,8 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
     Renderer renderer(device);
     write_levels(region, channels, write, [&](int level, const Write& take) {
         const Request here = texture_level(request, level);
-        const image::Window window{region.x >> level, region.y >> level, region.width >> level,
-                                   region.height >> level};
+        const image::Rect window{region.x >> level, region.y >> level, region.width >> level,
+                                 region.height >> level};
         const Clock::time_point before = Clock::now();
         renderer.set(plan(here, viewport_of(here, window), paint, kind_of(device)));
         const double ready = seconds_since(before);
@@ -133,15 +133,14 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
     return times;
 }
 
-image::Window join_texture(std::span<const std::filesystem::path> regions,
-                           const std::filesystem::path& output, bool half,
-                           const std::function<void(std::uint64_t)>& advance) {
+image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
+                         bool half, const std::function<void(std::uint64_t)>& advance) {
     constexpr std::string_view accepted =
         "accepted are regions of one picture's levels, from gabor render --level";
     // The files of each level, the largest first.
     std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
     for (const std::filesystem::path& path : regions) {
-        const image::Window picture = image::ExrReader(path).picture();
+        const image::Rect picture = image::ExrReader(path).picture();
         levels[{picture.width, picture.height}].push_back(path);
     }
     const std::filesystem::path first = levels.begin()->second.front();

@@ -126,7 +126,7 @@ bool App::refine(Extent window) {
     const Area view = view_area(window);
     session_.view = {view.width, view.height};
     session_.tiling.reset();
-    if (session_.tiles && without_effect(session_.document(), "tiles").empty())
+    if (session_.tiles && disabled_reason(session_.document(), "tiles").empty())
         session_.tiling = tiling_of(session_.document(), session_.view);
     const Camera camera = shown().camera;
     const Drawing wanted = drawing_of(session_.document());

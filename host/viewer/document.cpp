@@ -33,9 +33,9 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
                                   : render::Request().scale;
     if (name == "view") {
         request.filter = !render::is_flat(request.view) && render::can_filter(request);
-        render::give_way(request, "filter");
+        render::drop_conflicting(request, "filter");
     }
-    render::give_way(request, name);
+    render::drop_conflicting(request, name);
     if (name == "view" || name == "material" || name == "width" || name == "height")
         document.camera = render::default_camera(document.request);
 }
@@ -45,13 +45,13 @@ render::Request with_output(render::Request request, Output output) {
         return request; // which has all its channels
     if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;
-        render::give_way(request, "gradient");
+        render::drop_conflicting(request, "gradient");
     } else if (output == Output::phase || output == Output::intensity) {
         request.quadrature = true;
-        render::give_way(request, "quadrature");
+        render::drop_conflicting(request, "quadrature");
     } else if (output == Output::phasor) {
         request.quadrature = request.phasor = true;
-        render::give_way(request, "phasor");
+        render::drop_conflicting(request, "phasor");
     }
     return request;
 }

@@ -1,11 +1,8 @@
 #include "viewer/effect.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace gabor::viewer {
 
-std::string_view without_effect(const Document& document, std::string_view control) {
+std::string_view disabled_reason(const Document& document, std::string_view control) {
     const render::Request& request = document.request;
     const Output output = document.output;
     const bool space = render::in_space(request);
@@ -19,11 +16,9 @@ std::string_view without_effect(const Document& document, std::string_view contr
             return "A material has colours of its own";
         if (control == "contrast" && document.look != Look::height)
             return "Contrast is for a material's height";
-        constexpr std::array kept{"scale",  "seed",     "view",     "yaw",   "pitch", "zoom",
-                                  "filter", "material", "contrast", "width", "height"};
-        if (std::ranges::find(kept, control) == kept.end())
-            return "A material has noises of its own";
-        return {};
+        return control == "contrast" || (control != "recipe" && render::applies_to_material(control))
+                   ? ""
+                   : "A material has no such parameter";
     }
     if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
         return "A photograph's noise has its colours";

@@ -14,7 +14,7 @@ namespace {
 
 struct Cancelled {};
 
-image::Window whole(const render::Request& request) {
+image::Rect whole(const render::Request& request) {
     return {0, 0, request.width, request.height};
 }
 

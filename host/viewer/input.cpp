@@ -68,7 +68,7 @@ void next_choice(Document& document, std::string_view name) {
 
 // Says why where it has none.
 bool has_effect(Session& session, std::string_view control) {
-    const std::string_view dead = without_effect(session.document(), control);
+    const std::string_view dead = disabled_reason(session.document(), control);
     if (!dead.empty())
         notify(session, std::string(dead));
     return dead.empty();

@@ -1,7 +1,7 @@
 #include "viewer/material_snippet.hpp"
 
+#include "noise/glsl_literal.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/glsl_literal.hpp"
 
 #include "passes/material_interface.h"
 
@@ -12,6 +12,9 @@
 namespace gabor::viewer {
 
 namespace {
+
+using noise::literal;
+using noise::vec2;
 
 // A call at a place, with the steps to the next pixels where it is filtered.
 std::string call(const render::Request& request, std::string_view p, std::string_view dx,

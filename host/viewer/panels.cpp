@@ -70,7 +70,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
                 if (ImGui::Selectable(std::string(name).c_str(), name == now))
                     chosen = std::string(name);
                 if (parameter.kind == Kind::recipe)
-                    tooltip(noise::find_recipe(name).is);
+                    tooltip(noise::find_recipe(name).summary);
             }
             ImGui::EndCombo();
         }
@@ -96,7 +96,7 @@ void control(Session& session, std::string_view name) {
     if (!value)
         return;
     std::optional<render::Value> edited;
-    explained(without_effect(session.document(), name), help_of(parameter),
+    explained(disabled_reason(session.document(), name), help_of(parameter),
               [&] { edited = edit(parameter, *value, request); });
     if (edited)
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
@@ -122,7 +122,7 @@ void recipe_ingredients(render::Request& request) {
     changed |= ImGui::DragFloat3("window", recipe.window.data(), 0.01f, -10, 10, "%.2f");
     tooltip("c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2");
     if (changed && noise::acceptable(recipe))
-        request.recipe = noise::find_recipe(noise::spelled_out(recipe));
+        request.recipe = noise::find_recipe(noise::to_string(recipe));
 }
 
 // Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
@@ -183,7 +183,7 @@ bool choose(const char* label, int& number, std::span<const std::string_view> na
 // Beside the field of its name.
 void paint_button(Session& session) {
     ImGui::SameLine();
-    explained(without_effect(session.document(), "paint"), "Choose a file", [&] {
+    explained(disabled_reason(session.document(), "paint"), "Choose a file", [&] {
         if (ImGui::SmallButton("..."))
             ask_for_paint(session);
     });
@@ -228,7 +228,7 @@ void output_panel(Session& session) {
     for (const char* name : {"material", "view", "tileable"})
         control(session, name);
     explained(
-        without_effect(document, "tiles"),
+        disabled_reason(document, "tiles"),
         "T: four copies of the picture, as tiles: a seam between them would show. The view has a scale of "
         "its own then.",
         [&] { ImGui::Checkbox("2 x 2 tiles", &session.tiles); });
@@ -247,10 +247,10 @@ void output_panel(Session& session) {
     }
     ImGui::Checkbox("DirectX normals", &document.directx_normals);
     tooltip("Normal maps have green for down, as DirectX, and not for up, as OpenGL");
-    explained(without_effect(document, "colours"), "The colour map; a phase goes round all hues, or is grey",
+    explained(disabled_reason(document, "colours"), "The colour map; a phase goes round all hues, or is grey",
               [&] { choose("colours", document.colours, colour_names(), [](std::size_t) {}); });
     explained(
-        without_effect(document, "contrast"),
+        disabled_reason(document, "contrast"),
         "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render",
         [&] {
             slider("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",

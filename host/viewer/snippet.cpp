@@ -1,8 +1,8 @@
 #include "viewer/snippet.hpp"
 
 #include "fit/glsl.hpp"
+#include "noise/glsl_literal.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/glsl_literal.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/show.hpp"
 
@@ -17,6 +17,10 @@
 namespace gabor::viewer {
 
 namespace {
+
+using noise::literal;
+using noise::vec2;
+using noise::vec3;
 
 // What an output is made of, summed over the waves.
 struct Quantity {

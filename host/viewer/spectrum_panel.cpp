@@ -233,7 +233,7 @@ bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many)
             continue;
         std::string label(p.name);
         std::ranges::replace(label, '_', ' ');
-        const std::string_view dead = without_effect(document, p.name);
+        const std::string_view dead = disabled_reason(document, p.name);
         ImGui::BeginDisabled(!dead.empty());
         changed |= number_slider(label.c_str(), lobe.*p.member, p.range, p.slider, noise::Lobe().*p.member);
         ImGui::EndDisabled();
@@ -248,7 +248,7 @@ void spectrum_panel(Session& session) {
     std::vector<noise::Lobe> lobes = session.document().request.lobes;
     if (lobes.size() == 1)
         session.selected_lobe = 0;
-    const std::string_view dead = without_effect(session.document(), "lobes");
+    const std::string_view dead = disabled_reason(session.document(), "lobes");
     ImGui::BeginDisabled(!dead.empty());
     const float side = 0.68f * ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -83,9 +83,9 @@ class Words(ErrorTest):
         self.assert_refused(["did you mean render?"], "rendr")
 
     def test_what_belongs_to_others(self):
-        self.refuse_render(["solid is for the views sphere and torus, and here it is flat"], "--solid")
-        self.refuse_render(["depth is for the view slice, and here it is horizon"], "--depth=3", "--view=horizon")
-        self.refuse_render(["frequency is for a single lobe, and here are 3, each with its own"], "--preset=figure6",
+        self.refuse_render(["solid requires the views sphere and torus, not flat"], "--solid")
+        self.refuse_render(["depth requires the view slice, not horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
                            "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
         self.refuse_render(["lobes.json", "unknown 'freq' in a lobe", "frequency, orientation"], "--lobes=lobes.json")

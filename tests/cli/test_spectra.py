@@ -179,7 +179,7 @@ class Spectra(SpectraTest):
             (["frequency", "0.001"], ["--lobes", self.write_lobes([{"frequency": -1}], "negative.json")]),
             (["radius of a lobe 0", "0.01 to 100", "kernel radii"],
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
-            (["frequency", "a single lobe", "5, each with its own"], ["--lobes", good, "--frequency=3"]),
+            (["frequency", "a single lobe, not 5"], ["--lobes", good, "--frequency=3"]),
             (["values", "recipe", "the lattice's recipes"], ["--values=3", "--recipe=paper"]),
             (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
             (["depth", "the view slice"], ["--depth=3"]),

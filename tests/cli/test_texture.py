@@ -157,7 +157,7 @@ class Refused(TextureTest):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
             "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
-            "exclude each other": ["--size=64x64", "--recipe=paper"],
+            "conflicts with": ["--size=64x64", "--recipe=paper"],
         }.items():
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
         self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", "-o", "new.png")

@@ -13,9 +13,9 @@ TEST_CASE("recipes of one's own can be spelled out") {
     CHECK(own.weight_floor == 0.5f);
     CHECK(own.phases == 64);
     CHECK(own.window == std::array{1.0f, 0.5f, 0.0f});
-    CHECK(noise::spelled_out(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
+    CHECK(noise::to_string(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
     for (const noise::Recipe& recipe : noise::recipes())
-        CHECK(noise::spelled_out(recipe) == recipe.name);
+        CHECK(noise::to_string(recipe) == recipe.name);
     for (const char* wrong :
          {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
           "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",

@@ -17,7 +17,7 @@ using namespace gabor;
 namespace {
 
 std::vector<float> rendered(const vulkan::Device& device, const render::Request& request,
-                            const image::Window& region) {
+                            const image::Rect& region) {
     std::vector<float> pixels;
     render::render_region(device, request, region, [&](std::span<const float> rows) {
         pixels.insert(pixels.end(), rows.begin(), rows.end());
@@ -81,7 +81,7 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
                                           .recipe = recipe,
                                           .lobes = {{frequency, 123}},
                                           .seed = 99};
-            const image::Window region{65536 - 70, 65536 - 45, 70, 45};
+            const image::Rect region{65536 - 70, 65536 - 45, 70, 45};
             const std::vector<float> pixels = rendered(device, request, region);
             const AnyReference reference(recipe, request.lobes.front(), 99);
             const render::Axis axis{recipe.radius, 0};
@@ -117,9 +117,8 @@ TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") 
                                       .lobes = {{3, 20}},
                                       .seed = 1}; // more than two bands
         const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
-        for (const image::Window& region :
-             {image::Window{0, 0, 1, 1}, image::Window{2499, 3999, 1, 1}, image::Window{1, 1700, 2499, 333},
-              image::Window{777, 13, 9, 3987}}) {
+        for (const image::Rect& region : {image::Rect{0, 0, 1, 1}, image::Rect{2499, 3999, 1, 1},
+                                          image::Rect{1, 1700, 2499, 333}, image::Rect{777, 13, 9, 3987}}) {
             const std::vector<float> part = rendered(device, request, region);
             REQUIRE(part.size() ==
                     static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height));

@@ -209,14 +209,13 @@ TEST_CASE("beside a material there is no noise", "[material]") {
         CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
     };
     refused({.material = "plastic"}, "material 'plastic': it takes none, wood, fabric");
-    refused({.lobes = {{.frequency = 3}}, .material = "wood"},
-            "frequency and material wood exclude each other");
+    refused({.lobes = {{.frequency = 3}}, .material = "wood"}, "frequency conflicts with material wood");
     refused({.material = "wood", .gradient = true}, "gradient and material wood");
     refused({.view = render::Slice{}, .material = "wood"}, "a material lies on planes and bodies");
     Request request{.time = 0.5, .material = "sand"};
-    render::give_way(request, "material");
+    render::drop_conflicting(request, "material");
     CHECK(request == Request{.material = "sand"});
     request.phasor = true;
-    render::give_way(request, "phasor");
+    render::drop_conflicting(request, "phasor");
     CHECK(request == Request{.phasor = true});
 }

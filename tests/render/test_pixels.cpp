@@ -18,7 +18,7 @@ namespace {
 
 // What a plan draws, by a renderer that keeps its pipelines.
 std::vector<float> filled(render::Renderer& renderer, const render::Request& request,
-                          const image::Window& region, render::Blocks blocks) {
+                          const image::Rect& region, render::Blocks blocks) {
     render::Viewport viewport = render::viewport_of(request, region);
     viewport.blocks = blocks;
     renderer.set(render::plan(request, viewport));
@@ -37,7 +37,7 @@ render::Request with_phasor(render::Request request) {
 
 // Compares a region, and its phasor with its values.
 void check_blocks_are_pixels(render::Renderer& renderer, const render::Request& request,
-                             const image::Window& region) {
+                             const image::Rect& region) {
     render::check(request);
     REQUIRE(render::uses_blocks(request, render::viewport_of(request, region)));
     const std::vector<float> blocks = filled(renderer, request, region, render::Blocks::fitted);

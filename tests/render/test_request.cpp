@@ -60,7 +60,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and makes another req
                 render::set(changed, parameter.name, value);
                 REQUIRE_FALSE(changed == start);
                 CHECK(*parameter.get(changed) == value);
-                const std::string text = render::written(value);
+                const std::string text = render::to_text(value);
                 CHECK(render::read(parameter, text) == value);
                 Request by_text = start;
                 render::set_text(by_text, parameter.name, text);
@@ -189,7 +189,7 @@ TEST_CASE("a request has what its view and lobes have", "[request]") {
     CHECK_THROWS_WITH(render::set_text(request, "depth", "1"), Catch::Contains("the view slice"));
     render::set_text(request, "lobes", "[{}, {}]");
     CHECK(render::is_set(request, "lobes"));
-    CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("2, each with its own"));
+    CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("a single lobe, not 2"));
 
     // A body keeps its pose when its shape changes.
     Request body = of_view("sphere");
@@ -220,14 +220,14 @@ TEST_CASE("what excludes gives way, or is refused", "[request]") {
         render::check(both);
         CHECK(render::is_set(both, pair.first));
         render::set_text(both, pair.second, pair.second_value);
-        CHECK_THROWS_WITH(render::check(both), Catch::Contains("exclude each other"));
+        CHECK_THROWS_WITH(render::check(both), Catch::Contains("conflicts with"));
         Request first = both;
-        render::give_way(first, pair.first);
+        render::drop_conflicting(first, pair.first);
         render::check(first);
         CHECK(render::is_set(first, pair.first));
         CHECK_FALSE(render::is_set(first, pair.second));
         Request second = both;
-        render::give_way(second, pair.second);
+        render::drop_conflicting(second, pair.second);
         render::check(second);
         CHECK(render::is_set(second, pair.second));
     }

@@ -23,7 +23,7 @@ using render::Slice;
 
 namespace {
 
-std::vector<float> rendered(const vulkan::Device& device, const Request& request, const image::Window& region,
+std::vector<float> rendered(const vulkan::Device& device, const Request& request, const image::Rect& region,
                             int most_rows) {
     render::check(request);
     render::Viewport viewport = render::viewport_of(request, region);
@@ -294,7 +294,7 @@ TEST_CASE("regions and bands of a solid picture are parts of the whole", "[solid
          {render::View(Slice()), render::View(Body()), render::View(Body{Shape::torus})}) {
         const Request request{.width = 90, .height = 80, .view = view, .filter = true};
         const auto whole = rendered(device, request, {0, 0, 90, 80}, 80);
-        const image::Window region{13, 21, 60, 37};
+        const image::Rect region{13, 21, 60, 37};
         const auto part = rendered(device, request, region, 10);
         REQUIRE(part.size() == std::size_t{60} * 37 * 2);
         for (int y = 0; y < region.height; ++y)

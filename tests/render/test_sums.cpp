@@ -27,7 +27,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 std::vector<float> rendered(const vulkan::Device& device, const render::Request& request,
-                            const image::Window& region) {
+                            const image::Rect& region) {
     render::check(request);
     std::vector<float> pixels;
     render::render_region(device, request, region, [&](std::span<const float> rows) {
@@ -121,7 +121,7 @@ Field expected(const render::Request& request, const std::vector<noise::Spectrum
 
 // Compares a region with the reference, in units of single-precision rounding.
 void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
-             const image::Window& region, const std::string& name) {
+             const image::Rect& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);
     const std::vector<float> pixels = rendered(device, request, region);
     const std::size_t channels = render::channels(request).size();
@@ -182,8 +182,8 @@ TEST_CASE("a picture of a spectrum is the sum of its lobes' noises", "[render]")
                         continue;
                     each->phasor = phasor;
                     CHECK(render::uses_blocks(*each, render::viewport_of(*each, {})) == !phasor);
-                    const image::Window region = each == &far ? image::Window{65536 - 17, 65536 - 12, 17, 12}
-                                                              : image::Window{43, 50, 17, 12};
+                    const image::Rect region = each == &far ? image::Rect{65536 - 17, 65536 - 12, 17, 12}
+                                                            : image::Rect{43, 50, 17, 12};
                     compare(largest, device, *each, region,
                             fmt::format("{}, {}, {} lobes",
                                         each == &far    ? "far"
@@ -219,7 +219,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
             request.view = render::Plane{.tileable = tileable};
             request.colour = colour;
             REQUIRE(render::uses_blocks(request, render::viewport_of(request, {})));
-            const image::Window region{43, 50, 17, 12};
+            const image::Rect region{43, 50, 17, 12};
             std::vector<float> blocks = rendered(device, request, region);
             std::vector<float> pixels;
             render::Viewport one_by_one = render::viewport_of(request, region);
@@ -261,7 +261,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
 
 TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") {
     const vulkan::Device device;
-    const image::Window region{0, 0, 90, 60};
+    const image::Rect region{0, 0, 90, 60};
     const double share = std::sqrt(2 / 3.0); // of the first lobe in the deviation
     const double rest = std::sqrt(1 / 3.0);
     const noise::Colour colour{.weights = {{{{0, share}, {share, 0}, {0.6 * share, 0.8 * share}}},
@@ -341,8 +341,8 @@ TEST_CASE("a region of a spectrum has the bits of the whole, whatever the bands"
     const vulkan::Device device;
     const render::Request request{.width = 1500, .height = 4000, .scale = 20, .lobes = several, .seed = 1};
     const std::vector<float> whole = rendered(device, request, {0, 0, request.width, request.height});
-    for (const image::Window& region : {image::Window{1, 1700, 1499, 333}, image::Window{777, 13, 9, 3987},
-                                        image::Window{3, 2790, 400, 20}}) {
+    for (const image::Rect& region :
+         {image::Rect{1, 1700, 1499, 333}, image::Rect{777, 13, 9, 3987}, image::Rect{3, 2790, 400, 20}}) {
         const std::vector<float> part = rendered(device, request, region);
         bool same = part.size() == static_cast<std::size_t>(region.width * region.height);
         for (int i = 0; i < region.width * region.height; ++i)

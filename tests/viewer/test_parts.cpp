@@ -134,22 +134,22 @@ TEST_CASE("controls without effect say why") {
     const Document plain = document_of({});
     for (const char* control :
          {"recipe", "frequency", "orientation", "lobes", "paint", "filter", "colours", "contrast", "seed"})
-        CHECK(without_effect(plain, control).empty());
+        CHECK(disabled_reason(plain, control).empty());
     Document body = with("view", std::string("sphere"));
     for (const char* control : {"recipe", "paint"})
-        CHECK_FALSE(without_effect(body, control).empty());
-    CHECK(without_effect(body, "orientation").empty());
+        CHECK_FALSE(disabled_reason(body, control).empty());
+    CHECK(disabled_reason(body, "orientation").empty());
     body.request.lobes.front().orientation_spread = 90;
-    CHECK_FALSE(without_effect(body, "orientation").empty());
+    CHECK_FALSE(disabled_reason(body, "orientation").empty());
     Document painted = plain;
     painted.request.paint = "painted.exr";
     for (const char* control : {"frequency", "orientation", "lobes"})
-        CHECK_FALSE(without_effect(painted, control).empty());
+        CHECK_FALSE(disabled_reason(painted, control).empty());
     Document gradient = plain;
     gradient.output = Output::gradient;
-    CHECK(without_effect(gradient, "filter").empty());
-    CHECK_FALSE(without_effect(gradient, "colours").empty());
-    CHECK(without_effect(gradient, "contrast").empty());
+    CHECK(disabled_reason(gradient, "filter").empty());
+    CHECK_FALSE(disabled_reason(gradient, "colours").empty());
+    CHECK(disabled_reason(gradient, "contrast").empty());
 }
 
 TEST_CASE("every shader that is built in compiles") {

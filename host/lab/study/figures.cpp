@@ -44,7 +44,7 @@ int side_of(std::span<const float> pixels) {
 
 void write_exr(const std::filesystem::path& path, std::span<const float> pixels) {
     const int side = side_of(pixels);
-    const image::Window window{0, 0, side, side};
+    const image::Rect window{0, 0, side, side};
     image::ExrWriter writer(path.string() + ".exr",
                             {.picture = window, .window = window, .channels = {"Y"}, .parameters = {}});
     writer.write_rows(pixels);

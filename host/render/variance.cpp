@@ -1,4 +1,4 @@
-#include "render/law.hpp"
+#include "render/variance.hpp"
 
 #include "noise/spectrum.hpp"
 #include "noise/variance.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace gabor::viewer {
+namespace gabor::noise {
 
 /// A float literal of GLSL, as short as it can be and still the same number.
 inline std::string literal(double value) {
@@ -24,4 +24,4 @@ inline std::string vec3(double x, double y, double z) {
     return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
 }
 
-} // namespace gabor::viewer
+} // namespace gabor::noise
