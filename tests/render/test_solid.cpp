@@ -4,6 +4,8 @@
 #include "render/parameters.hpp"
 #include "render/renderer.hpp"
 
+#include "passes/solid_interface.h"
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -229,7 +231,9 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                                       .filter = !solid || spread > 0};
                 const auto pixels = rendered(device, request, {0, 0, 160, 120}, 120);
                 const Camera camera(request);
-                const double unit = render::sphere_radius(request);
+                const render::Bytes push =
+                    render::plan(request, render::viewport_of(request, {0, 0, 1, 1})).steps.front().push;
+                const double unit = double{render::values_of<passes::SolidPush>(push).front().unit};
                 test::Largest largest;
                 int compared = 0;
                 const int stride = request.filter ? 21 : 2; // quadrature is slow
