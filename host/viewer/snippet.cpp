@@ -32,6 +32,8 @@ struct Quantity {
     std::string_view sky;   // above a horizon
 };
 
+namespace quantities {
+
 constexpr Quantity value{
     "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise", "0.0"};
 constexpr Quantity gradient{"The gradient, per kernel radius.",       "vec2",           "gradient",
@@ -53,19 +55,21 @@ constexpr Quantity colour{"The colour.",
                           "vec3(field.quadrature, field.noise, field.removed)",
                           "noise_colour(vec3(0.0), vec3(1.0))"};
 
+} // namespace quantities
+
 const Quantity& quantity(const Document& document) {
     switch (document.output) {
     case Output::gradient:
     case Output::lit:
-        return gradient;
+        return quantities::gradient;
     case Output::phase:
     case Output::intensity:
     case Output::phasor:
-        return complex_value;
+        return quantities::complex_value;
     case Output::variance:
-        return removed;
+        return quantities::removed;
     default:
-        return document.request.colour ? colour : value;
+        return document.request.colour ? quantities::colour : quantities::value;
     }
 }
 
@@ -83,7 +87,7 @@ std::vector<Wave> waves_of(const render::Request& request, std::size_t table) {
 
 // The sums over the waves; `type`: of the quantity, which a gradient has another one of in space.
 std::string sums(const Quantity& of, std::string_view type) {
-    if (&of == &colour)
+    if (&of == &quantities::colour)
         return "    vec3 wave, z = vec3(0.0), removed = vec3(0.0);\n";
     return fmt::format("    {0} sum = {0}(0.0);\n", type);
 }
@@ -91,7 +95,7 @@ std::string sums(const Quantity& of, std::string_view type) {
 // What a passes::PixelsWave or SolidWave adds, of which `call` has the quantity.
 template <typename Wave>
 std::string added(const Quantity& of, const Wave& wave, const std::string& call) {
-    if (&of == &colour) {
+    if (&of == &quantities::colour) {
         const auto weights = [&](auto of_weight) {
             return vec3(of_weight(wave.weights[0]), of_weight(wave.weights[1]), of_weight(wave.weights[2]));
         };
@@ -102,14 +106,14 @@ std::string added(const Quantity& of, const Wave& wave, const std::string& call)
             weights([](const passes::vec2& w) { return w.x * w.x + w.y * w.y; }));
     }
     const double amplitude = wave.amplitude;
-    const double weight = &of == &gradient  ? amplitude / wave.radius
-                          : &of == &removed ? amplitude * amplitude
-                                            : amplitude;
+    const double weight = &of == &quantities::gradient  ? amplitude / wave.radius
+                          : &of == &quantities::removed ? amplitude * amplitude
+                                                        : amplitude;
     return fmt::format("    sum += {}{};\n", weight == 1 ? "" : literal(weight) + " * ", call);
 }
 
 std::string_view summed(const Quantity& of) {
-    return &of == &colour ? "    return noise_colour(z, removed);\n}\n" : "    return sum;\n}\n";
+    return &of == &quantities::colour ? "    return noise_colour(z, removed);\n}\n" : "    return sum;\n}\n";
 }
 
 // A function for one wave of the sum, in kernel radii of its own.
@@ -224,7 +228,7 @@ std::string field_in_space(const render::Request& request, const passes::SolidWa
 }
 
 std::string of_space(const render::Request& request, const Quantity& of) {
-    const std::string_view type = &of == &gradient ? "vec3" : of.type;
+    const std::string_view type = &of == &quantities::gradient ? "vec3" : of.type;
     std::string settings;
     if (const double time = render::wrapped_time(request); time != 0)
         settings += fmt::format("    place.animated = true;\n    place.time = {};\n", literal(time));
@@ -279,7 +283,7 @@ std::string of_colours(const Document& document, const Quantity& of) {
     const auto colours = std::ranges::find(embedded_shaders(), "viewer/colours.glsl", &EmbeddedShader::path);
     std::string text = fmt::format("\n{}\n// What the viewer showed there.\n", colours->text);
     text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
-    if (space && &of == &gradient)
+    if (space && &of == &quantities::gradient)
         text += gradient_in_picture(document.request);
     else
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
@@ -327,10 +331,10 @@ std::string snippet(const Document& document, Extent extent) {
         text += "#include \"gabor_spectrum.glsl\" // and this one\n";
     if (space)
         text += "#include \"gabor_lattice_3d.glsl\" // and this one\n";
-    if (&of == &colour)
+    if (&of == &quantities::colour)
         text += fit::colour_function("noise", *request.colour);
     text += space ? of_space(request, of) : of_plane(document, of, extent);
-    return &of == &colour ? text : text + of_colours(document, of);
+    return &of == &quantities::colour ? text : text + of_colours(document, of);
 }
 
 } // namespace gabor::viewer

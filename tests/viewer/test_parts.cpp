@@ -10,6 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+#include <fstream>
+
 using namespace gabor;
 using namespace gabor::viewer;
 
