@@ -140,7 +140,7 @@ std::string of_wave(const render::Request& request, const Quantity& of) {
 std::string of_plane(const Document& document, const Quantity& of, Extent extent) {
     render::Request request = document.request;
     request.paint.clear();
-    if (&of != &colour)
+    if (&of != &quantities::colour)
         request.colour.reset();
     const double scale = request.scale * document.camera.zoom;
     const bool horizon = std::holds_alternative<render::Horizon>(request.view);
