@@ -11,6 +11,7 @@
 #include "render/load.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
+#include "render/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
