@@ -63,14 +63,14 @@ void write(const std::filesystem::path& path, const ExrWriter::Description& desc
     writer.commit();
 }
 
-const Window small = {0, 0, 8, 5};
+const Rect small = {0, 0, 8, 5};
 
 } // namespace
 
 TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
-    const Window window = {3, 5, 61, 150};
+    const Rect window = {3, 5, 61, 150};
     const std::vector<std::string> channels =
         GENERATE(std::vector<std::string>{"Y"}, std::vector<std::string>{"R", "G", "B"},
                  std::vector<std::string>{"noise.0", "A", "Z", "noise.1"});
@@ -101,9 +101,8 @@ TEST_CASE("Compressible values survive as well", "[exr]") {
 TEST_CASE("A window at the far corner of the largest picture", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
-    const Window picture = {0, 0, 65536, 65536};
-    const Window window =
-        GENERATE(Window{65500, 65507, 36, 29}, Window{65535, 0, 1, 20}, Window{0, 65535, 9, 1});
+    const Rect picture = {0, 0, 65536, 65536};
+    const Rect window = GENERATE(Rect{65500, 65507, 36, 29}, Rect{65535, 0, 1, 20}, Rect{0, 65535, 9, 1});
     const auto pixels = any_floats(static_cast<std::size_t>(window.width * window.height) * 2);
     write(path, {picture, window, {"a", "b"}, "zip", {}}, pixels, {3, 10});
 

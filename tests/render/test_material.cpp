@@ -211,8 +211,8 @@ TEST_CASE("beside a material there is no noise", "[material]") {
     };
     refused({.material = "plastic"}, "material 'plastic': it takes none, wood, fabric");
     refused({.lobes = {{.frequency = 3}}, .material = "wood"}, "frequency conflicts with material wood");
-    refused({.material = "wood", .gradient = true}, "gradient and material wood");
-    refused({.view = render::Slice{}, .material = "wood"}, "a material lies on planes and bodies");
+    refused({.material = "wood", .gradient = true}, "gradient conflicts with material wood");
+    refused({.view = render::Slice{}, .material = "wood"}, "materials lie on planes and bodies");
     Request request{.time = 0.5, .material = "sand"};
     render::drop_conflicting(request, "material");
     CHECK(request == Request{.material = "sand"});
