@@ -116,7 +116,7 @@ struct Elevation {
 // A heightmap of 16 bits with a file beside it that says what its numbers mean.
 class HeightWriter {
   public:
-    HeightWriter(const std::filesystem::path& path, const image::Window& region, Elevation elevation,
+    HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                  double pixel)
         : elevation_(elevation), scale_(path.string() + ".json") {
         if (has_extension(path, ".png"))
@@ -158,10 +158,10 @@ class HeightWriter {
     std::vector<float> levels_;
 };
 
-image::Window region_of(const ErodeOptions& options, const render::HeightMap& map) {
+image::Rect region_of(const ErodeOptions& options, const render::HeightMap& map) {
     if (options.region.empty())
         return {0, 0, map.width, map.height};
-    const image::Window r{options.region[0], options.region[1], options.region[2], options.region[3]};
+    const image::Rect r{options.region[0], options.region[1], options.region[2], options.region[3]};
     if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > map.width - r.x ||
         r.height > map.height - r.y)
         throw RequestError(fmt::format("--region {},{},{},{} is not within the map of {} x {} pixels", r.x,
@@ -182,7 +182,7 @@ void erode(const ErodeOptions& options) {
             fmt::format("-o '{}' is the map itself: it takes another file", options.output.string()));
     const render::Erosion erosion = erosion_of(options);
     render::HeightMap map = map_of(options);
-    const image::Window region = region_of(options, map);
+    const image::Rect region = region_of(options, map);
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())

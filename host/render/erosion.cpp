@@ -141,7 +141,7 @@ class MapRows {
 };
 
 passes::ErodePush push_of(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-                          const image::Window& region) {
+                          const image::Rect& region) {
     passes::ErodePush push{};
     const auto single = [](double value) { return static_cast<float>(value); };
     if (map.tileable)
@@ -185,7 +185,7 @@ double erosion_reach(const Erosion& erosion) {
 }
 
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-           const image::Window& region, const std::function<void(std::span<const float>)>& write) {
+           const image::Rect& region, const std::function<void(std::span<const float>)>& write) {
     const auto width = static_cast<std::size_t>(map.width);
     const int rows = std::clamp(static_cast<int>(most_band_pixels / width), 1, region.height);
     const auto most = static_cast<std::size_t>(rows);

@@ -69,6 +69,6 @@ inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slo
 /// with their channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map
 /// that is damaged or holds a NaN or an infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-           const image::Window& region, const std::function<void(std::span<const float>)>& write);
+           const image::Rect& region, const std::function<void(std::span<const float>)>& write);
 
 } // namespace gabor::render

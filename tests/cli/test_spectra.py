@@ -180,7 +180,7 @@ class Spectra(SpectraTest):
             (["radius of a lobe 0", "0.01 to 100", "kernel radii"],
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["frequency", "a single lobe, not 5"], ["--lobes", good, "--frequency=3"]),
-            (["values", "recipe", "the lattice's recipes"], ["--values=3", "--recipe=paper"]),
+            (["values", "recipe", "a lattice recipe"], ["--values=3", "--recipe=paper"]),
             (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
             (["depth", "the view slice"], ["--depth=3"]),
             (["solid", "sphere and torus"], ["--solid"]),

@@ -46,6 +46,7 @@ Buffer::Buffer(const Device&, std::size_t, Memory) {
 }
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer& Buffer::operator=(Buffer&&) noexcept = default;
 
 std::size_t Buffer::size() const {
     refuse();
