@@ -15,6 +15,7 @@ struct Drawing {
     bool operator==(const Drawing&) const = default;
 };
 
+/// The drawing of a document: its request with the channels of its output.
 Drawing drawing_of(const Document& document);
 
 /// What the camera shows of it in `extent` pixels.
