@@ -448,7 +448,7 @@ struct GaborField {
 //
 // [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, gabor_vec3 window) {
+GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, gabor_vec3) {
 }
 GABOR_INLINE void gabor_impl_check_macros() { // a macro of another type ends in an error here
     gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,

@@ -31,7 +31,7 @@ def compiled(library, source, options):
     """The SPIR-V of a compute shader; an error of the compiler's is a ValueError."""
     compiler, result, part, status = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_uint()
     ctypes.CDLL(library).DxcCreateInstance(COMPILER.bytes_le, COMPILER_3.bytes_le, ctypes.byref(compiler))
-    options = ["-spirv", "-T", "cs_6_0", "-E", "main", *options]
+    options = ["-spirv", "-T", "cs_6_0", "-E", "main", "-Wall", "-Wextra", "-WX", *options]
     method(compiler, 0, ctypes.c_uint, *[ctypes.c_void_p] * 2, ctypes.c_uint, *[ctypes.c_void_p] * 3)(
         ctypes.byref(Text(source, len(source), 65001)), (ctypes.c_wchar_p * len(options))(*options), len(options), None,
         RESULT.bytes_le, ctypes.byref(result))

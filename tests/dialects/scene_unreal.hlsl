@@ -1,4 +1,5 @@
-// As Unreal's material compiler writes a Custom node with an include file, out of the node's text.
+// As Unreal's material compiler writes a Custom node with an include file, out of the node's text; there its first
+// parameter has a name.
 #define MaterialFloat float
 #define MaterialFloat2 float2
 #include "shaders/nodes/unreal/gabor_lattice.ush"
@@ -7,7 +8,7 @@ struct FMaterialPixelParameters {
     float4 SvPosition;
 };
 
-MaterialFloat CustomExpression0(FMaterialPixelParameters Parameters, MaterialFloat2 Place, MaterialFloat Frequency, MaterialFloat Orientation, MaterialFloat Seed)
+MaterialFloat CustomExpression0(FMaterialPixelParameters, MaterialFloat2 Place, MaterialFloat Frequency, MaterialFloat Orientation, MaterialFloat Seed)
 {
 #include "shaders/nodes/unreal/custom.hlsl"
 }

@@ -1,6 +1,7 @@
 """What stands on the lattice, translated, and a texture by gabor fit: each call gives on the device what it gives in GLSL,
 which other tests compare with the reference."""
 
+import json
 import os
 import pathlib
 import re
@@ -23,26 +24,30 @@ FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
-CALLS = [
-    "gabor_stripes(p, 0.3 * p, 1.0, 7u).x + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), 0.3 * p, 7u)",
-    "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)",
-    "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x",
-    "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)",
-    "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y",
-    "gabor_noise_3d_filtered(q, vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), 2.0, vec3(1.0, 2.0, 3.0), 7u).x",
-    "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)",
-    "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)",
-    "4.0 * gabor_zebra(p, 7u).colour.y",
-    "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height",
-    "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height",
-    "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height",
-    "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0",
-]
-
-# More lobes than there are by default: the macro is alive in each dialect with a preprocessor.
-LOBES = "gabor_noise_lobes(p, six(), 7u)"
+CALLS = {  # by function, a column of the matrix in docs/engines.md
+    "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
+    "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
+    "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
+    "gabor_stripes(p, 0.3 * p, 1.0, 7u).x + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), 0.3 * p, 7u)": "stripes",
+    "gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u)": "tiled",
+    "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)": "animated",
+    "gabor_noise_four(p, 4.0, 0.7854, 7u).z": "four",
+    "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)": "spread",
+    "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
+    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # more than there are by default: the macro is alive
+    "gabor_noise_direction(p, 7u)": "direction map",
+    "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)": "solid",
+    "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y": "solid",
+    "gabor_noise_3d_filtered(q, vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), 2.0, vec3(1.0, 2.0, 3.0), 7u).x": "solid",
+    "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)": "surface",
+    "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)": "surface",
+    "4.0 * gabor_zebra(p, 7u).colour.y": "materials",
+    "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height": "materials",
+    "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height": "erosion",
+    "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
+    "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
+}
 MAP = "#define GABOR_DIRECTION(p) (0.3f * (p))\n"
-DIRECTION = "gabor_noise_direction(p, 7u)"
 SIX = """
 GaborLobes six()
 {
@@ -68,14 +73,28 @@ void main()
 """
 HLSL = SIX + """
 RWStructuredBuffer<float> values : register(u0);
+static float2 p;
+static float3 q; // not each call takes both
 [numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
-    float2 p = (float2(pixel.xy) + 0.5) / 32.0;
-    float3 q = float3(p, 0.3);
+    p = (float2(pixel.xy) + 0.5) / 32.0;
+    q = float3(p, 0.3);
     values[pixel.y * 256 + pixel.x] = CALL;
 }
 """
 WGSL = """
+fn six() -> GaborLobes {
+    var lobes: GaborLobes;
+    lobes.count = 6;
+    for (var i = 0; i < 6; i++) { lobes.lobe[i] = gabor_lobe(1.0 + f32(i), 0.5 * f32(i), 1.0, 1.0); }
+    return lobes;
+}
+fn gabor_noise_direction(p: vec2f, seed: u32) -> f32 {
+    let place = gabor_place(vec2i(), p * 1.5);
+    var waves: GaborWaves;
+    for (var i = 0; i < 9; i++) { waves.wave[i] = 0.3 * gabor_node_position(place, i); }
+    return gabor_field_waves(place, waves, seed).value.y;
+}
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     let p = (vec2f(pixel.xy) + 0.5) / 32.0;
@@ -84,6 +103,7 @@ WGSL = """
 }
 """
 ES = """#define GABOR_LOBES 6
+#define GABOR_DIRECTION(p) (0.3 * (p))
 INCLUDES
 """ + SIX + """
 out vec4 value;
@@ -100,6 +120,7 @@ void main()
 GODOT_SHADER = """shader_type canvas_item;
 render_mode unshaded, blend_disabled;
 #define GABOR_LOBES 6
+#define GABOR_DIRECTION(p) (0.3 * (p))
 INCLUDES
 """ + SIX.replace("0f", "0").replace("5f", "5") + """
 void fragment()
@@ -179,11 +200,15 @@ class Translations(unittest.TestCase):
                        cwd=cls.made, check=True, stdout=subprocess.DEVNULL)
         subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "sea.glsl"], cwd=cls.made,
                        check=bool(shutil.which("naga")))  # without it all but WGSL is there
+        if shutil.which("naga"):  # WGSL has no macros
+            subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "-DGABOR_LOBES=6", "-o", cls.made / "wgsl"], check=True)
 
     def path(self, file, ending):
         if file == "sea":
             return self.made / f"sea.{ending}"
-        return SHADERS / f"{file}.glsl" if ending == "glsl" else SHADERS / "translations" / f"{file}.{ending}"
+        if ending == "glsl":
+            return SHADERS / f"{file}.glsl"
+        return (self.made / "wgsl" if ending == "wgsl" else SHADERS / "translations") / f"{file}.{ending}"
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
@@ -208,8 +233,9 @@ class Translations(unittest.TestCase):
         text = "#version 450\n#define GABOR_LOBES 6\n" + MAP + "".join(self.path(file, "glsl").read_text() for file in FILES)
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
-    def compare(self, translated, calls=(*CALLS, LOBES, DIRECTION)):
+    def compare(self, translated, calls=tuple(CALLS)):
         """Materials have edges, which magnify what compilers round differently."""
+        errors = {}
         for call in calls:
             with self.subTest(call):
                 wanted = self.glsl(call)
@@ -218,6 +244,10 @@ class Translations(unittest.TestCase):
                 difference = np.abs(drawn - wanted[:len(drawn)])
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea", call) else 1))
+                errors[CALLS[call]] = max(errors.get(CALLS[call], 0), float(difference.max() / max(1, wanted.std())))
+        if folder := os.environ.get("GABOR_MATRIX"):  # tools/test-engines makes docs/engines.md from it
+            name = self._testMethodName.removeprefix("test_")
+            (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 
     def pasted(self, ending, text, before="#define GABOR_LOBES 6\n" + MAP):
         return before + "".join(self.path(file, ending).read_text() for file in FILES) + text
@@ -241,13 +271,13 @@ class Translations(unittest.TestCase):
         command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
         self.compare(lambda call: self.drawn(
             self.pasted("wgsl", WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
-            *command), CALLS)
+            *command))
 
     def test_godot(self):
         """In Godot itself, each call a band of one picture."""
         if not GODOT.exists():
             self.skipTest("Godot is not installed: tools/test-engines godot installs it")
-        calls, shader, values = (*CALLS, LOBES), self.folder / "noise.gdshader", self.folder / "values.raw"
+        calls, shader, values = tuple(CALLS), self.folder / "noise.gdshader", self.folder / "values.raw"
         includes = "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
         shader.write_text(banded(GODOT_SHADER, calls).replace("INCLUDES", includes + self.path("sea", "gdshaderinc").read_text()))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "godot" / "run.py", GODOT, "canvas", "mobile", "vulkan",
@@ -256,8 +286,8 @@ class Translations(unittest.TestCase):
 
     def test_opengl_es(self):
         """GLSL itself, after the header that leaves all to mediump: 16 bits on this driver, but for what the files say."""
-        calls, shader, values = [*CALLS[:3], CALLS[5], LOBES], self.folder / "noise.frag", self.folder / "values.raw"
-        shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES[:3])))
+        calls, shader, values = tuple(CALLS), self.folder / "noise.frag", self.folder / "values.raw"
+        shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES)))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "gles" / "run.py", "precision mediump float;", values,
                         shader], check=True, stdout=subprocess.DEVNULL)
         self.compare(bands(values, calls).get, calls)
@@ -281,10 +311,10 @@ class Translations(unittest.TestCase):
 
     def compare_cpp(self, before, vector, *options):
         """Each call, in a program of C++ after a text and with vectors of that name."""
-        calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in (*CALLS, LOBES, DIRECTION)]
+        calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
         functions = (f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)
         values, _ = self.cpp(before + CPP.replace("CALLS", ", ".join(functions)), *options)
-        drawn = dict(zip((*CALLS, LOBES, DIRECTION), values.view("<f4").reshape(len(calls), -1)))
+        drawn = dict(zip(CALLS, values.view("<f4").reshape(len(calls), -1)))
         self.compare(lambda call: drawn[call])
 
     def test_cpp_vectors(self):
