@@ -1,5 +1,5 @@
-"""What shaders/nodes has of the drop-ins in languages without structs or unsigned integers: the library of MaterialX's
-nodes, which takes a few functions from gabor_lattice.glsl, and that library in the Open Shading Language and in MDL.
+"""What shaders/nodes has of the drop-ins: modules of WGSL for Bevy; and, for languages without structs or unsigned integers,
+the library of MaterialX's nodes with a few functions of gabor_lattice.glsl, also in the Open Shading Language and in MDL.
 tools/translate calls it."""
 
 import ast
@@ -46,6 +46,31 @@ def each_call(text, name, rewritten):
         result += text[place:match.start()] + rewritten(match[1], [each_call(part, name, rewritten) for part in parts])
         place = end + 1
     return result + text[place:]
+
+
+# ---- Bevy: WGSL with imports ---------------------------------------------------------------------------------------
+
+# Each module's file, and the drop-ins that it imports from.
+MODULES = {
+    "lattice": ("gabor_lattice", []),
+    "spectrum": ("gabor_spectrum", ["lattice"]),
+    "solid": ("gabor_lattice_3d", ["lattice", "spectrum"]),
+    "materials": ("gabor_materials", ["lattice", "spectrum"]),
+    "erosion": ("gabor_erosion", ["lattice"]),
+    "direction": ("gabor_direction", ["lattice"]),
+}
+
+
+def bevy_modules():
+    """Path and text of each translation to WGSL as a module for naga_oil, which allows no override constants in modules."""
+    texts = {module: (ROOT / "shaders" / "translations" / f"{name}.wgsl").read_text() for module, (name, _) in MODULES.items()}
+    defined = {module: re.findall(r"^(?:fn|struct|const|override) (\w+)", text, re.MULTILINE) for module, text in texts.items()}
+    for module, (name, needed) in MODULES.items():
+        used = set(re.findall(r"\b[Gg]abor_?\w+|\bGABOR_\w+", re.sub("//.*", "", texts[module]))) - set(defined[module])
+        imports = "".join(f"#import gabor_noise::{other}::{{{', '.join(names)}}}\n" for other in needed
+                          if (names := [name for name in defined[other] if name in used]))
+        text = re.sub(" Paste or include it after .*|\n// Digest of .*", "", re.sub("^override ", "const ", texts[module], flags=re.MULTILINE))
+        yield NODES / "bevy" / f"{module}.wgsl", f"#define_import_path gabor_noise::{module}\n{imports}\n{text}"
 
 
 # ---- MaterialX: GLSL without structs -------------------------------------------------------------------------------
@@ -245,6 +270,7 @@ def tsl(source):
 def made(source):
     """Path and text of each file, from a function that gives the text of a drop-in."""
     glsl = common(source)
+    yield from bevy_modules()
     yield COMMON, glsl
     yield OSL_SHADER, osl_shader(osl(glsl))
     version = json.loads((ROOT / "package.json").read_text())["version"]

@@ -1,0 +1,1389 @@
+#define_import_path gabor_noise::lattice
+
+// gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
+//
+// Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+//
+//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//
+// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+const GABOR_NOISE_VERSION: u32 = 20000u;
+
+// 3, 2 or 4: change it here, or give it to the pipeline as a constant.
+const GABOR_TAPS: i32 = 3;
+
+// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
+//                at 10^5 it steps by 0.008.
+//   frequency    cycles per kernel radius; its magnitude counts, up to 10^6.
+//   orientation  direction of the wave vector in radians from +x towards +y. Its own rounding shows where it is
+//                large: at frequency 4 the noise is off by 1.5e-6 for each radian.
+//   seed         any; different seeds give independent noises.
+// Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p, frequency
+// or orientation gives an unspecified value.
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1f), _e11, seed);
+        return _e12;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 2f), _e11, seed);
+        return _e12;
+    } else {
+        let _e11 = gabor_kernel(frequency, orientation);
+        let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
+        return _e12;
+    }
+}
+
+// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
+// orientation as constant.
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    } else {
+        var field: GaborField;
+
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        field = _e13;
+        let _e15 = field;
+        let _e18 = field;
+        let _e21 = field;
+        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    }
+}
+
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
+// sines; at one place both have variance 1 and are independent.
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    }
+}
+
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
+
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_10 = 0f;
+    }
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_11 = _e23;
+    }
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+// Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
+fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise(p, frequency, orientation, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise(p, frequency, orientation, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise(p, frequency, orientation, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise(p, frequency, orientation, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+// Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
+// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
+// periods narrow the windows.
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_2 = _e10;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
+// at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else if GABOR_TAPS == 4 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    }
+}
+
+// gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
+// place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
+// frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.wgsl joins them.
+fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 1f), _e10, seed);
+        return _e11;
+    } else if GABOR_TAPS == 4 {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 2f), _e10, seed);
+        return _e11;
+    } else {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
+        return _e11;
+    }
+}
+
+fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        var field_1: GaborField;
+
+        let _e10 = gabor_place(vec2(0i), (p * 1f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        field_1 = _e12;
+        let _e14 = field_1;
+        let _e17 = field_1;
+        let _e20 = field_1;
+        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
+    } else if GABOR_TAPS == 4 {
+        var field_1: GaborField;
+
+        let _e10 = gabor_place(vec2(0i), (p * 2f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        field_1 = _e12;
+        let _e14 = field_1;
+        let _e17 = field_1;
+        let _e20 = field_1;
+        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
+    } else {
+        var field_1: GaborField;
+
+        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        field_1 = _e12;
+        let _e14 = field_1;
+        let _e17 = field_1;
+        let _e20 = field_1;
+        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
+    }
+}
+
+fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        let _e10 = gabor_place(vec2(0i), (p * 1f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        return _e12.value;
+    } else if GABOR_TAPS == 4 {
+        let _e10 = gabor_place(vec2(0i), (p * 2f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        return _e12.value;
+    } else {
+        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e11 = gabor_kernel_wave(wave);
+        let _e12 = gabor_field(_e10, _e11, seed);
+        return _e12.value;
+    }
+}
+
+// The same with gradient, which takes the wave vector as constant; with quadrature; and with a period.
+fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    var place_4: GaborPlace;
+
+    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_4 = _e9;
+    let _e11 = place_4;
+    let _e12 = gabor_kernel_wave(wave);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    return _e13.value.y;
+}
+
+// Stripes of even contrast across the wave vector: (cosine, sine, intensity). With z the complex noise of that wave,
+// the intensity is |z|, and (cosine, sine) is z, (quadrature, noise), brought to length 1 where |z| exceeds 1 /
+// sharpness. Below it the length is sharpness |z|, so that stripes end softly where they fork, instead of in spikes.
+// 2 is a good sharpness; any from 0 to 10^6.
+fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
+        return _e12;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
+        return _e12;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
+        return _e12;
+    }
+}
+
+// The same with a period, as gabor_noise_tiled.
+fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    var place_6: GaborPlace;
+
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_6 = _e10;
+    let _e12 = place_6;
+    let _e13 = gabor_stripes_at(_e12, wave, sharpness, seed);
+    return _e13;
+}
+
+// The stripes of any complex noise's value.
+fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
+    var intensity_1: f32;
+
+    intensity_1 = length(value);
+    let _e4 = intensity_1;
+    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
+    let _e10 = intensity_1;
+    return vec3<f32>(_e9.x, _e9.y, _e10);
+}
+
+// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
+// clamped.
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
+
+// A seed for part `index` of a sum of independent noises.
+fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
+    return _e7;
+}
+
+// A wave vector: see gabor_kernel.
+struct GaborKernel {
+    wave: vec2<f32>,
+}
+
+// A position in nodes of the lattice, and how space and time repeat.
+struct GaborPlace {
+    cell: vec2<i32>,
+    local: vec2<f32>,
+    radius: vec2<f32>,
+    period: vec2<i32>,
+    animated: bool,
+    time: f32,
+}
+
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+struct GaborField {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+}
+
+// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    let _e11 = gabor_impl_wave((0.15915494f * clamp(orientation, -1000000f, 1000000f)));
+    return GaborKernel((min(abs(frequency), 1000000f) * _e11));
+}
+
+// The kernel of a wave vector, with the range of gabor_noise_wave.
+fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
+    return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
+}
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+// way.
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
+    } else if GABOR_TAPS == 4 {
+        return GaborPlace(cell, local, vec2(2f), vec2(0i), false, 0f);
+    } else {
+        return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
+    }
+}
+
+// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
+// endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
+    if GABOR_TAPS == 2 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 1f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    } else if GABOR_TAPS == 4 {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 2f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 2f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    } else {
+        var nodes: vec2<f32>;
+        var place_1: GaborPlace;
+        var local_5: f32;
+        var local_6: f32;
+        var local_7: i32;
+        var local_8: i32;
+
+        nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
+        let _e20 = gabor_place(vec2(0i), vec2(0f));
+        place_1 = _e20;
+        if (period.x > 0f) {
+            let _e26 = nodes;
+            local_5 = (_e26.x / period.x);
+        } else {
+            local_5 = 1.5f;
+        }
+        let _e35 = local_5;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_6 = (_e39.y / period.y);
+        } else {
+            local_6 = 1.5f;
+        }
+        let _e48 = local_6;
+        place_1.radius = vec2<f32>(_e35, _e48);
+        if (period.x > 0f) {
+            let _e54 = nodes;
+            local_7 = i32(_e54.x);
+        } else {
+            local_7 = 0i;
+        }
+        let _e59 = local_7;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_8 = i32(_e63.y);
+        } else {
+            local_8 = 0i;
+        }
+        let _e68 = local_8;
+        place_1.period = vec2<i32>(_e59, _e68);
+        let _e71 = place_1;
+        place_1.local = (p * _e71.radius);
+        let _e74 = place_1;
+        return _e74;
+    }
+}
+
+// Noise, quadrature and both gradients at a place. All other functions call this one.
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    if GABOR_TAPS == 2 {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_2: GaborAxis;
+        var turn_5: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_2 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_2;
+        let _e44 = y_2;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_5 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_2;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_5;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
+        return _e72;
+    } else if GABOR_TAPS == 4 {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_3: GaborAxis;
+        var turn_5: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_3 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_3;
+        let _e44 = y_3;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_5 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_3;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_5;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
+        return _e72;
+    } else {
+        var kernel_1: GaborKernel;
+        var salt_3: u32;
+        var x_3: GaborAxis;
+        var y_3: GaborAxis;
+        var turn_5: vec2<f32>;
+        var sum_3: vec4<f32>;
+        var slope_5: vec4<f32>;
+
+        kernel_1 = kernel;
+        let _e4 = gabor_impl_salt(seed);
+        salt_3 = _e4;
+        let _e12 = salt_3;
+        let _e13 = kernel_1;
+        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+        x_3 = _e18;
+        let _e20 = salt_3;
+        salt_3 = (_e20 ^ 1540483477u);
+        let _e29 = salt_3;
+        let _e30 = kernel_1;
+        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+        y_3 = _e35;
+        let _e37 = x_3;
+        let _e39 = x_3;
+        let _e42 = y_3;
+        let _e44 = y_3;
+        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+        turn_5 = _e48;
+        let _e52 = x_3;
+        let _e53 = y_3;
+        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+        let _e60 = sum_3;
+        let _e61 = slope_5;
+        let _e62 = turn_5;
+        let _e63 = kernel_1;
+        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
+        return _e72;
+    }
+}
+
+// The noise at gabor_place(cell, local).
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_3: GaborKernel;
+
+    kernel_3 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_3;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
+}
+
+// gabor_stripes at a place.
+fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    let _e4 = gabor_kernel_wave(wave);
+    let _e5 = gabor_field(place, _e4, seed);
+    let _e7 = gabor_stripes_of(_e5.value, sharpness);
+    return _e7;
+}
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
+// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+//
+//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//
+// The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
+// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+//
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//
+// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
+// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
+// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// normal.
+//
+// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
+// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+//
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+
+// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
+fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
+    var word_1: u32;
+
+    word_1 = word;
+    let _e3 = word_1;
+    let _e4 = word_1;
+    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
+    let _e11 = word_1;
+    let _e12 = word_1;
+    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
+    let _e18 = word_1;
+    let _e19 = word_1;
+    return (_e18 ^ (_e19 >> 15u));
+}
+
+// The salt of the columns. That of the rows is its xor with GABOR_IMPL_ROWS: otherwise node (i, i) hashes to a square.
+fn gabor_impl_salt(seed: u32) -> u32 {
+    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
+    return _e4;
+}
+
+// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
+// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. A word times a shifted copy of itself mixes
+// what a constant factor would not: indices at any distance have equal words as often as chance, 2^-22.
+fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
+    var word_2: u32;
+
+    word_2 = ((u32(index) * 2654435761u) + salt);
+    let _e7 = word_2;
+    let _e8 = word_2;
+    let _e9 = word_2;
+    word_2 = (_e7 * (_e8 ^ (_e9 >> 15u)));
+    let _e14 = word_2;
+    return ((_e14 >> 8u) | 8388609u);
+}
+
+// The amplitude of a word. Its parts, of the whole word and of its low 20 bits, are independent and nearly normal: for u
+// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
+// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
+// there, and 0.001 on average.
+fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
+    var u: vec2<f32>;
+
+    u = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
+    let _e9 = u;
+    let _e11 = u;
+    let _e20 = u;
+    let _e21 = u;
+    return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
+}
+
+// Product of complex numbers.
+fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return ((a.x * b) + (a.y * vec2<f32>(-(b.y), b.x)));
+}
+
+// Adds to two sums the pair of complex numbers times z.
+fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>) {
+    let _e3 = (*sums);
+    (*sums) = ((_e3 + (z.x * pair)) + (z.y * vec4<f32>(-(pair.y), pair.x, -(pair.w), pair.z)));
+    return;
+}
+
+// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
+    var s: f32;
+    var r: f32;
+
+    s = (t * t);
+    let _e3 = s;
+    let _e4 = s;
+    r = (_e3 * _e4);
+    let _e9 = s;
+    let _e12 = r;
+    let _e15 = s;
+    let _e19 = r;
+    let _e26 = s;
+    let _e29 = r;
+    let _e32 = s;
+    let _e36 = r;
+    return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
+}
+
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
+// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+fn gabor_impl_wave(t: f32) -> vec2<f32> {
+    var t_2: f32;
+    var turn: vec2<f32>;
+    var local: f32;
+
+    t_2 = t;
+    let _e2 = t_2;
+    let _e3 = t_2;
+    t_2 = (_e2 - floor((_e3 + 0.5f)));
+    let _e9 = t_2;
+    let _e12 = gabor_impl_half_turn((0.25f - abs(_e9)));
+    turn = _e12;
+    let _e14 = turn;
+    let _e16 = t_2;
+    if (_e16 < 0f) {
+        let _e19 = turn;
+        local = -(_e19.x);
+    } else {
+        let _e22 = turn;
+        local = _e22.x;
+    }
+    let _e25 = local;
+    return vec2<f32>(_e14.y, _e25);
+}
+
+fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    if GABOR_TAPS == 2 {
+        var t_3: f32;
+        var s_1: f32;
+        var scale: f32;
+
+        t_3 = (x + 1f);
+        let _e6 = t_3;
+        let _e7 = t_3;
+        let _e11 = t_3;
+        s_1 = ((_e6 * _e7) * (3f - (2f * _e11)));
+        let _e18 = s_1;
+        let _e21 = s_1;
+        scale = inverseSqrt((1f - ((2f * _e18) * (1f - _e21))));
+        let _e27 = scale;
+        let _e29 = s_1;
+        let _e31 = s_1;
+        (*value) = (_e27 * vec4<f32>((1f - _e29), _e31, 0f, 0f));
+        let _e37 = t_3;
+        let _e40 = t_3;
+        let _e43 = scale;
+        let _e45 = scale;
+        let _e47 = scale;
+        let _e49 = s_1;
+        let _e52 = s_1;
+        (*slope) = ((((((6f * _e37) * (1f - _e40)) * _e43) * _e45) * _e47) * vec4<f32>(-(_e49), (1f - _e52), 0f, 0f));
+        return;
+    } else if GABOR_TAPS == 4 {
+        var z_1: f32;
+        var y: f32;
+        var cosine: f32;
+        var sine: f32;
+        var c: f32;
+        var s_1: f32;
+
+        z_1 = (x - 0.5f);
+        let _e6 = z_1;
+        let _e7 = z_1;
+        y = (_e6 * _e7);
+        let _e11 = y;
+        let _e13 = y;
+        let _e15 = y;
+        cosine = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
+        let _e24 = z_1;
+        let _e26 = y;
+        let _e28 = y;
+        let _e30 = y;
+        sine = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
+        let _e40 = cosine;
+        let _e41 = sine;
+        c = (_e40 - _e41);
+        let _e44 = cosine;
+        let _e45 = sine;
+        s_1 = (_e44 + _e45);
+        let _e49 = s_1;
+        let _e51 = c;
+        let _e52 = s_1;
+        let _e53 = c;
+        (*value) = (vec4(0.5f) + vec4<f32>(-(_e49), _e51, _e52, -(_e53)));
+        let _e59 = c;
+        let _e61 = s_1;
+        let _e63 = c;
+        let _e64 = s_1;
+        (*slope) = (3.1415927f * vec4<f32>(-(_e59), -(_e61), _e63, _e64));
+        return;
+    } else {
+        var y: f32;
+        var c: f32;
+        var s_1: f32;
+        var a_1: f32;
+        var b_1: f32;
+
+        y = (x * x);
+        let _e6 = y;
+        let _e8 = y;
+        let _e10 = y;
+        c = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
+        let _e20 = y;
+        let _e22 = y;
+        let _e24 = y;
+        s_1 = (x * (0.9068996f - (_e20 * (0.66301125f - (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
+        let _e36 = c;
+        a_1 = (0.5f - (0.5f * _e36));
+        let _e41 = s_1;
+        b_1 = (1.8137994f * _e41);
+        let _e44 = a_1;
+        let _e45 = s_1;
+        let _e48 = c;
+        let _e50 = a_1;
+        let _e51 = s_1;
+        (*value) = vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f);
+        let _e55 = b_1;
+        let _e57 = c;
+        let _e62 = b_1;
+        let _e64 = b_1;
+        let _e66 = c;
+        (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
+        return;
+    }
+}
+
+// An index within a period.
+fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
+    var within: i32;
+    var local_1: i32;
+
+    if (period == 0i) {
+        return index;
+    }
+    within = (index - ((index / period) * period));
+    let _e8 = within;
+    if (_e8 < 0i) {
+        let _e11 = within;
+        local_1 = (_e11 + period);
+    } else {
+        let _e13 = within;
+        local_1 = _e13;
+    }
+    let _e15 = local_1;
+    return _e15;
+}
+
+// The nodes along an axis that reach a point.
+struct GaborAxis {
+    offset: f32,
+    turns: f32,
+    word: array<u32, 4>,
+    node: array<vec4<f32>, 4>,
+}
+
+// With `wave` cycles and `radius` nodes per kernel radius.
+fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborAxis {
+    if GABOR_TAPS == 2 {
+        var axis: GaborAxis;
+        var zero: f32;
+        var value_1: vec4<f32>;
+        var slope_1: vec4<f32>;
+        var turn_1: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
+
+        zero = floor((local + 1f));
+        let _e17 = zero;
+        axis.offset = clamp((local - _e17), -1f, 0f);
+        axis.turns = (wave / radius);
+        let _e36 = axis;
+        gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
+        let _e42 = axis;
+        let _e44 = gabor_impl_wave(_e42.turns);
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
+        back = vec2<f32>(_e46.x, -(_e48.y));
+        let _e53 = back;
+        let _e54 = back;
+        let _e55 = gabor_impl_product(_e53, _e54);
+        twice = _e55;
+        let _e60 = value_1;
+        let _e62 = turn_1;
+        let _e63 = (_e60.x * _e62);
+        let _e64 = slope_1;
+        let _e66 = turn_1;
+        let _e67 = (_e64.x * _e66);
+        axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
+        let _e76 = value_1;
+        let _e79 = slope_1;
+        axis.node[1i] = vec4<f32>(_e76.y, 0f, _e79.y, 0f);
+        let _e86 = value_1;
+        let _e88 = back;
+        let _e89 = (_e86.z * _e88);
+        let _e90 = slope_1;
+        let _e92 = back;
+        let _e93 = (_e90.z * _e92);
+        axis.node[2i] = vec4<f32>(_e89.x, _e89.y, _e93.x, _e93.y);
+        let _e102 = value_1;
+        let _e104 = twice;
+        let _e105 = (_e102.w * _e104);
+        let _e106 = slope_1;
+        let _e108 = twice;
+        let _e109 = (_e106.w * _e108);
+        axis.node[3i] = vec4<f32>(_e105.x, _e105.y, _e109.x, _e109.y);
+        let _e115 = zero;
+        first = ((cell + i32(_e115)) - 1i);
+        let _e124 = first;
+        let _e125 = gabor_impl_wrap(_e124, period);
+        let _e126 = gabor_impl_line_word(_e125, salt);
+        axis.word[0i] = _e126;
+        let _e130 = first;
+        let _e133 = gabor_impl_wrap((_e130 + 1i), period);
+        let _e134 = gabor_impl_line_word(_e133, salt);
+        axis.word[1i] = _e134;
+        let _e138 = first;
+        let _e141 = gabor_impl_wrap((_e138 + 2i), period);
+        let _e142 = gabor_impl_line_word(_e141, salt);
+        axis.word[2i] = _e142;
+        let _e146 = first;
+        let _e149 = gabor_impl_wrap((_e146 + 3i), period);
+        let _e150 = gabor_impl_line_word(_e149, salt);
+        axis.word[3i] = _e150;
+        let _e151 = axis;
+        return _e151;
+    } else if GABOR_TAPS == 4 {
+        var axis: GaborAxis;
+        var zero: f32;
+        var value_1: vec4<f32>;
+        var slope_1: vec4<f32>;
+        var turn_1: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
+
+        zero = floor((local + 0f));
+        let _e17 = zero;
+        axis.offset = clamp((local - _e17), 0f, 1f);
+        axis.turns = (wave / radius);
+        let _e36 = axis;
+        gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
+        let _e42 = axis;
+        let _e44 = gabor_impl_wave(_e42.turns);
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
+        back = vec2<f32>(_e46.x, -(_e48.y));
+        let _e53 = back;
+        let _e54 = back;
+        let _e55 = gabor_impl_product(_e53, _e54);
+        twice = _e55;
+        let _e60 = value_1;
+        let _e62 = turn_1;
+        let _e63 = (_e60.x * _e62);
+        let _e64 = slope_1;
+        let _e66 = turn_1;
+        let _e67 = (_e64.x * _e66);
+        axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
+        let _e76 = value_1;
+        let _e79 = slope_1;
+        axis.node[1i] = vec4<f32>(_e76.y, 0f, _e79.y, 0f);
+        let _e86 = value_1;
+        let _e88 = back;
+        let _e89 = (_e86.z * _e88);
+        let _e90 = slope_1;
+        let _e92 = back;
+        let _e93 = (_e90.z * _e92);
+        axis.node[2i] = vec4<f32>(_e89.x, _e89.y, _e93.x, _e93.y);
+        let _e102 = value_1;
+        let _e104 = twice;
+        let _e105 = (_e102.w * _e104);
+        let _e106 = slope_1;
+        let _e108 = twice;
+        let _e109 = (_e106.w * _e108);
+        axis.node[3i] = vec4<f32>(_e105.x, _e105.y, _e109.x, _e109.y);
+        let _e115 = zero;
+        first = ((cell + i32(_e115)) - 1i);
+        let _e124 = first;
+        let _e125 = gabor_impl_wrap(_e124, period);
+        let _e126 = gabor_impl_line_word(_e125, salt);
+        axis.word[0i] = _e126;
+        let _e130 = first;
+        let _e133 = gabor_impl_wrap((_e130 + 1i), period);
+        let _e134 = gabor_impl_line_word(_e133, salt);
+        axis.word[1i] = _e134;
+        let _e138 = first;
+        let _e141 = gabor_impl_wrap((_e138 + 2i), period);
+        let _e142 = gabor_impl_line_word(_e141, salt);
+        axis.word[2i] = _e142;
+        let _e146 = first;
+        let _e149 = gabor_impl_wrap((_e146 + 3i), period);
+        let _e150 = gabor_impl_line_word(_e149, salt);
+        axis.word[3i] = _e150;
+        let _e151 = axis;
+        return _e151;
+    } else {
+        var axis: GaborAxis;
+        var zero: f32;
+        var value_1: vec4<f32>;
+        var slope_1: vec4<f32>;
+        var turn_1: vec2<f32>;
+        var back: vec2<f32>;
+        var twice: vec2<f32>;
+        var first: i32;
+
+        zero = floor((local + 0.5f));
+        let _e17 = zero;
+        axis.offset = clamp((local - _e17), -0.5f, 0.5f);
+        axis.turns = (wave / radius);
+        let _e36 = axis;
+        gabor_impl_windows(_e36.offset, (&value_1), (&slope_1));
+        let _e42 = axis;
+        let _e44 = gabor_impl_wave(_e42.turns);
+        turn_1 = _e44;
+        let _e46 = turn_1;
+        let _e48 = turn_1;
+        back = vec2<f32>(_e46.x, -(_e48.y));
+        let _e53 = back;
+        let _e54 = back;
+        let _e55 = gabor_impl_product(_e53, _e54);
+        twice = _e55;
+        let _e60 = value_1;
+        let _e62 = turn_1;
+        let _e63 = (_e60.x * _e62);
+        let _e64 = slope_1;
+        let _e66 = turn_1;
+        let _e67 = (_e64.x * _e66);
+        axis.node[0i] = vec4<f32>(_e63.x, _e63.y, _e67.x, _e67.y);
+        let _e76 = value_1;
+        let _e79 = slope_1;
+        axis.node[1i] = vec4<f32>(_e76.y, 0f, _e79.y, 0f);
+        let _e86 = value_1;
+        let _e88 = back;
+        let _e89 = (_e86.z * _e88);
+        let _e90 = slope_1;
+        let _e92 = back;
+        let _e93 = (_e90.z * _e92);
+        axis.node[2i] = vec4<f32>(_e89.x, _e89.y, _e93.x, _e93.y);
+        let _e102 = value_1;
+        let _e104 = twice;
+        let _e105 = (_e102.w * _e104);
+        let _e106 = slope_1;
+        let _e108 = twice;
+        let _e109 = (_e106.w * _e108);
+        axis.node[3i] = vec4<f32>(_e105.x, _e105.y, _e109.x, _e109.y);
+        let _e115 = zero;
+        first = ((cell + i32(_e115)) - 1i);
+        let _e124 = first;
+        let _e125 = gabor_impl_wrap(_e124, period);
+        let _e126 = gabor_impl_line_word(_e125, salt);
+        axis.word[0i] = _e126;
+        let _e130 = first;
+        let _e133 = gabor_impl_wrap((_e130 + 1i), period);
+        let _e134 = gabor_impl_line_word(_e133, salt);
+        axis.word[1i] = _e134;
+        let _e138 = first;
+        let _e141 = gabor_impl_wrap((_e138 + 2i), period);
+        let _e142 = gabor_impl_line_word(_e141, salt);
+        axis.word[2i] = _e142;
+        let _e146 = first;
+        let _e149 = gabor_impl_wrap((_e146 + 3i), period);
+        let _e150 = gabor_impl_line_word(_e149, salt);
+        axis.word[3i] = _e150;
+        let _e151 = axis;
+        return _e151;
+    }
+}
+
+// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
+// squares sum to 1 and which at time 0 are 1, 0, 0.
+fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
+    var amplitude: vec2<f32>;
+    var second: u32;
+    var third: u32;
+    var turn_2: vec2<f32>;
+
+    let _e3 = gabor_impl_amplitude(word);
+    amplitude = _e3;
+    if !(animated) {
+        let _e6 = amplitude;
+        return _e6;
+    }
+    second = ((word ^ (word >> 15u)) * 3545902487u);
+    let _e13 = second;
+    let _e14 = second;
+    third = ((_e13 ^ (_e14 >> 15u)) * 3545902487u);
+    let _e21 = gabor_impl_wave(time);
+    turn_2 = _e21;
+    let _e25 = turn_2;
+    let _e29 = amplitude;
+    let _e33 = turn_2;
+    let _e37 = second;
+    let _e38 = gabor_impl_amplitude(_e37);
+    let _e42 = turn_2;
+    let _e45 = third;
+    let _e46 = gabor_impl_amplitude(_e45);
+    return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
+}
+
+// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
+// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
+    if GABOR_TAPS == 2 {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if false {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if false {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if true {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if true {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    } else {
+        var row: vec4<f32> = vec4(0f);
+
+        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[0], _e20);
+        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[1], _e32);
+        if true {
+            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[2], _e47);
+        }
+        if false {
+            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+            gabor_impl_add((&row), x.node[3], _e62);
+        }
+        if ((j != 1i) || (x.offset < 8f)) {
+            {
+                let _e71 = row;
+                gabor_impl_add(sum, _e71, y.node[j].xy);
+                let _e77 = row;
+                gabor_impl_add(slope, _e77, y.node[j].zw);
+                return;
+            }
+        } else {
+            return;
+        }
+    }
+}
+
+fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    if GABOR_TAPS == 2 {
+        let _e7 = vec4(0f);
+        (*slope) = _e7;
+        (*sum) = _e7;
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
+        }
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
+    } else if GABOR_TAPS == 4 {
+        let _e7 = vec4(0f);
+        (*slope) = _e7;
+        (*sum) = _e7;
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
+        }
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
+    } else {
+        let _e7 = vec4(0f);
+        (*slope) = _e7;
+        (*sum) = _e7;
+        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+        if true {
+            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
+        }
+        if false {
+            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+            return;
+        } else {
+            return;
+        }
+    }
+}
+
+// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
+// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
+    if GABOR_TAPS == 2 {
+        var turn_4: vec2<f32>;
+        var local_3: f32;
+        var value_2: vec2<f32>;
+        var turned: vec2<f32>;
+
+        turn_4 = turn;
+        let _e6 = turn_4;
+        if true {
+            local_3 = 1f;
+        } else {
+            local_3 = 0.75f;
+        }
+        let _e18 = local_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
+        let _e24 = gabor_impl_product(sum.xy, _e23);
+        value_2 = _e24;
+        let _e27 = value_2;
+        let _e30 = value_2;
+        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
+        let _e35 = value_2;
+        let _e38 = turn_4;
+        let _e39 = gabor_impl_product(sum.zw, _e38);
+        let _e42 = turned;
+        let _e47 = turn_4;
+        let _e48 = gabor_impl_product(slope.xy, _e47);
+        let _e51 = turned;
+        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+    } else if GABOR_TAPS == 4 {
+        var turn_4: vec2<f32>;
+        var local_3: f32;
+        var value_2: vec2<f32>;
+        var turned: vec2<f32>;
+
+        turn_4 = turn;
+        let _e6 = turn_4;
+        if false {
+            local_3 = 1f;
+        } else {
+            local_3 = 1.5f;
+        }
+        let _e18 = local_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
+        let _e24 = gabor_impl_product(sum.xy, _e23);
+        value_2 = _e24;
+        let _e27 = value_2;
+        let _e30 = value_2;
+        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
+        let _e35 = value_2;
+        let _e38 = turn_4;
+        let _e39 = gabor_impl_product(sum.zw, _e38);
+        let _e42 = turned;
+        let _e47 = turn_4;
+        let _e48 = gabor_impl_product(slope.xy, _e47);
+        let _e51 = turned;
+        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+    } else {
+        var turn_4: vec2<f32>;
+        var local_3: f32;
+        var value_2: vec2<f32>;
+        var turned: vec2<f32>;
+
+        turn_4 = turn;
+        let _e6 = turn_4;
+        if false {
+            local_3 = 1f;
+        } else {
+            local_3 = 1.125f;
+        }
+        let _e18 = local_3;
+        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+        let _e23 = turn_4;
+        let _e24 = gabor_impl_product(sum.xy, _e23);
+        value_2 = _e24;
+        let _e27 = value_2;
+        let _e30 = value_2;
+        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
+        let _e35 = value_2;
+        let _e38 = turn_4;
+        let _e39 = gabor_impl_product(sum.zw, _e38);
+        let _e42 = turned;
+        let _e47 = turn_4;
+        let _e48 = gabor_impl_product(slope.xy, _e47);
+        let _e51 = turned;
+        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+    }
+}

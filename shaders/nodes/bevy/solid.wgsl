@@ -1,0 +1,1379 @@
+#define_import_path gabor_noise::solid
+#import gabor_noise::lattice::{gabor_lobe_seed, gabor_impl_salt, gabor_impl_product, gabor_impl_add, gabor_impl_half_turn, gabor_impl_wave, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum}
+#import gabor_noise::spectrum::{gabor_impl_takeover, gabor_impl_filter, GaborMatrix, gabor_impl_symmetric_3d, gabor_impl_slice_word, gabor_impl_filtered_space}
+
+// gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without parametrization: mean 0, variance 1 and a normal
+// distribution at every place: for WGSL.
+//
+// Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+//
+//     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
+//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
+//
+// Positions are in kernel radii, as in gabor_lattice.wgsl: a wave fades out within one radius of its node.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+// Noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
+//   p, frequency, seed  as for gabor_noise
+//   direction           of the wave vector, of any length from 10^-15 to 10^15; with 0 the frequency is 0
+// Both may vary from place to place: the noise is continuous where they are.
+fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    return _e12.noise;
+}
+
+// With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz). For bumps, subtract the part of it along
+// the normal.
+fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var field_11: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_11 = _e12;
+    let _e14 = field_11;
+    let _e16 = field_11;
+    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
+}
+
+// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_12: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_12 = _e12;
+    let _e14 = field_12;
+    let _e16 = field_12;
+    return vec2<f32>(_e14.quadrature, _e16.noise);
+}
+
+// Four independent noises; the first is gabor_noise_3d. Four times the cost.
+fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+// Noise that repeats exactly after `period` kernel radii along each axis: see gabor_noise_tiled.
+fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var period_10: vec3<f32>;
+    var nodes_1: vec3<f32>;
+    var place_28: GaborPlace3d;
+
+    period_10 = period;
+    let _e6 = period_10;
+    period_10 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
+    let _e12 = period_10;
+    nodes_1 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
+    let _e28 = period_10;
+    let _e31 = period_10;
+    let _e34 = nodes_1;
+    let _e35 = period_10;
+    let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
+    place_28 = _e38;
+    let _e41 = nodes_1;
+    let _e42 = period_10;
+    place_28.radius = (_e41 / _e42);
+    let _e45 = nodes_1;
+    place_28.period = vec3<i32>(_e45);
+    let _e47 = place_28;
+    let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
+    return _e48.noise;
+}
+
+// Noise that evolves in place and repeats when `time` has grown by 1: see gabor_noise_animated.
+fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var place_29: GaborPlace3d;
+
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_29 = _e12;
+    place_29.animated = true;
+    place_29.time = time;
+    let _e17 = place_29;
+    let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
+    return _e18.noise;
+}
+
+// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed).
+//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+// The filter and its accuracy are those of gabor_noise_filtered: 1 % up to a third of a kernel radius along the
+// pixel's longest axis, 2 % up to a whole one. Continuous in the place and in both steps. On GPUs 1.4 times
+// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
+fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_13: GaborField3d;
+
+    let _e6 = gabor_impl_place_of_pixel(p, dx, dy);
+    let _e7 = gabor_field_3d(_e6, frequency, direction, seed);
+    field_13 = _e7;
+    let _e9 = field_13;
+    let _e11 = field_13;
+    return vec2<f32>(_e9.noise, _e11.removed);
+}
+
+// Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
+// and gradient are normal at every place, with the same variance. The power is even over all directions but for what
+// the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+// distributions; so are second derivatives.
+fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
+    return _e11.noise;
+}
+
+// With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz).
+fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
+    var field_14: GaborField3d;
+
+    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
+    field_14 = _e11;
+    let _e13 = field_14;
+    let _e15 = field_14;
+    return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
+}
+
+// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). dx and dy are
+// those of gabor_noise_3d_filtered. Less than twice the cost. Where the pixel's longest axis is at most 0.3 kernel
+// radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root mean square.
+// What covers more has the right variance alone.
+fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
+    var field_15: GaborField3d;
+
+    let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
+    let _e6 = gabor_isotropic_3d(_e5, frequency, seed);
+    field_15 = _e6;
+    let _e8 = field_15;
+    let _e10 = field_15;
+    return vec2<f32>(_e8.noise, _e10.removed);
+}
+
+// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane.
+//   normal  of any length from 10^-15 to 10^15
+// Where the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over,
+// for twice the cost. Where the surface is curved, the waves of a kernel bend.
+fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
+    return _e13.noise;
+}
+
+// Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
+// twice as much where the normal is 30 to 45 degrees from the z axis. The law is that of gabor_noise_3d_isotropic,
+// for derivatives along the surface.
+fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
+    return _e12.noise;
+}
+
+// A position in nodes of the lattice, and how space and time repeat: see GaborPlace.
+struct GaborPlace3d {
+    cell: vec3<i32>,
+    local: vec3<f32>,
+    radius: vec3<f32>,
+    period: vec3<i32>,
+    animated: bool,
+    time: f32,
+    filtered: bool,
+    dx: vec3<f32>,
+    dy: vec3<f32>,
+}
+
+// Noise and quadrature, with their gradients per kernel radius. Parts that are not used cost nothing.
+struct GaborField3d {
+    noise: f32,
+    gradient: vec3<f32>,
+    quadrature: f32,
+    quadrature_gradient: vec3<f32>,
+    removed: f32,
+}
+
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
+// way.
+fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
+    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
+}
+
+fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+    var stretch_3: vec3<f32>;
+    var wave_21: vec3<f32>;
+    var salt_10: u32;
+    var amplitude_5: f32 = 1f;
+    var transmitted_1: f32 = 1f;
+    var wide_1: f32 = 0f;
+    var pixel_5: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
+    var whole: GaborPixelAxes;
+    var resolved: GaborPixelAxes;
+    var variance_1: vec3<f32>;
+    var sum_15: GaborField3d;
+    var noise_4: vec4<f32>;
+    var quadrature_1: vec4<f32>;
+
+    stretch_3 = (place.radius / vec3(1.5f));
+    let _e15 = gabor_impl_unit(direction);
+    let _e17 = stretch_3;
+    wave_21 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
+    let _e20 = gabor_impl_salt(seed);
+    salt_10 = _e20;
+    if place.filtered {
+        {
+            let _e35 = stretch_3;
+            let _e36 = gabor_impl_pixel(place, _e35);
+            whole = _e36;
+            let _e38 = whole;
+            let _e40 = gabor_impl_resolved(_e38, 1f);
+            resolved = _e40;
+            let _e42 = wave_21;
+            let _e43 = whole;
+            let _e44 = gabor_impl_transmitted_3d(_e42, _e43);
+            transmitted_1 = _e44;
+            let _e45 = transmitted_1;
+            let _e46 = wave_21;
+            let _e47 = resolved;
+            let _e48 = gabor_impl_transmitted_3d(_e46, _e47);
+            amplitude_5 = sqrt((_e45 / _e48));
+            let _e51 = transmitted_1;
+            if !((_e51 > 0.0000000001f)) {
+                transmitted_1 = 0f;
+            }
+            let _e56 = resolved;
+            let _e57 = gabor_impl_covariance(_e56);
+            pixel_5 = _e57;
+            let _e58 = pixel_5;
+            variance_1 = _e58.diagonal;
+            let _e62 = variance_1;
+            let _e64 = variance_1;
+            let _e67 = variance_1;
+            wide_1 = clamp(((100f * sqrt(max(max(_e62.x, _e64.y), _e67.z))) - 9f), 0f, 1f);
+        }
+    }
+    let _e84 = transmitted_1;
+    sum_15 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e84));
+    let _e88 = transmitted_1;
+    if (_e88 == 0f) {
+        let _e91 = sum_15;
+        return _e91;
+    }
+    let _e92 = wide_1;
+    if (_e92 < 1f) {
+        let _e96 = wave_21;
+        let _e97 = pixel_5;
+        let _e98 = salt_10;
+        let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
+        let _e101 = wide_1;
+        let _e103 = amplitude_5;
+        gabor_impl_accumulate_3d((&sum_15), _e99, ((1f - _e101) * _e103));
+    }
+    let _e106 = wide_1;
+    if (_e106 > 0f) {
+        {
+            let _e116 = wave_21;
+            let _e117 = pixel_5;
+            let _e118 = wide_1;
+            let _e121 = salt_10;
+            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e116, _e117, (_e118 > 0f), _e121, (&noise_4), (&quadrature_1));
+            let _e127 = noise_4;
+            let _e129 = noise_4;
+            let _e131 = quadrature_1;
+            let _e133 = quadrature_1;
+            let _e137 = wide_1;
+            let _e138 = amplitude_5;
+            gabor_impl_accumulate_3d((&sum_15), GaborField3d(_e127.x, _e129.yzw, _e131.x, _e133.yzw, 0f), (_e137 * _e138));
+        }
+    }
+    let _e142 = sum_15;
+    let _e144 = stretch_3;
+    sum_15.gradient = (_e142.gradient * _e144);
+    let _e147 = sum_15;
+    let _e149 = stretch_3;
+    sum_15.quadrature_gradient = (_e147.quadrature_gradient * _e149);
+    let _e151 = sum_15;
+    return _e151;
+}
+
+fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
+    let _e9 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3(0f), vec3(0f)), seed);
+    return _e9;
+}
+
+fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+    var normal_1: vec3<f32>;
+    var direction_3: vec3<f32>;
+    var local_32: vec3<f32>;
+    var other: vec3<f32>;
+    var flat_length: f32;
+    var sum_17: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_33: i32;
+    var i_6: i32;
+    var local_34: i32;
+    var local_35: vec3<f32>;
+    var local_36: f32;
+
+    normal_1 = normal;
+    direction_3 = direction;
+    let _e7 = normal_1;
+    let _e8 = gabor_impl_unit(_e7);
+    normal_1 = _e8;
+    let _e9 = direction_3;
+    let _e10 = gabor_impl_unit(_e9);
+    direction_3 = _e10;
+    let _e11 = direction_3;
+    let _e12 = direction_3;
+    if (abs(_e12.z) < 0.7f) {
+        local_32 = vec3<f32>(0f, 0f, 1f);
+    } else {
+        local_32 = vec3<f32>(1f, 0f, 0f);
+    }
+    let _e26 = local_32;
+    other = cross(_e11, _e26);
+    let _e29 = direction_3;
+    let _e30 = direction_3;
+    let _e31 = normal_1;
+    let _e33 = normal_1;
+    direction_3 = (_e29 - (dot(_e30, _e31) * _e33));
+    let _e36 = other;
+    let _e37 = other;
+    let _e38 = normal_1;
+    let _e40 = normal_1;
+    other = (_e36 - (dot(_e37, _e38) * _e40));
+    let _e43 = direction_3;
+    let _e44 = direction_3;
+    flat_length = dot(_e43, _e44);
+    let _e56 = flat_length;
+    if (_e56 > 0.0625f) {
+        local_33 = 0i;
+    } else {
+        local_33 = 1i;
+    }
+    let _e62 = local_33;
+    i_6 = _e62;
+    loop {
+        let _e64 = i_6;
+        let _e65 = flat_length;
+        if (_e65 < 0.25f) {
+            local_34 = 2i;
+        } else {
+            local_34 = 1i;
+        }
+        let _e71 = local_34;
+        if !((_e64 < _e71)) {
+            break;
+        }
+        let _e78 = i_6;
+        if (_e78 == 0i) {
+            let _e81 = direction_3;
+            local_35 = _e81;
+        } else {
+            let _e82 = other;
+            local_35 = _e82;
+        }
+        let _e84 = local_35;
+        let _e85 = i_6;
+        let _e86 = gabor_lobe_seed(seed, _e85);
+        let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
+        let _e88 = i_6;
+        if (_e88 == 0i) {
+            let _e93 = flat_length;
+            local_36 = smoothstep(0.0625f, 0.25f, _e93);
+        } else {
+            let _e99 = flat_length;
+            local_36 = smoothstep(-0.25f, -0.0625f, -(_e99));
+        }
+        let _e103 = local_36;
+        gabor_impl_add_term((&sum_17), _e87, _e103);
+        continuing {
+            let _e74 = i_6;
+            i_6 = (_e74 + 1i);
+        }
+    }
+    let _e105 = sum_17;
+    return _e105;
+}
+
+// The noises above at a place. All other functions call these.
+fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
+    var normal_3: vec3<f32>;
+    var aside_1: f32;
+    var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_49: i32;
+    var i_8: i32;
+    var local_50: i32;
+    var local_51: vec3<f32>;
+    var along_1: vec3<f32>;
+    var term_1: GaborField3d;
+    var local_52: f32;
+
+    normal_3 = normal;
+    let _e5 = normal_3;
+    let _e6 = gabor_impl_unit(_e5);
+    normal_3 = _e6;
+    let _e7 = normal_3;
+    let _e9 = normal_3;
+    aside_1 = dot(_e7.xy, _e9.xy);
+    let _e22 = aside_1;
+    if (_e22 > 0.25f) {
+        local_49 = 0i;
+    } else {
+        local_49 = 1i;
+    }
+    let _e28 = local_49;
+    i_8 = _e28;
+    loop {
+        let _e30 = i_8;
+        let _e31 = aside_1;
+        if (_e31 < 0.5f) {
+            local_50 = 2i;
+        } else {
+            local_50 = 1i;
+        }
+        let _e37 = local_50;
+        if !((_e30 < _e37)) {
+            break;
+        }
+        {
+            let _e43 = i_8;
+            if (_e43 == 0i) {
+                local_51 = vec3<f32>(0f, 0f, 1f);
+            } else {
+                local_51 = vec3<f32>(1f, 0f, 0f);
+            }
+            let _e55 = local_51;
+            let _e56 = normal_3;
+            let _e58 = gabor_impl_unit(cross(_e55, _e56));
+            along_1 = _e58;
+            let _e61 = along_1;
+            let _e62 = normal_3;
+            let _e63 = along_1;
+            let _e66 = i_8;
+            let _e67 = gabor_lobe_seed(seed, _e66);
+            let _e68 = gabor_impl_isotropic(place, frequency, GaborTangents(true, _e61, cross(_e62, _e63)), _e67);
+            term_1 = _e68;
+            let _e71 = term_1;
+            let _e72 = i_8;
+            if (_e72 == 0i) {
+                let _e77 = aside_1;
+                local_52 = smoothstep(0.25f, 0.5f, _e77);
+            } else {
+                let _e83 = aside_1;
+                local_52 = smoothstep(-0.5f, -0.25f, -(_e83));
+            }
+            let _e87 = local_52;
+            gabor_impl_add_term((&sum_23), _e71, _e87);
+        }
+        continuing {
+            let _e40 = i_8;
+            i_8 = (_e40 + 1i);
+        }
+    }
+    let _e89 = sum_23;
+    return _e89;
+}
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
+fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
+    var v_3: vec3<f32>;
+
+    v_3 = v;
+    let _e2 = v_3;
+    v_3 = clamp(_e2, vec3(-1000000000000000f), vec3(1000000000000000f));
+    let _e9 = v_3;
+    let _e10 = v_3;
+    let _e11 = v_3;
+    return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
+}
+
+// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
+// filter adds mixed derivatives, with its covariances yz, zx, xy.
+fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
+    var y_8: GaborAxis;
+    var j_4: i32 = 0i;
+    var slice_3: vec4<f32>;
+    var slope_10: vec4<f32>;
+
+    y_8 = y;
+    loop {
+        let _e11 = j_4;
+        if !((_e11 < 3i)) {
+            break;
+        }
+        let _e18 = j_4;
+        let _e21 = j_4;
+        let _e24 = y_8.word[_e21];
+        let _e27 = gabor_impl_slice_word(_e24, z.word[k]);
+        y_8.word[_e18] = _e27;
+        continuing {
+            let _e15 = j_4;
+            j_4 = (_e15 + 1i);
+        }
+    }
+    let _e30 = y_8;
+    gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_10));
+    let _e38 = slice_3;
+    gabor_impl_add(sum, _e38, z.node[k].xy);
+    let _e43 = (*slopes);
+    let _e44 = slope_10;
+    let _e49 = gabor_impl_product(_e44.xy, z.node[k].xy);
+    let _e50 = slice_3;
+    let _e55 = gabor_impl_product(_e50.xy, z.node[k].zw);
+    (*slopes) = (_e43 + vec4<f32>(_e49.x, _e49.y, _e55.x, _e55.y));
+    if place.filtered {
+        let _e63 = (*sum);
+        let _e65 = slope_10;
+        let _e69 = slice_3;
+        let _e76 = gabor_impl_product(((mixed.x * _e65.xy) + (mixed.y * _e69.zw)), z.node[k].zw);
+        let _e78 = slope_10;
+        let _e83 = gabor_impl_product(_e78.zw, z.node[k].xy);
+        let _e85 = (_e76 + (mixed.z * _e83));
+        (*sum) = (_e63 + vec4<f32>(_e85.x, _e85.y, 0f, 0f));
+        return;
+    } else {
+        return;
+    }
+}
+
+// The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
+// derivative of a wave is 2 pi i F times it.
+fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
+    var x_13: GaborAxis;
+    var y_9: GaborAxis;
+    var z_4: GaborAxis;
+    var local_30: f32;
+    var local_31: f32;
+    var turn_10: vec2<f32>;
+    var blurred_4: vec3<f32>;
+    var sum_13: vec4<f32> = vec4(0f);
+    var slopes_1: vec4<f32> = vec4(0f);
+
+    let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
+    x_13 = _e15;
+    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
+    y_9 = _e30;
+    let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
+    z_4 = _e45;
+    if false {
+        local_30 = 1f;
+    } else {
+        local_30 = 1.125f;
+    }
+    let _e56 = local_30;
+    if false {
+        local_31 = 1f;
+    } else {
+        local_31 = 1.125f;
+    }
+    let _e68 = local_31;
+    let _e71 = x_13;
+    let _e73 = x_13;
+    let _e76 = y_9;
+    let _e78 = y_9;
+    let _e82 = z_4;
+    let _e84 = z_4;
+    let _e88 = gabor_impl_wave((((_e71.turns * _e73.offset) + (_e76.turns * _e78.offset)) + (_e82.turns * _e84.offset)));
+    turn_10 = ((inverseSqrt(_e56) / (1459955300000000000000000000f * _e68)) * _e88);
+    if place.filtered {
+        {
+            let _e92 = gabor_impl_symmetric_3d(pixel, wave);
+            blurred_4 = _e92;
+            let _e97 = blurred_4;
+            gabor_impl_filter((&x_13), pixel.diagonal.x, _e97.x);
+            let _e103 = blurred_4;
+            gabor_impl_filter((&y_9), pixel.diagonal.y, _e103.y);
+            let _e109 = blurred_4;
+            gabor_impl_filter((&z_4), pixel.diagonal.z, _e109.z);
+            let _e112 = turn_10;
+            let _e115 = blurred_4;
+            turn_10 = (_e112 * exp((-19.739208f * max(dot(wave, _e115), 0f))));
+        }
+    }
+    let _e130 = x_13;
+    let _e131 = y_9;
+    let _e132 = z_4;
+    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
+    let _e139 = x_13;
+    let _e140 = y_9;
+    let _e141 = z_4;
+    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
+    let _e148 = x_13;
+    let _e149 = y_9;
+    let _e150 = z_4;
+    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
+    let _e155 = sum_13;
+    let _e157 = turn_10;
+    let _e158 = gabor_impl_product(_e155.xy, _e157);
+    let _e159 = sum_13;
+    let _e161 = turn_10;
+    let _e162 = gabor_impl_product(_e159.zw, _e161);
+    sum_13 = vec4<f32>(_e158.x, _e158.y, _e162.x, _e162.y);
+    let _e168 = slopes_1;
+    let _e170 = turn_10;
+    let _e171 = gabor_impl_product(_e168.xy, _e170);
+    let _e172 = slopes_1;
+    let _e174 = turn_10;
+    let _e175 = gabor_impl_product(_e172.zw, _e174);
+    slopes_1 = vec4<f32>(_e171.x, _e171.y, _e175.x, _e175.y);
+    let _e181 = sum_13;
+    let _e183 = sum_13;
+    let _e185 = slopes_1;
+    let _e187 = slopes_1;
+    let _e191 = sum_13;
+    let _e196 = sum_13;
+    let _e198 = sum_13;
+    let _e200 = slopes_1;
+    let _e202 = slopes_1;
+    let _e206 = sum_13;
+    return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
+}
+
+fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32) {
+    let _e4 = (*sum);
+    (*sum).noise = (_e4.noise + (amplitude * field.noise));
+    let _e10 = (*sum);
+    (*sum).gradient = (_e10.gradient + (amplitude * field.gradient));
+    let _e16 = (*sum);
+    (*sum).quadrature = (_e16.quadrature + (amplitude * field.quadrature));
+    let _e22 = (*sum);
+    (*sum).quadrature_gradient = (_e22.quadrature_gradient + (amplitude * field.quadrature_gradient));
+    return;
+}
+
+// The axes of a place's pixel, at right angles, as long as twice the filter's deviations. Lengths are in units of
+// GABOR_RADIUS nodes.
+struct GaborPixelAxes {
+    major: vec3<f32>,
+    minor: vec3<f32>,
+}
+
+fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
+    var dx_8: vec3<f32>;
+    var dy_8: vec3<f32>;
+    var twice_1: vec2<f32>;
+    var cosine: f32;
+    var turn_11: vec2<f32>;
+
+    dx_8 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
+    dy_8 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
+    let _e20 = dx_8;
+    let _e21 = dx_8;
+    let _e23 = dy_8;
+    let _e24 = dy_8;
+    let _e28 = dx_8;
+    let _e29 = dy_8;
+    twice_1 = vec2<f32>((dot(_e20, _e21) - dot(_e23, _e24)), (2f * dot(_e28, _e29)));
+    let _e34 = twice_1;
+    let _e36 = twice_1;
+    cosine = (_e34.x / max(length(_e36), 0.000000000000000000000000000001f));
+    let _e47 = cosine;
+    turn_11 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e47)), vec2(0f)));
+    let _e56 = twice_1;
+    if (_e56.y < 0f) {
+        let _e61 = turn_11;
+        turn_11.y = -(_e61.y);
+    }
+    let _e64 = turn_11;
+    let _e66 = dx_8;
+    let _e68 = turn_11;
+    let _e70 = dy_8;
+    let _e73 = turn_11;
+    let _e75 = dy_8;
+    let _e77 = turn_11;
+    let _e79 = dx_8;
+    return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
+}
+
+// The same with axes no longer than `most`.
+fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
+    return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
+}
+
+fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
+    var major: vec3<f32>;
+    var minor: vec3<f32>;
+
+    major = (0.5f * pixel.major);
+    minor = (0.5f * pixel.minor);
+    let _e9 = major;
+    let _e10 = major;
+    let _e12 = minor;
+    let _e13 = minor;
+    let _e16 = major;
+    let _e18 = major;
+    let _e21 = minor;
+    let _e23 = minor;
+    return GaborMatrix(((_e9 * _e10) + (_e12 * _e13)), ((_e16.yzx * _e18.zxy) + (_e21.yzx * _e23.zxy)));
+}
+
+// Along each axis of a pixel, d of gabor_impl_transmitted.
+fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
+    return (vec2(1f) + (1.644934f * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor))));
+}
+
+// The share of its variance that a lobe keeps.
+fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
+    var d_2: vec2<f32>;
+    var k_2: vec2<f32>;
+
+    let _e2 = gabor_impl_spread(pixel);
+    d_2 = _e2;
+    k_2 = vec2<f32>(dot(wave, pixel.major), dot(wave, pixel.minor));
+    let _e11 = k_2;
+    let _e12 = k_2;
+    let _e15 = d_2;
+    let _e24 = d_2;
+    let _e26 = d_2;
+    return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
+}
+
+// Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
+fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
+    var power_4: f32;
+
+    let _e3 = gabor_impl_takeover(x);
+    power_4 = _e3;
+    let _e6 = power_4;
+    gabor_impl_accumulate_3d(sum, term, sqrt(_e6));
+    let _e10 = (*sum);
+    let _e12 = power_4;
+    (*sum).removed = (_e10.removed + (_e12 * term.removed));
+    return;
+}
+
+// A node's window along an axis is middle + cosine, its derivative sine: 1/2, cos(pi d) / 2 and -pi / 2 sin(pi d).
+struct GaborWindow3d {
+    middle: vec3<f32>,
+    cosine: vec3<f32>,
+    sine: vec3<f32>,
+}
+
+// Adds a node's wave, which has turned by `turns` from the node to the point. The filter, see gabor_spectrum.wgsl,
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F, to
+// middle + cosh x cosine + i sinh x sine / pi.
+fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wave: vec3<f32>, turns: f32, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
+    var a_5: vec2<f32>;
+    var h: vec3<f32>;
+    var slope_11: vec3<f32>;
+    var value_10: vec2<f32>;
+    var x_15: vec3<f32>;
+    var y_10: vec3<f32>;
+    var even_2: vec3<f32>;
+    var odd_2: vec3<f32>;
+    var i_h: vec3<f32>;
+    var i_slope: vec3<f32>;
+    var real_3: vec3<f32>;
+    var imaginary_3: vec3<f32>;
+    var s_6: vec3<f32>;
+    var turned_1: vec3<f32>;
+
+    let _e9 = gabor_impl_amplitude_at(word, place.animated, place.time);
+    let _e10 = gabor_impl_wave(turns);
+    let _e11 = gabor_impl_product(_e9, _e10);
+    a_5 = _e11;
+    h = (node.middle + node.cosine);
+    slope_11 = node.sine;
+    let _e19 = h;
+    let _e21 = h;
+    let _e23 = h;
+    let _e27 = a_5;
+    value_10 = ((_e19.x * (_e21.y * _e23.z)) * _e27);
+    if place.filtered {
+        {
+            let _e32 = gabor_impl_symmetric_3d(pixel, wave);
+            x_15 = (19.739208f * _e32);
+            let _e35 = a_5;
+            let _e36 = x_15;
+            a_5 = (_e35 * exp(-(max(dot(wave, _e36), 0f))));
+            let _e43 = x_15;
+            x_15 = clamp(_e43, vec3(-3f), vec3(3f));
+            let _e50 = x_15;
+            let _e51 = x_15;
+            y_10 = (_e50 * _e51);
+            let _e55 = y_10;
+            let _e58 = y_10;
+            even_2 = (vec3(1f) + (_e55 * (vec3(0.5f) + (0.041666668f * _e58))));
+            let _e66 = x_15;
+            let _e68 = y_10;
+            let _e71 = y_10;
+            odd_2 = (_e66 * (vec3(1f) + (_e68 * (vec3(0.16666667f) + (0.008333333f * _e71)))));
+            let _e81 = even_2;
+            h = (node.middle + (_e81 * node.cosine));
+            let _e85 = even_2;
+            slope_11 = (_e85 * node.sine);
+            let _e89 = odd_2;
+            i_h = ((0.3183099f * _e89) * node.sine);
+            let _e96 = odd_2;
+            i_slope = ((-3.1415927f * _e96) * node.cosine);
+            let _e101 = h;
+            let _e103 = h;
+            let _e106 = i_h;
+            let _e108 = i_h;
+            real_3 = ((_e101.yzx * _e103.zxy) - (_e106.yzx * _e108.zxy));
+            let _e113 = h;
+            let _e115 = i_h;
+            let _e118 = i_h;
+            let _e120 = h;
+            imaginary_3 = ((_e113.yzx * _e115.zxy) + (_e118.yzx * _e120.zxy));
+            s_6 = ((node.sine.yzx * node.sine.zxy) * (node.middle + node.cosine));
+            let _e135 = h;
+            let _e137 = real_3;
+            let _e140 = i_h;
+            let _e142 = imaginary_3;
+            let _e147 = s_6;
+            let _e150 = h;
+            let _e152 = imaginary_3;
+            let _e155 = i_h;
+            let _e157 = real_3;
+            let _e162 = a_5;
+            let _e163 = gabor_impl_product(vec2<f32>((((_e135.x * _e137.x) - (_e140.x * _e142.x)) + dot(pixel.mixed, _e147)), ((_e150.x * _e152.x) + (_e155.x * _e157.x))), _e162);
+            value_10 = _e163;
+            let _e164 = slope_11;
+            let _e165 = imaginary_3;
+            let _e167 = i_slope;
+            let _e168 = real_3;
+            turned_1 = ((_e164 * _e165) + (_e167 * _e168));
+            let _e172 = slope_11;
+            let _e173 = real_3;
+            let _e175 = i_slope;
+            let _e176 = imaginary_3;
+            slope_11 = ((_e172 * _e173) - (_e175 * _e176));
+            let _e180 = (*sum);
+            let _e182 = turned_1;
+            let _e183 = a_5;
+            (*sum).gradient = (_e180.gradient + (_e182 * _e183.x));
+            let _e188 = (*sum);
+            let _e190 = turned_1;
+            let _e191 = a_5;
+            (*sum).quadrature_gradient = (_e188.quadrature_gradient - (_e190 * _e191.y));
+        }
+    } else {
+        {
+            let _e195 = slope_11;
+            let _e196 = h;
+            let _e198 = h;
+            slope_11 = (_e195 * (_e196.yzx * _e198.zxy));
+        }
+    }
+    let _e203 = (*sum);
+    let _e205 = value_10;
+    (*sum).noise = (_e203.noise + _e205.y);
+    let _e209 = (*sum);
+    let _e211 = slope_11;
+    let _e212 = a_5;
+    let _e216 = value_10;
+    (*sum).gradient = (_e209.gradient + ((_e211 * _e212.y) + ((6.2831855f * _e216.x) * wave)));
+    let _e223 = (*sum);
+    let _e225 = value_10;
+    (*sum).quadrature = (_e223.quadrature + _e225.x);
+    let _e229 = (*sum);
+    let _e231 = slope_11;
+    let _e232 = a_5;
+    let _e236 = value_10;
+    (*sum).quadrature_gradient = (_e229.quadrature_gradient + ((_e231 * _e232.x) - ((6.2831855f * _e236.y) * wave)));
+    return;
+}
+
+// Which waves isotropic noise has: all, or those along a surface, with two vectors at right angles there.
+struct GaborTangents {
+    only: bool,
+    along: vec3<f32>,
+    across: vec3<f32>,
+}
+
+// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. Half a turn around
+// z and a quarter around the first vector make all frames, as a wave along -u is one along u.
+fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+    var node_1: GaborWindow3d;
+    var d_3: vec3<f32>;
+    var word_6: u32;
+    var turn_12: vec2<f32>;
+    var first_2: vec3<f32>;
+    var second_1: vec3<f32>;
+    var rise_2: f32;
+    var level: f32;
+    var spin: vec2<f32>;
+    var t_7: vec3<f32>;
+    var b_9: vec3<f32>;
+    var outward: f32;
+    var aside: f32;
+    var upward: f32;
+
+    node_1 = GaborWindow3d(vec3<f32>(x.y, y.y, z.y), vec3<f32>(x.z, y.z, z.z), vec3<f32>(x.w, y.w, z.w));
+    d_3 = (scale * vec3<f32>(x.x, y.x, z.x));
+    word_6 = (column * row.w);
+    let _e34 = word_6;
+    let _e38 = gabor_impl_half_turn((0.00000000011641532f * f32(i32(_e34))));
+    turn_12 = _e38;
+    if tangents.only {
+        {
+            let _e41 = turn_12;
+            let _e45 = turn_12;
+            first_2 = ((_e41.x * tangents.along) + (_e45.y * tangents.across));
+            let _e51 = turn_12;
+            let _e55 = turn_12;
+            second_1 = ((_e51.x * tangents.across) - (_e55.y * tangents.along));
+            let _e62 = node_1;
+            let _e63 = first_2;
+            let _e65 = first_2;
+            let _e66 = d_3;
+            gabor_impl_add_wave(sum, _e62, (scale * _e63), dot(_e65, _e66), place, pixel, (column * row.x));
+            let _e72 = node_1;
+            let _e73 = second_1;
+            let _e75 = second_1;
+            let _e76 = d_3;
+            gabor_impl_add_wave(sum, _e72, (scale * _e73), dot(_e75, _e76), place, pixel, (column * row.y));
+            return;
+        }
+    } else {
+        {
+            let _e82 = word_6;
+            rise_2 = (0.0000000004656613f * f32(i32((_e82 << 12u))));
+            let _e90 = rise_2;
+            let _e91 = rise_2;
+            level = sqrt(max((1f - (_e90 * _e91)), 0f));
+            let _e99 = word_6;
+            let _e105 = gabor_impl_half_turn((0.00000000005820766f * f32(i32((_e99 << 20u)))));
+            spin = _e105;
+            let _e107 = turn_12;
+            let _e110 = turn_12;
+            t_7 = vec3<f32>(-(_e107.y), _e110.x, 0f);
+            let _e115 = rise_2;
+            let _e117 = turn_12;
+            let _e118 = (-(_e115) * _e117);
+            let _e119 = level;
+            b_9 = vec3<f32>(_e118.x, _e118.y, _e119);
+            let _e124 = turn_12;
+            let _e125 = d_3;
+            outward = dot(_e124, _e125.xy);
+            let _e129 = turn_12;
+            let _e131 = d_3;
+            let _e134 = turn_12;
+            let _e136 = d_3;
+            aside = ((_e129.x * _e131.y) - (_e134.y * _e136.x));
+            let _e141 = level;
+            let _e142 = d_3;
+            let _e145 = rise_2;
+            let _e146 = outward;
+            upward = ((_e141 * _e142.z) - (_e145 * _e146));
+            let _e151 = node_1;
+            let _e152 = level;
+            let _e153 = turn_12;
+            let _e154 = (_e152 * _e153);
+            let _e155 = rise_2;
+            let _e160 = level;
+            let _e161 = outward;
+            let _e163 = rise_2;
+            let _e164 = d_3;
+            gabor_impl_add_wave(sum, _e151, (scale * vec3<f32>(_e154.x, _e154.y, _e155)), ((_e160 * _e161) + (_e163 * _e164.z)), place, pixel, (column * row.x));
+            let _e172 = node_1;
+            let _e173 = spin;
+            let _e175 = t_7;
+            let _e177 = spin;
+            let _e179 = b_9;
+            let _e183 = spin;
+            let _e185 = aside;
+            let _e187 = spin;
+            let _e189 = upward;
+            gabor_impl_add_wave(sum, _e172, (scale * ((_e173.x * _e175) + (_e177.y * _e179))), ((_e183.x * _e185) + (_e187.y * _e189)), place, pixel, (column * row.y));
+            let _e196 = node_1;
+            let _e197 = spin;
+            let _e199 = b_9;
+            let _e201 = spin;
+            let _e203 = t_7;
+            let _e207 = spin;
+            let _e209 = upward;
+            let _e211 = spin;
+            let _e213 = aside;
+            gabor_impl_add_wave(sum, _e196, (scale * ((_e197.x * _e199) - (_e201.y * _e203))), ((_e207.x * _e209) - (_e211.y * _e213)), place, pixel, (column * row.z));
+            return;
+        }
+    }
+}
+
+// A node of an axis: the point's offset from it and the three parts of its window. Filtered windows fade within half a
+// deviation of their ends.
+fn gabor_impl_node(offset: f32, node: vec4<f32>, filtered: bool, variance: f32) -> vec4<f32> {
+    var offset_1: f32;
+    var fade_4: f32 = 1f;
+    var fall_1: f32 = 1f;
+
+    offset_1 = offset;
+    let _e5 = offset_1;
+    offset_1 = (_e5 / 1.5f);
+    if filtered {
+        {
+            let _e16 = offset_1;
+            fade_4 = clamp(((1f - abs(_e16)) / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
+            let _e29 = fade_4;
+            let _e30 = fade_4;
+            let _e33 = fade_4;
+            fade_4 = (_e29 * (_e30 * (3f - (2f * _e33))));
+            let _e38 = fade_4;
+            fall_1 = (_e38 * exp((-4.934802f * variance)));
+        }
+    }
+    let _e44 = offset_1;
+    let _e46 = fade_4;
+    let _e48 = fall_1;
+    let _e53 = fall_1;
+    return vec4<f32>(_e44, (0.5f * _e46), (_e48 * (node.x - 0.5f)), (_e53 * node.z));
+}
+
+fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, filtered: bool, variance: f32) -> GaborAxis {
+    var axis_3: GaborAxis;
+
+    let _e11 = gabor_impl_axis(cell, local, period, salt, 0f, 1.5f);
+    axis_3 = _e11;
+    let _e16 = axis_3;
+    let _e23 = axis_3.node[0];
+    let _e24 = gabor_impl_node((_e16.offset + 1f), _e23, filtered, variance);
+    axis_3.node[0i] = _e24;
+    let _e28 = axis_3;
+    let _e33 = axis_3.node[1];
+    let _e34 = gabor_impl_node(_e28.offset, _e33, filtered, variance);
+    axis_3.node[1i] = _e34;
+    let _e38 = axis_3;
+    let _e45 = axis_3.node[2];
+    let _e46 = gabor_impl_node((_e38.offset - 1f), _e45, filtered, variance);
+    axis_3.node[2i] = _e46;
+    let _e47 = axis_3;
+    return _e47;
+}
+
+// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
+fn gabor_impl_row(word: u32) -> vec4<u32> {
+    var first_3: u32;
+    var second_2: u32;
+    var third_1: u32;
+    var fourth: u32;
+
+    first_3 = ((word ^ (word >> 15u)) * 3545902487u);
+    let _e7 = first_3;
+    let _e8 = first_3;
+    second_2 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e15 = second_2;
+    let _e16 = second_2;
+    third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
+    let _e23 = third_1;
+    let _e24 = third_1;
+    fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
+    let _e31 = first_3;
+    let _e36 = second_2;
+    let _e41 = third_1;
+    let _e46 = fourth;
+    return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
+}
+
+// The sum over 27 nodes, less its factor K.
+fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
+    var x_17: GaborAxis;
+    var y_12: GaborAxis;
+    var z_6: GaborAxis;
+    var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var i_7: i32 = 0i;
+    var j_5: i32;
+    var local_38: vec4<f32>;
+    var local_39: vec4<f32>;
+    var y_j: vec4<f32>;
+    var local_40: vec4<f32>;
+    var local_41: vec4<f32>;
+    var z_k: vec4<f32>;
+    var local_42: u32;
+    var local_43: u32;
+    var local_44: u32;
+    var local_45: u32;
+    var word_8: u32;
+    var row_7: vec4<u32>;
+
+    let _e14 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, place.filtered, pixel.diagonal.x);
+    x_17 = _e14;
+    let _e27 = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), place.filtered, pixel.diagonal.y);
+    y_12 = _e27;
+    let _e40 = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), place.filtered, pixel.diagonal.z);
+    z_6 = _e40;
+    loop {
+        let _e53 = i_7;
+        if !((_e53 < 9i)) {
+            break;
+        }
+        {
+            let _e60 = i_7;
+            j_5 = (_e60 % 3i);
+            let _e64 = j_5;
+            if (_e64 == 0i) {
+                let _e70 = y_12.node[0];
+                local_39 = _e70;
+            } else {
+                let _e71 = j_5;
+                if (_e71 == 1i) {
+                    let _e77 = y_12.node[1];
+                    local_38 = _e77;
+                } else {
+                    let _e81 = y_12.node[2];
+                    local_38 = _e81;
+                }
+                let _e83 = local_38;
+                local_39 = _e83;
+            }
+            let _e85 = local_39;
+            y_j = _e85;
+            let _e87 = i_7;
+            if (_e87 < 3i) {
+                let _e93 = z_6.node[0];
+                local_41 = _e93;
+            } else {
+                let _e94 = i_7;
+                if (_e94 < 6i) {
+                    let _e100 = z_6.node[1];
+                    local_40 = _e100;
+                } else {
+                    let _e104 = z_6.node[2];
+                    local_40 = _e104;
+                }
+                let _e106 = local_40;
+                local_41 = _e106;
+            }
+            let _e108 = local_41;
+            z_k = _e108;
+            let _e110 = j_5;
+            if (_e110 == 0i) {
+                let _e116 = y_12.word[0];
+                local_43 = _e116;
+            } else {
+                let _e117 = j_5;
+                if (_e117 == 1i) {
+                    let _e123 = y_12.word[1];
+                    local_42 = _e123;
+                } else {
+                    let _e127 = y_12.word[2];
+                    local_42 = _e127;
+                }
+                let _e129 = local_42;
+                local_43 = _e129;
+            }
+            let _e131 = local_43;
+            let _e132 = i_7;
+            if (_e132 < 3i) {
+                let _e138 = z_6.word[0];
+                local_45 = _e138;
+            } else {
+                let _e139 = i_7;
+                if (_e139 < 6i) {
+                    let _e145 = z_6.word[1];
+                    local_44 = _e145;
+                } else {
+                    let _e149 = z_6.word[2];
+                    local_44 = _e149;
+                }
+                let _e151 = local_44;
+                local_45 = _e151;
+            }
+            let _e153 = local_45;
+            word_8 = (_e131 * _e153);
+            let _e156 = word_8;
+            let _e157 = gabor_impl_row(_e156);
+            row_7 = _e157;
+            let _e163 = x_17.node[0];
+            let _e164 = y_j;
+            let _e165 = z_k;
+            let _e169 = x_17.word[0];
+            let _e170 = row_7;
+            gabor_impl_add_node((&sum_20), _e163, _e164, _e165, place, pixel, scale, tangents, _e169, _e170);
+            let _e176 = x_17.node[1];
+            let _e177 = y_j;
+            let _e178 = z_k;
+            let _e182 = x_17.word[1];
+            let _e183 = row_7;
+            gabor_impl_add_node((&sum_20), _e176, _e177, _e178, place, pixel, scale, tangents, _e182, _e183);
+            let _e189 = x_17.node[2];
+            let _e190 = y_j;
+            let _e191 = z_k;
+            let _e195 = x_17.word[2];
+            let _e196 = row_7;
+            gabor_impl_add_node((&sum_20), _e189, _e190, _e191, place, pixel, scale, tangents, _e195, _e196);
+        }
+        continuing {
+            let _e57 = i_7;
+            i_7 = (_e57 + 1i);
+        }
+    }
+    let _e198 = sum_20;
+    return _e198;
+}
+
+// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
+// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the angles of a
+// plane, the mean of exp(-q cos^2) is exp(-q / 2) I_0(q / 2), here as the root of a rational function. Over the sphere it
+// is nearly the mean of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
+fn gabor_impl_mean_angle(q: f32) -> f32 {
+    return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
+}
+
+fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
+    var d_4: vec2<f32>;
+    var unit_3: vec2<f32>;
+    var mean_2: f32;
+    var a_6: vec2<f32>;
+    var b_10: vec2<f32>;
+    var sum_21: f32;
+    var apart_1: f32;
+    var q_2: vec2<f32>;
+    var larger_1: f32;
+    var smaller_1: f32;
+
+    let _e3 = gabor_impl_spread(pixel);
+    d_4 = _e3;
+    let _e10 = d_4;
+    unit_3 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
+    if tangents.only {
+        {
+            a_6 = vec2<f32>(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
+            b_10 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
+            let _e32 = unit_3;
+            let _e33 = a_6;
+            let _e34 = a_6;
+            let _e36 = b_10;
+            let _e37 = b_10;
+            sum_21 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
+            let _e42 = unit_3;
+            let _e43 = a_6;
+            let _e44 = a_6;
+            let _e46 = b_10;
+            let _e47 = b_10;
+            let _e52 = unit_3;
+            let _e53 = a_6;
+            let _e54 = b_10;
+            apart_1 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
+            let _e62 = apart_1;
+            let _e63 = sum_21;
+            let _e69 = apart_1;
+            let _e70 = gabor_impl_mean_angle(_e69);
+            mean_2 = (exp(min((0.5f * (_e62 - _e63)), 0f)) * _e70);
+        }
+    } else {
+        {
+            let _e72 = unit_3;
+            q_2 = (_e72 * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor)));
+            let _e82 = q_2;
+            let _e84 = q_2;
+            larger_1 = max(_e82.x, _e84.y);
+            let _e88 = q_2;
+            let _e90 = q_2;
+            smaller_1 = min(_e88.x, _e90.y);
+            let _e95 = larger_1;
+            let _e98 = larger_1;
+            let _e104 = larger_1;
+            let _e106 = larger_1;
+            let _e109 = larger_1;
+            mean_2 = sqrt(((1f + (_e95 * (0.31500545f + (0.08868891f * _e98)))) / (1f + (_e104 * (0.9816721f + (_e106 * (0.42128292f + (0.11292425f * _e109))))))));
+            let _e118 = mean_2;
+            let _e119 = smaller_1;
+            let _e124 = larger_1;
+            let _e130 = gabor_impl_mean_angle((_e119 * (1f - (1f / (3f + (0.8f * _e124))))));
+            mean_2 = (_e118 * _e130);
+        }
+    }
+    let _e132 = mean_2;
+    let _e133 = d_4;
+    let _e135 = d_4;
+    return (_e132 * inverseSqrt((_e133.x * _e135.y)));
+}
+
+fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
+    var frequency_20: f32;
+    var stretch_4: vec3<f32>;
+    var local_46: f32;
+    var local_47: f32;
+    var local_48: f32;
+    var amplitude_6: f32;
+    var transmitted_2: f32 = 1f;
+    var pixel_10: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
+    var whole_1: GaborPixelAxes;
+    var resolved_1: GaborPixelAxes;
+    var sum_22: GaborField3d;
+
+    frequency_20 = frequency;
+    stretch_4 = (place.radius / vec3(1.5f));
+    let _e13 = frequency_20;
+    frequency_20 = min(abs(_e13), 1000000f);
+    if tangents.only {
+        local_46 = 2f;
+    } else {
+        local_46 = 3f;
+    }
+    let _e21 = local_46;
+    if false {
+        local_47 = 1f;
+    } else {
+        local_47 = 1.125f;
+    }
+    let _e31 = local_47;
+    if false {
+        local_48 = 1f;
+    } else {
+        local_48 = 1.125f;
+    }
+    let _e44 = local_48;
+    amplitude_6 = (inverseSqrt((_e21 * _e31)) / (1459955300000000000000000000f * _e44));
+    if place.filtered {
+        {
+            let _e59 = gabor_impl_pixel(place, vec3(1f));
+            whole_1 = _e59;
+            let _e61 = whole_1;
+            let _e63 = gabor_impl_resolved(_e61, 0.5f);
+            resolved_1 = _e63;
+            let _e65 = frequency_20;
+            let _e66 = whole_1;
+            let _e67 = gabor_impl_transmitted_isotropic(_e65, _e66, tangents);
+            transmitted_2 = _e67;
+            let _e68 = amplitude_6;
+            let _e69 = transmitted_2;
+            let _e70 = frequency_20;
+            let _e71 = resolved_1;
+            let _e72 = gabor_impl_transmitted_isotropic(_e70, _e71, tangents);
+            amplitude_6 = (_e68 * sqrt((_e69 / _e72)));
+            let _e76 = resolved_1;
+            let _e78 = stretch_4;
+            let _e80 = resolved_1;
+            let _e82 = stretch_4;
+            let _e85 = gabor_impl_covariance(GaborPixelAxes((_e76.major * _e78), (_e80.minor * _e82)));
+            pixel_10 = _e85;
+            let _e86 = transmitted_2;
+            if !((_e86 > 0.0000000001f)) {
+                transmitted_2 = 0f;
+            }
+        }
+    }
+    let _e98 = transmitted_2;
+    sum_22 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e98));
+    let _e102 = transmitted_2;
+    if (_e102 > 0f) {
+        let _e106 = pixel_10;
+        let _e107 = frequency_20;
+        let _e108 = stretch_4;
+        let _e111 = gabor_impl_salt(seed);
+        let _e112 = gabor_impl_sum_isotropic(place, _e106, (vec3(_e107) / _e108), tangents, _e111);
+        let _e113 = amplitude_6;
+        gabor_impl_accumulate_3d((&sum_22), _e112, _e113);
+    }
+    let _e116 = sum_22;
+    let _e118 = stretch_4;
+    sum_22.gradient = (_e116.gradient * _e118);
+    let _e121 = sum_22;
+    let _e123 = stretch_4;
+    sum_22.quadrature_gradient = (_e121.quadrature_gradient * _e123);
+    let _e125 = sum_22;
+    return _e125;
+}
+
+fn gabor_impl_place_of_pixel(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>) -> GaborPlace3d {
+    return GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), false, 0f, true, dx, dy);
+}

@@ -1,0 +1,56 @@
+"""Functions of the modules of shaders/nodes/bevy, imported, composed by naga_oil as Bevy does, and run on Vulkan:
+run.py VALUES.raw"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+HERE = pathlib.Path(__file__).resolve().parent
+MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # in the order in which they import each other
+           for name in ("lattice", "spectrum", "solid", "materials", "erosion", "direction")]
+SCENE = """#import gabor_noise::lattice::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
+    gabor_noise_gradient, gabor_noise_tiled, gabor_stripes}
+#import gabor_noise::solid::gabor_noise_3d_gradient
+#import gabor_noise::materials::gabor_brushed_metal
+@group(0) @binding(0) var<storage, read_write> values: array<f32>;
+@compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
+    let p = (vec2f(pixel.xy) + 0.5) / 32.0;
+    values[pixel.y * 256u + pixel.x] = VALUE;
+}
+"""
+# As reference.FUNCTIONS.
+FUNCTIONS = {
+    "noise": "gabor_noise(p, 4.0, 0.7854, 7u)",
+    "complex": "gabor_noise_complex(p, 4.0, 0.7854, 7u).x",
+    "gradient": "dot(gabor_noise_gradient(p, 4.0, 0.7854, 7u), vec3f(1.0, 1.0 / 32.0, 1.0 / 16.0))",
+    "four": "dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4f(0.25, 0.5, 0.75, 1.0))",
+    "tiled": "gabor_noise_tiled(p, vec2f(2.0, 1.0), 4.0, 0.7854, 7u)",
+    "animated": "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)",
+    "stripes": "dot(gabor_stripes(p, gabor_kernel(4.0, 0.7854).wave, 2.0, 7u), vec3f(0.25, 0.5, 0.75))",
+    "solid": "dot(gabor_noise_3d_gradient(vec3f(p, 0.3), 4.0, vec3f(1.0, 2.0, 3.0), 7u), vec4f(64.0, 1.0, 2.0, 3.0) / 64.0)",
+}
+
+
+def drawn(value, folder):
+    source, spirv, values = (folder / name for name in ("scene.wgsl", "scene.spv", "values.raw"))
+    source.write_text(SCENE.replace("VALUE", value))
+    subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *MODULES], check=True)
+    subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)  # lavapipe compiles naga's loops slowly
+    scene = subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True,
+                           stdout=subprocess.PIPE, text=True)
+    return scene.stdout.strip(), np.fromfile(values, "<f4")[:65536]
+
+
+with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+    drivers, pictures = zip(*(drawn(value, pathlib.Path(folder)) for value in FUNCTIONS.values()))
+pathlib.Path(sys.argv[1]).write_bytes(np.concatenate(pictures).tobytes())
+version = re.search(r'naga_oil = \{ version = "([^"]*)', (HERE / "Cargo.toml").read_text())[1]
+print(json.dumps({"engine": "Bevy's naga_oil", "version": version, "dialect": "modules of WGSL", "driver": drivers[0],
+                  "functions": list(FUNCTIONS)}))
