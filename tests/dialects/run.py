@@ -43,9 +43,9 @@ def drawn_by_vulkan():
     if dialect == "glsl":
         shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text(), ".comp")
         run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
-    elif dialect in ("unity", "unreal"):
+    elif dialect == "unreal":
         shader = pathlib.Path(values).with_suffix(".hlsl")
-        shader.write_text(included(HERE / f"scene_{dialect}.hlsl"))
+        shader.write_text(included(HERE / "scene_unreal.hlsl"))
         run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
     else:
         shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text(),
@@ -55,9 +55,28 @@ def drawn_by_vulkan():
         else:
             run("glslangValidator", "--quiet", "-V", "-D", "-S", "comp", "-e", "main", "-o", spirv, shader)
     driver = run(SCENES / "scene_vulkan", spirv, values).strip()
-    if dialect in ("unity", "unreal"):  # their nodes have no gabor_noise_at
+    if dialect == "unreal":  # its node has no gabor_noise_at
         drawn = pathlib.Path(values)
         drawn.write_bytes(drawn.read_bytes()[:4 * 256 * 256])
+    return driver
+
+
+UNITY = {  # as reference.FUNCTIONS
+    "noise": "noise",
+    "complex": "quadrature",
+    "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",
+    "stripes": "dot(stripes, float3(0.25, 0.5, 0.75))",
+}
+
+
+def drawn_by_unity():
+    shader, spirv, pictures = pathlib.Path(values).with_suffix(".hlsl"), f"{values}.spv", b""
+    for value in UNITY.values():
+        shader.write_text(f"#define VALUE ({value})\n" + included(HERE / "scene_unity.hlsl"))
+        run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
+        driver = run(SCENES / "scene_vulkan", spirv, values).strip()
+        pictures += pathlib.Path(values).read_bytes()[:4 * 256 * 256]
+    pathlib.Path(values).write_bytes(pictures)
     return driver
 
 
@@ -72,14 +91,15 @@ def drawn_by_cpp():
     return "CPU"
 
 
-driver = drawn_by_cpp() if dialect in ("cpp", "metal") else drawn_by_vulkan()
+driver = drawn_by_cpp() if dialect in ("cpp", "metal") else drawn_by_unity() if dialect == "unity" else drawn_by_vulkan()
 engine, version, language = {
     "glsl": ("Vulkan", "1.1", "GLSL 450"),
     "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),
     "dxc": ("Vulkan", "1.1", "HLSL by DXC"),
     "metal": ("none: a C++ compiler", "-", "Metal, as C++"),
-    "unity": ("Unity's function", "-", "HLSL by DXC"),
+    "unity": ("Unity's functions", "-", "HLSL by DXC"),
     "unreal": ("Unreal's Custom node", "-", "HLSL by DXC"),
     "cpp": ("none: a C++ compiler", "-", "C++ 11"),
 }[dialect]
-print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver}))
+functions = {"functions": list(UNITY)} if dialect == "unity" else {}
+print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver, **functions}))

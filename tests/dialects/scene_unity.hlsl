@@ -1,18 +1,27 @@
-// As Shader Graph calls the function of its Custom Function node; in graphs of half precision, the other.
+// As Shader Graph calls the functions of its Custom Function nodes; in graphs of half precision, the others. VALUE is what the
+// scene draws of them.
 #include "shaders/nodes/unity/GaborNoise.hlsl"
 
 RWStructuredBuffer<float> values : register(u0);
 
 [numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
-    float2 _Property_Place = (float2(pixel.xy) + 0.5) / 32.0;
-    float _GaborNoise_Noise;
-    float _GaborNoise_Quadrature;
-    GaborNoise_float(_Property_Place, 4.0, 0.7854, 7.0, _GaborNoise_Noise, _GaborNoise_Quadrature);
-    half noise;
-    half quadrature;
-    GaborNoise_half((half2)_Property_Place, (half)4.0, (half)0.7854, (half)7.0, noise, quadrature);
-    // The second one is called, or compilers would not look at it; a place in half precision is off by a pixel.
-    bool calculated = abs(noise - _GaborNoise_Noise) < 4.0 && abs(quadrature - _GaborNoise_Quadrature) < 4.0;
-    values[pixel.y * 256 + pixel.x] = calculated ? _GaborNoise_Noise : 1.0e9;
+    float2 place = (float2(pixel.xy) + 0.5) / 32.0;
+    float2 wave = gabor_kernel(4.0, 0.7854).wave;
+    float noise;
+    float quadrature;
+    float2 gradient;
+    float3 stripes;
+    GaborStripes_float(place, wave, 2.0, 7.0, noise, gradient, stripes);
+    GaborNoise_float(place, 4.0, 0.7854, 7.0, noise, quadrature);
+    half half_noise;
+    half half_quadrature;
+    half2 half_gradient;
+    half3 half_stripes;
+    GaborStripes_half((half2)place, (half2)wave, (half)2.0, (half)7.0, half_noise, half_gradient, half_stripes);
+    GaborNoise_half((half2)place, (half)4.0, (half)0.7854, (half)7.0, half_noise, half_quadrature);
+    // Those of half precision are called, or compilers would not look at them; a place in half precision is off by a pixel.
+    bool calculated = abs(half_noise - noise) < 4.0 && abs(half_quadrature - quadrature) < 4.0 && half_gradient.x < 100.0
+        && half_stripes.z < 10.0;
+    values[pixel.y * 256 + pixel.x] = calculated ? VALUE : 1.0e9;
 }

@@ -27,9 +27,11 @@ def guid(path):
     return re.search(r"^guid: ([0-9a-f]{32})$", (path.parent / f"{path.name}.meta").read_text(), re.MULTILINE)[1]
 
 
-class Unity(unittest.TestCase):
+class UnityNoise(unittest.TestCase):
+    graph_file = "Gabor Noise.shadersubgraph"
+
     def setUp(self):
-        text = (UNITY / "Gabor Noise.shadersubgraph").read_text()
+        text = (UNITY / self.graph_file).read_text()
         objects = [json.loads(part) for part in text.split("\n\n")]
         self.objects = {each["m_ObjectId"]: each for each in objects}
         self.assertEqual(len(self.objects), len(objects))
@@ -80,7 +82,7 @@ class Unity(unittest.TestCase):
         source = (UNITY / "GaborNoise.hlsl").read_text()
         for kind in ("float", "half"):
             arguments = re.search(rf"void {node['m_FunctionName']}_{kind}\((.*)\)", source)[1]
-            slots = [(" out" * slot["m_SlotType"] + {"Vector1": f" {kind}", "Vector2": f" {kind}2"}[
+            slots = [(" out" * slot["m_SlotType"] + {"Vector1": f" {kind}", "Vector2": f" {kind}2", "Vector3": f" {kind}3"}[
                 re.search(r"(Vector\d)MaterialSlot", slot["m_Type"])[1]] + f" {slot['m_ShaderOutputName']}").strip()
                 for slot in self.slots(node).values()]
             self.assertEqual(arguments.split(", "), slots)
@@ -88,6 +90,10 @@ class Unity(unittest.TestCase):
     def test_version(self):
         package = json.loads((ROOT / "package.json").read_text())
         self.assertEqual(json.loads((UNITY / "package.json").read_text())["version"], package["version"])
+
+
+class UnityStripes(UnityNoise):
+    graph_file = "Gabor Stripes.shadersubgraph"
 
 
 class Package(unittest.TestCase):

@@ -1,9 +1,12 @@
-// What Shader Graph's Custom Function node calls: the noise, mean 0 and variance 1, and its quadrature, of mean 0 and
-// variance 1 too and with waves a quarter period ahead.
+// The functions that Shader Graph's Custom Function nodes call.
 //   Place         in kernel radii
 //   Frequency     cycles per kernel radius
 //   Orientation   of the waves, in radians from +x towards +y
+//   Wave          the wave vector, in cycles per kernel radius: it may follow a direction map
+//   Sharpness     of stripes where they fork, 2 say
 //   Seed          a whole number
+// Noise and Quadrature have mean 0 and variance 1; the quadrature's waves are a quarter period ahead. Gradient is the
+// noise's, per kernel radius. Stripes are cosine, sine and intensity: see gabor_stripes.
 #ifndef GABOR_NOISE_NODE_HLSL
 #define GABOR_NOISE_NODE_HLSL
 
@@ -16,12 +19,31 @@ void GaborNoise_float(float2 Place, float Frequency, float Orientation, float Se
     Quadrature = value.x;
 }
 
+void GaborStripes_float(float2 Place, float2 Wave, float Sharpness, float Seed, out float Noise, out float2 Gradient, out float3 Stripes)
+{
+    GaborField field = gabor_field(gabor_place((int2)0, Place * GABOR_RADIUS), gabor_kernel_wave(Wave), (uint)(int)Seed);
+    Noise = field.value.y;
+    Gradient = float2(field.slope_x.y, field.slope_y.y);
+    Stripes = gabor_stripes_of(field.value, Sharpness);
+}
+
 // For graphs of half precision: the noise itself is calculated in full.
 void GaborNoise_half(half2 Place, half Frequency, half Orientation, half Seed, out half Noise, out half Quadrature)
 {
     float2 value = gabor_noise_complex((float2)Place, (float)Frequency, (float)Orientation, (uint)(int)Seed);
     Noise = (half)value.y;
     Quadrature = (half)value.x;
+}
+
+void GaborStripes_half(half2 Place, half2 Wave, half Sharpness, half Seed, out half Noise, out half2 Gradient, out half3 Stripes)
+{
+    float noise;
+    float2 gradient;
+    float3 stripes;
+    GaborStripes_float((float2)Place, (float2)Wave, (float)Sharpness, (float)Seed, noise, gradient, stripes);
+    Noise = (half)noise;
+    Gradient = (half2)gradient;
+    Stripes = (half3)stripes;
 }
 
 #endif
