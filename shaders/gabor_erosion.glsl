@@ -79,10 +79,10 @@ GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
     place.radius = vec2(float(rounded) / 65536.0);
-    uvec2 low = (uvec2(ground.cell) & 0xffffu) * (rounded & 0xffffu);
-    uvec2 high = uvec2(ground.cell) * (rounded >> 16u) + uvec2(ground.cell >> 16) * (rounded & 0xffffu);
-    place.cell = ivec2(high + (low >> 16u));
-    place.local = vec2(low & 0xffffu) / 65536.0 + ground.local * place.radius;
+    uvec2 low = (uvec2(ground.cell) & uvec2(0xffffu)) * (rounded & 0xffffu);
+    uvec2 high = uvec2(ground.cell) * (rounded >> 16u) + uvec2(ground.cell >> ivec2(16)) * (rounded & 0xffffu);
+    place.cell = ivec2(high + (low >> uvec2(16u)));
+    place.local = vec2(low & uvec2(0xffffu)) / 65536.0 + ground.local * place.radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
     place.period = ivec2(max(floor(ground.period * place.radius + 0.5), 4.0));
     if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;

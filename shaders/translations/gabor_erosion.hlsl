@@ -115,10 +115,10 @@ GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
     place.radius = (float2)(float(rounded) / 65536.0);
-    uint2 low = ((uint2)(ground.cell) & 0xffffu) * (rounded & 0xffffu);
-    uint2 high = (uint2)(ground.cell) * (rounded >> 16u) + (uint2)(ground.cell >> 16) * (rounded & 0xffffu);
-    place.cell = (int2)(high + (low >> 16u));
-    place.local = (float2)(low & 0xffffu) / 65536.0 + ground.local * place.radius;
+    uint2 low = ((uint2)(ground.cell) & (uint2)(0xffffu)) * (rounded & 0xffffu);
+    uint2 high = (uint2)(ground.cell) * (rounded >> 16u) + (uint2)(ground.cell >> (int2)(16)) * (rounded & 0xffffu);
+    place.cell = (int2)(high + (low >> (uint2)(16u)));
+    place.local = (float2)(low & (uint2)(0xffffu)) / 65536.0 + ground.local * place.radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
     place.period = (int2)(max(floor(ground.period * place.radius + 0.5), 4.0));
     if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;

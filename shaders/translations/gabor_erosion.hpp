@@ -80,10 +80,10 @@ GABOR_INLINE GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
     std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
     place.radius = gabor_vec2(float(rounded) / 65536.0f);
-    gabor_uvec2 low = (gabor_uvec2(ground.cell) & 0xffffu) * (rounded & 0xffffu);
-    gabor_uvec2 high = gabor_uvec2(ground.cell) * (rounded >> 16u) + gabor_uvec2(ground.cell >> 16) * (rounded & 0xffffu);
-    place.cell = gabor_ivec2(high + (low >> 16u));
-    place.local = gabor_vec2(low & 0xffffu) / 65536.0f + ground.local * place.radius;
+    gabor_uvec2 low = (gabor_uvec2(ground.cell) & gabor_uvec2(0xffffu)) * (rounded & 0xffffu);
+    gabor_uvec2 high = gabor_uvec2(ground.cell) * (rounded >> 16u) + gabor_uvec2(ground.cell >> gabor_ivec2(16)) * (rounded & 0xffffu);
+    place.cell = gabor_ivec2(high + (low >> gabor_uvec2(16u)));
+    place.local = gabor_vec2(low & gabor_uvec2(0xffffu)) / 65536.0f + ground.local * place.radius;
     if (ground.period.x <= 0.0f && ground.period.y <= 0.0f) return place;
     place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.radius + 0.5f), 4.0f));
     if (ground.period.x > 0.0f) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;

@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for WGSL.
 //
 // Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 64c4b20139477162
+// Digest of the GLSL and of this file: ff95a6c5cd224378
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -352,37 +352,37 @@ fn gabor_impl_place(ground: GaborGround, nodes: f32) -> GaborPlace {
     let _e28 = rounded;
     low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
     let _e35 = rounded;
-    let _e45 = rounded;
-    high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e45 & 65535u)));
-    let _e52 = high;
-    let _e53 = low;
-    place_7.cell = vec2<i32>((_e52 + (_e53 >> vec2(16u))));
-    let _e60 = low;
-    let _e69 = place_7;
-    place_7.local = ((vec2<f32>((_e60 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e69.radius));
+    let _e46 = rounded;
+    high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e46 & 65535u)));
+    let _e53 = high;
+    let _e54 = low;
+    place_7.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
+    let _e61 = low;
+    let _e70 = place_7;
+    place_7.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
     if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
-        let _e82 = place_7;
-        return _e82;
+        let _e83 = place_7;
+        return _e83;
     }
-    let _e85 = place_7;
-    place_7.period = vec2<i32>(max(floor(((ground.period * _e85.radius) + vec2(0.5f))), vec2(4f)));
+    let _e86 = place_7;
+    place_7.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
     if (ground.period.x > 0f) {
-        let _e102 = place_7;
-        place_7.radius.x = (f32(_e102.period.x) / ground.period.x);
+        let _e103 = place_7;
+        place_7.radius.x = (f32(_e103.period.x) / ground.period.x);
     } else {
         place_7.period.x = 0i;
     }
     if (ground.period.y > 0f) {
-        let _e118 = place_7;
-        place_7.radius.y = (f32(_e118.period.y) / ground.period.y);
+        let _e119 = place_7;
+        place_7.radius.y = (f32(_e119.period.y) / ground.period.y);
     } else {
         place_7.period.y = 0i;
     }
     place_7.cell = vec2(0i);
-    let _e136 = place_7;
-    place_7.local = ((vec2<f32>(ground.cell) + ground.local) * _e136.radius);
-    let _e139 = place_7;
-    return _e139;
+    let _e137 = place_7;
+    place_7.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
+    let _e140 = place_7;
+    return _e140;
 }
 
 // Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.

@@ -8,9 +8,13 @@ func _ready() -> void:
 		add_child(rectangle(load("res://noise.gdshader"), true))
 		return
 	var node := arguments[1] == "node"
-	var values := compute() if arguments[1] == "compute" else await canvas(visual() if node else load("res://noise.gdshader"))
-	if node: # it has no gabor_noise_at
+	var values := compute() if arguments[1] == "compute" else await canvas(visual(true) if node else load("res://noise.gdshader"))
+	if node: # it has no gabor_noise_at, and by itself it takes UV * 8, which is the same place here
 		values.resize(256 * 256)
+		var unconnected := await canvas(visual(false))
+		for i in values.size():
+			if not absf(unconnected[i] - values[i]) < 1e-4:
+				OS.crash("unconnected: %s instead of %s at %d" % [unconnected[i], values[i], i])
 	FileAccess.open("res://" + arguments[0], FileAccess.WRITE).store_buffer(values.to_byte_array())
 	print(JSON.stringify({
 		engine = "Godot", version = Engine.get_version_info().string,
@@ -21,14 +25,14 @@ func _ready() -> void:
 
 func rectangle(shader: Shader, shown: bool) -> ColorRect:
 	var result := ColorRect.new()
-	result.size = Vector2(256, 257)
+	result.size = Vector2(256, 256 if shader is VisualShader else 257)
 	result.material = ShaderMaterial.new()
 	result.material.shader = shader
 	result.material.set_shader_parameter("shown", shown)
 	return result
 
-## A visual shader: the place, the addon's node, and the noise's 32 bits as four bytes.
-func visual() -> VisualShader:
+## A visual shader: the place, if it is connected, the addon's node, and the noise's 32 bits as four bytes.
+func visual(connected: bool) -> VisualShader:
 	var shader := VisualShader.new()
 	shader.set_mode(Shader.MODE_CANVAS_ITEM)
 	shader.set("modes/blend", 5) # disabled
@@ -45,11 +49,13 @@ func visual() -> VisualShader:
 		alpha = float(bits >> 24u) / 255.0;"""
 	var noise: VisualShaderNodeCustom = load("res://addons/gabor_noise/gabor_noise.gd").new()
 	for port in noise._get_input_port_count(): # as the editor does
-		noise.set_input_port_default_value(port, noise._get_input_port_default_value(port))
+		if noise._get_input_port_default_value(port) != null:
+			noise.set_input_port_default_value(port, noise._get_input_port_default_value(port))
 	var nodes := [place, noise, bytes]
 	for i in nodes.size():
 		shader.add_node(VisualShader.TYPE_FRAGMENT, nodes[i], Vector2(300 * i, 0), i + 2)
-	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 2, 0, 3, 0)
+	if connected:
+		shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 2, 0, 3, 0)
 	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 3, 0, 4, 0)
 	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 4, 0, 0, 0)
 	shader.connect_nodes(VisualShader.TYPE_FRAGMENT, 4, 1, 0, 1)
