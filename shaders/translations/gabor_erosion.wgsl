@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for WGSL.
 //
 // Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: ff95a6c5cd224378
+// Digest of the GLSL and of this file: d3e6c918b8068559
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -59,12 +59,12 @@ fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: Gabor
     return _e11;
 }
 
+// The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e6 = gabor_terrain_at(GaborGround(vec2(0i), p, period), seed);
     return _e6;
 }
 
-// The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
 fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e12 = gabor_eroded_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
     return _e12;
@@ -77,6 +77,7 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
+// All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
 fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -176,7 +177,6 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     return GaborTerrain((0.33f * _e177), _e179, (_e180 * inverseSqrt((1f + (_e182 * _e183)))));
 }
 
-// All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
 fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     var terrain: GaborTerrain;
     var gully: GaborTerrain;

@@ -1,12 +1,26 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 163536a22a08dfa6
+// Digest of the GLSL and of this file: 9c9e707e97d9129e
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
+// Values are normal to three standard deviations. Beyond 3.5, 13 % too few occur overall, and 56 % too few at a node.
+//
+// Arguments of all functions:
+//     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
+//                  but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
+//     orientation  direction of the wave vector, in radians from +x towards +y. Rounding adds an error of 1.5e-6 for
+//                  each radian at frequency 4.
+//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
+//                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Below 2 it narrows
+//                  the windows; above, it stretches them by at most a sixth.
+//     seed         any; different seeds give independent noises
+// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.wgsl
+// keeps stripes whole where a map jumps. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -15,15 +29,7 @@ const GABOR_NOISE_VERSION: u32 = 20000u;
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
 
-// Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
-//                at 10^5 it steps by 0.008.
-//   frequency    cycles per kernel radius; its magnitude counts, up to 10^6.
-//   orientation  direction of the wave vector in radians from +x towards +y. Its own rounding shows where it is
-//                large: at frequency 4 the noise is off by 1.5e-6 for each radian.
-//   seed         any; different seeds give independent noises.
-// Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p, frequency
-// or orientation gives an unspecified value.
+// The noise. It and its first derivatives are continuous.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_kernel(frequency, orientation);
@@ -40,8 +46,87 @@ fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32
     }
 }
 
-// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-// orientation as constant.
+fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 1f), _e10, seed);
+        return _e11;
+    } else if GABOR_TAPS == 4 {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 2f), _e10, seed);
+        return _e11;
+    } else {
+        let _e10 = gabor_kernel_wave(wave);
+        let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
+        return _e11;
+    }
+}
+
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_2 = _e10;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    var place_4: GaborPlace;
+
+    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_4 = _e9;
+    let _e11 = place_4;
+    let _e12 = gabor_kernel_wave(wave);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    return _e13.value.y;
+}
+
+// Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
+// t). Costs three noises.
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    if GABOR_TAPS == 2 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else if GABOR_TAPS == 4 {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    } else {
+        var place_3: GaborPlace;
+
+        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+        let _e22 = place_3;
+        let _e23 = gabor_kernel(frequency, orientation);
+        let _e24 = gabor_field(_e22, _e23, seed);
+        return _e24.value.y;
+    }
+}
+
+// Four independent noises, with seeds `seed` and gabor_lobe_seed(seed, -1), -2 and -3. Costs four noises.
+fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise(p, frequency, orientation, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise(p, frequency, orientation, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise(p, frequency, orientation, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise(p, frequency, orientation, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+// (noise, d/dx, d/dy), per kernel radius, for a constant wave vector.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var field: GaborField;
@@ -76,132 +161,6 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
         let _e18 = field;
         let _e21 = field;
         return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    }
-}
-
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
-// sines; at one place both have variance 1 and are independent.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else {
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    }
-}
-
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
-// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
-    var local_11: f32;
-
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_10 = 0f;
-    }
-    let _e13 = local_10;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_11 = _e23;
-    }
-    let _e25 = local_11;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
-
-// Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
-fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise(p, frequency, orientation, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise(p, frequency, orientation, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise(p, frequency, orientation, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise(p, frequency, orientation, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
-}
-
-// Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
-// orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
-// periods narrow the windows.
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
-
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_2 = _e10;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
-// at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else if GABOR_TAPS == 4 {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    }
-}
-
-// gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
-// place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
-// frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.wgsl joins them.
-fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 1f), _e10, seed);
-        return _e11;
-    } else if GABOR_TAPS == 4 {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 2f), _e10, seed);
-        return _e11;
-    } else {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
-        return _e11;
     }
 }
 
@@ -242,6 +201,27 @@ fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f
     }
 }
 
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
+// each place both are independent with variance 1.
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    if GABOR_TAPS == 2 {
+        let _e11 = gabor_place(vec2(0i), (p * 1f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else if GABOR_TAPS == 4 {
+        let _e11 = gabor_place(vec2(0i), (p * 2f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    } else {
+        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+        let _e12 = gabor_kernel(frequency, orientation);
+        let _e13 = gabor_field(_e11, _e12, seed);
+        return _e13.value;
+    }
+}
+
 fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         let _e10 = gabor_place(vec2(0i), (p * 1f));
@@ -261,22 +241,39 @@ fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f3
     }
 }
 
-// The same with gradient, which takes the wave vector as constant; with quadrature; and with a period.
-fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    var place_4: GaborPlace;
+// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
+// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
 
-    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_4 = _e9;
-    let _e11 = place_4;
-    let _e12 = gabor_kernel_wave(wave);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    return _e13.value.y;
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_10 = 0f;
+    }
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_11 = _e23;
+    }
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
 }
 
-// Stripes of even contrast across the wave vector: (cosine, sine, intensity). With z the complex noise of that wave,
-// the intensity is |z|, and (cosine, sine) is z, (quadrature, noise), brought to length 1 where |z| exceeds 1 /
-// sharpness. Below it the length is sharpness |z|, so that stripes end softly where they fork, instead of in spikes.
-// 2 is a good sharpness; any from 0 to 10^6.
+// Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
+// value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
+// exceeds 1 / sharpness. Below, the length is sharpness |z|, so stripes fade where they fork.
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -293,7 +290,6 @@ fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> ve
     }
 }
 
-// The same with a period, as gabor_noise_tiled.
 fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     var place_6: GaborPlace;
 
@@ -304,7 +300,7 @@ fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpne
     return _e13;
 }
 
-// The stripes of any complex noise's value.
+// The stripes of any complex value.
 fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
     var intensity_1: f32;
 
@@ -315,19 +311,18 @@ fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
     return vec3<f32>(_e9.x, _e9.y, _e10);
 }
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
-// clamped.
+// Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// A seed for part `index` of a sum of independent noises.
+// The seed of part `index` in a sum of independent noises.
 fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
     let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
     return _e7;
 }
 
-// A wave vector: see gabor_kernel.
+// A wave vector, from gabor_kernel.
 struct GaborKernel {
     wave: vec2<f32>,
 }
@@ -342,7 +337,7 @@ struct GaborPlace {
     time: f32,
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
 struct GaborField {
     value: vec2<f32>,
     slope_x: vec2<f32>,
@@ -360,8 +355,7 @@ fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
     return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-// way.
+// The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
@@ -372,8 +366,8 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
-// The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
-// endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+// The place p in a world that repeats after `period` kernel radii, or that is endless along an axis where the
+// period is 0. A period has a whole number of nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
@@ -513,7 +507,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     }
 }
 
-// Noise, quadrature and both gradients at a place. All other functions call this one.
+// Noise, quadrature and both gradients at a place. All other functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
@@ -652,8 +646,8 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
-// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have independent, normal, complex
+// amplitudes A_ij. Each node emits a wave under a window that ends one kernel radius away along x and y:
 //
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
 //
@@ -662,19 +656,19 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 //
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
 //
-// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
-// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
-// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// and so do the squares of the derivatives. So the variances of the noise, its gradient and its second derivatives
+// depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway between nodes
+// for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. A sum of normal numbers is
 // normal.
 //
-// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
-// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+// Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
+// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
 //
 // After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
+// Mixes a word, with a different sequence for each salt (constants from the hash-prospector project).
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     var word_1: u32;
 
@@ -690,15 +684,17 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The salt of the columns. That of the rows is its xor with GABOR_IMPL_ROWS: otherwise node (i, i) hashes to a square.
+// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts node (i, i) would hash to a
+// square.
 fn gabor_impl_salt(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
 }
 
-// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
-// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. A word times a shifted copy of itself mixes
-// what a constant factor would not: indices at any distance have equal words as often as chance, 2^-22.
+// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits with the highest
+// one set, so that products fill all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Multiplying a word by a
+// shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
+// any distance.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     var word_2: u32;
 
@@ -711,10 +707,10 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     return ((_e14 >> 8u) | 8388609u);
 }
 
-// The amplitude of a word. Its parts, of the whole word and of its low 20 bits, are independent and nearly normal: for u
-// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
-// there, and 0.001 on average.
+// The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
+// nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
+// proportional to normal ones. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the worst place, a node, whose
+// amplitude has 79 % of the power there.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
 
@@ -758,8 +754,8 @@ fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to that. With t reduced to
+// half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_2: f32;
     var turn: vec2<f32>;
@@ -915,7 +911,7 @@ struct GaborAxis {
     node: array<vec4<f32>, 4>,
 }
 
-// With `wave` cycles and `radius` nodes per kernel radius.
+// `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborAxis {
     if GABOR_TAPS == 2 {
         var axis: GaborAxis;
@@ -1130,8 +1126,8 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     }
 }
 
-// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
-// squares sum to 1 and which at time 0 are 1, 0, 0.
+// The amplitude of a node. With time it is a weighted sum of three, from its word and two words derived from it. The
+// squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second: u32;
@@ -1161,8 +1157,9 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
 }
 
-// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
-// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw has
+// the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows, so there
+// are none.
 fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     if GABOR_TAPS == 2 {
         var row: vec4<f32> = vec4(0f);
@@ -1294,8 +1291,8 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
     }
 }
 
-// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
-// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
         var turn_4: vec2<f32>;

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without parametrization: mean 0, variance 1 and a normal
 // distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 011d6acd532d19b5
+// Digest of the GLSL and of this file: 2e233f6a2d1e3f25
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -198,6 +198,7 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
+// The noises above at a place. All other functions call these.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var stretch_3: vec3<f32>;
     var wave_21: vec3<f32>;
@@ -394,7 +395,6 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     return _e105;
 }
 
-// The noises above at a place. All other functions call these.
 fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
     var aside_1: f32;

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise of any power spectrum, and without aliasing: for WGSL.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 827f8b4b5aed5e9e
+// Digest of the GLSL and of this file: 9f780cdc4d351676
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
@@ -505,6 +505,7 @@ fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
+// gabor_profile_sine and so on.
 fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
     return (0.5f - (0.5f * stripes.x));
 }
@@ -602,7 +603,6 @@ fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
     }
 }
 
-// gabor_profile_sine and so on.
 fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     if GABOR_TAPS == 2 {
         var phase_11: vec2<f32>;

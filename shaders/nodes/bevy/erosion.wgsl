@@ -61,12 +61,12 @@ fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: Gabor
     return _e11;
 }
 
+// The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e6 = gabor_terrain_at(GaborGround(vec2(0i), p, period), seed);
     return _e6;
 }
 
-// The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
 fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e12 = gabor_eroded_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
     return _e12;
@@ -79,6 +79,7 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
+// All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
 fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -178,7 +179,6 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     return GaborTerrain((0.33f * _e177), _e179, (_e180 * inverseSqrt((1f + (_e182 * _e183)))));
 }
 
-// All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
 fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     var terrain: GaborTerrain;
     var gully: GaborTerrain;

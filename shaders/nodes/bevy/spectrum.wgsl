@@ -507,6 +507,7 @@ fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
+// gabor_profile_sine and so on.
 fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
     return (0.5f - (0.5f * stripes.x));
 }
@@ -604,7 +605,6 @@ fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
     }
 }
 
-// gabor_profile_sine and so on.
 fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     if GABOR_TAPS == 2 {
         var phase_11: vec2<f32>;

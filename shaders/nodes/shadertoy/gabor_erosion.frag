@@ -4,13 +4,27 @@
 // ---- gabor_lattice.glsl as it is ----
 // gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place.
 //
-// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name it
-// adds begins with gabor_, Gabor or GABOR_. Those with gabor_impl_ are private.
+// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
+// it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// Positions are in kernel radii: a wave fades out within one radius of its node. Frequencies are in cycles per radius.
+// Values are normal to three standard deviations. Beyond 3.5, 13 % too few occur overall, and 56 % too few at a node.
+//
+// Arguments of all functions:
+//     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
+//                  but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
+//     orientation  direction of the wave vector, in radians from +x towards +y. Rounding adds an error of 1.5e-6 for
+//                  each radian at frequency 4.
+//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
+//                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Below 2 it narrows
+//                  the windows; above, it stretches them by at most a sixth.
+//     seed         any; different seeds give independent noises
+// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.glsl
+// keeps stripes whole where a map jumps. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -26,8 +40,8 @@ precision highp float;
 precision highp int;
 #endif
 
-// Quality; define it before the file. A point sums GABOR_TAPS^2 waves: 3 by 3 by default; 4 for a covariance that depends
-// less on the place; 2 for speed, with columns and rows that show at high frequencies.
+// Quality, to define before the file: each point sums GABOR_TAPS^2 waves. 2 is fastest but shows columns and rows at
+// high frequencies; 4 makes the covariance depend less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -36,89 +50,66 @@ precision highp int;
 #endif
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
-//                    at 10^5 it steps by 0.008.
-//       frequency    cycles per kernel radius; its magnitude counts, up to 10^6.
-//       orientation  direction of the wave vector in radians from +x towards +y. Its own rounding shows where it is
-//                    large: at frequency 4 the noise is off by 1.5e-6 for each radian.
-//       seed         any; different seeds give independent noises.
-//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p, frequency
-//     or orientation gives an unspecified value.
+// float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
+// float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
+// float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
+//     The noise. It and its first derivatives are continuous.
+
+// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
+//     t). Costs three noises.
+
+// vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
+//     Four independent noises, with seeds `seed` and gabor_lobe_seed(seed, -1), -2 and -3. Costs four noises.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
-//     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-//     orientation as constant.
+// vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
+//     (noise, d/dx, d/dy), per kernel radius, for a constant wave vector.
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
-//     sines; at one place both have variance 1 and are independent.
+// vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
+//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
+//     each place both are independent with variance 1.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
 //     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
-//     Four independent noises: gabor_noise, and those of gabor_lobe_seed(seed, -1), -2 and -3. Four times the cost.
-
-// float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
-//     Noise that repeats exactly after `period` kernel radii along x and y, from 1/1024 to 10^9, at any frequency and
-//     orientation. Windows stretch to fit a whole number of nodes: by a sixth at most from a period of 2 up; shorter
-//     periods narrow the windows.
-
-// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At time 0 it is gabor_noise,
-//     at any other it has the same law. Its correlation over a time t is cos^2(pi t). Three times the cost.
-
-// float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
-//     gabor_noise for direction fields, with a wave vector in cycles per kernel radius, up to 10^6 along each axis, in
-//     place of frequency and orientation. It may vary per pixel. (0, 0), where a map has no direction, gives noise of
-//     frequency 0. Where a map jumps, the noise jumps too, and stripes end: gabor_direction.glsl joins them.
-
-// vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
-// vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
-// float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
-//     The same with gradient, which takes the wave vector as constant; with quadrature; and with a period.
-
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
-//     Stripes of even contrast across the wave vector: (cosine, sine, intensity). With z the complex noise of that wave,
-//     the intensity is |z|, and (cosine, sine) is z, (quadrature, noise), brought to length 1 where |z| exceeds 1 /
-//     sharpness. Below it the length is sharpness |z|, so that stripes end softly where they fork, instead of in spikes.
-//     2 is a good sharpness; any from 0 to 10^6.
-
 // vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
-//     The same with a period, as gabor_noise_tiled.
+//     Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
+//     value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
+//     exceeds 1 / sharpness. Below, the length is sharpness |z|, so stripes fade where they fork.
 
 // vec3 gabor_stripes_of(vec2 value, float sharpness)
-//     The stripes of any complex noise's value.
+//     The stripes of any complex value.
 
 // float gabor_unorm(float noise)
-//     Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
-//     clamped.
+//     Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
 
 // uint gabor_lobe_seed(uint seed, int index)
-//     A seed for part `index` of a sum of independent noises.
+//     The seed of part `index` in a sum of independent noises.
 
-// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+// ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector: see gabor_kernel.
+// A wave vector, from gabor_kernel.
 struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
 
 // A position in nodes of the lattice, and how space and time repeat.
 struct GaborPlace {
-    ivec2 cell;    // any integers, but for the last few before the world wraps around at 2^31
-    vec2 local;    // offset from that cell's corner, in node spacings: any small vector, [0, 1)^2 is the most precise
-    vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or near it to fit a period
+    ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
+    vec2 local;    // offset from that cell's corner in node spacings; small, and most precise in [0, 1)^2
+    vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     ivec2 period;  // in nodes, 0 for none
-    bool animated; // whether time counts
-    float time;    // in periods of time
+    bool animated; // whether to use time
+    float time;    // in periods
 };
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
 struct GaborField {
     vec2 value;
     vec2 slope_x;
@@ -132,15 +123,14 @@ struct GaborField {
 //     The kernel of a wave vector, with the range of gabor_noise_wave.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-//     way.
+//     The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
 
 // GaborPlace gabor_place_tiled(vec2 p, vec2 period)
-//     The place p in a world that repeats after `period` kernel radii along each axis where that is positive, and is
-//     endless where it is 0. The period is rounded to whole nodes, from GABOR_TAPS to 2^31.
+//     The place p in a world that repeats after `period` kernel radii, or that is endless along an axis where the
+//     period is 0. A period has a whole number of nodes, from GABOR_TAPS to 2^31.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call this one.
+//     Noise, quadrature and both gradients at a place. All other functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -152,8 +142,8 @@ struct GaborField {
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have random complex amplitudes A_ij,
-// independent and normal. Each sends out a wave, under a window that ends one kernel radius from it along x and y:
+// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have independent, normal, complex
+// amplitudes A_ij. Each node emits a wave under a window that ends one kernel radius away along x and y:
 //
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
 //
@@ -162,13 +152,13 @@ struct GaborField {
 //
 //     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
 //
-// and so do the squares of the derivatives: the variances of the noise, of its gradient and of its second derivatives do
-// not depend on the place or the frequency. The second derivatives jump where windows end, midway between nodes for 3
-// taps and at nodes for 4: by 0.16 of their deviation at frequency 1, by 1.1 of it at 0. A sum of normal numbers is
+// and so do the squares of the derivatives. So the variances of the noise, its gradient and its second derivatives
+// depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway between nodes
+// for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. A sum of normal numbers is
 // normal.
 //
-// Each wave's phase counts from its own node, so the wave vector F may vary from place to place. From one node to the
-// next the phase turns by u = 2 pi F_x / R and v = 2 pi F_y / R. Counted from node (0, 0), next to p, both axes separate:
+// Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
+// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
 //
@@ -176,7 +166,7 @@ struct GaborField {
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
-// A well-mixed word for each word, another sequence for each salt (constants from the hash-prospector project).
+// Mixes a word, with a different sequence for each salt (constants from the hash-prospector project).
 uint gabor_impl_mix(uint word, uint salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
@@ -188,25 +178,27 @@ uint gabor_lobe_seed(uint seed, int index) {
 }
 
 #define GABOR_IMPL_ROWS 0x5bd1e995u
-// The salt of the columns. That of the rows is its xor with GABOR_IMPL_ROWS: otherwise node (i, i) hashes to a square.
+// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts node (i, i) would hash to a
+// square.
 uint gabor_impl_salt(uint seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or a row of nodes; a node's is their product. It is odd and of 24 bits, the highest set, so that
-// products take all 32 bits: GPUs multiply 24 bits at a quarter of the cost. A word times a shifted copy of itself mixes
-// what a constant factor would not: indices at any distance have equal words as often as chance, 2^-22.
+// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits with the highest
+// one set, so that products fill all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Multiplying a word by a
+// shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
+// any distance.
 uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = word * (word ^ (word >> 15u));
     return (word >> 8u) | 0x800001u;
 }
 
-#define GABOR_IMPL_DEVIATION 1.4599553e27 // of a part of an amplitude
-// The amplitude of a word. Its parts, of the whole word and of its low 20 bits, are independent and nearly normal: for u
-// uniform in [-1, 1] the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are in proportion to those of
-// the normal law. The noise has cvm [TNVT19] 0.03 at the worst place, a node, whose amplitude has 79 % of the power
-// there, and 0.001 on average.
+#define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
+// The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
+// nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
+// proportional to normal ones. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the worst place, a node, whose
+// amplitude has 79 % of the power there.
 vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
@@ -231,8 +223,8 @@ vec2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1] and as t is rounded beyond. With t reduced to half a turn and
-// y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to that. With t reduced to
+// half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 vec2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     vec2 turn = gabor_impl_half_turn(0.25 - abs(t));
@@ -240,12 +232,12 @@ vec2 gabor_impl_wave(float t) {
 }
 
 // The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
-// kernel radius, at x node spacings from node 0: within 1/2 for three taps, in [0, 1] for four and [-1, 0] for two.
+// kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
-    // Two shifts of Hann's window do not do. 1 - s and s over the root of their sum of squares do, s = t^2 (3 - 2 t);
-    // but the variances of their derivatives vary.
+    // Two shifts of Hann's window have no constant energy. 1 - s and s do, divided by the root of their sum of squares,
+    // with s = t^2 (3 - 2 t), but the variances of their derivatives vary.
     float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * vec4(1.0 - s, s, 0.0, 0.0);
@@ -259,7 +251,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over the root of 8, then c and s: halves of those of pi/2 x
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8); c and s are half those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -282,14 +274,14 @@ struct GaborAxis {
     float offset; // of the point from node 0, in node spacings
     float turns;  // of the wave from a node to the next
     uint word[4];
-    vec4 node[4]; // what amplitudes are multiplied with: e^(-i u i) times the window, and times its derivative
+    vec4 node[4]; // factors of the amplitudes: e^(-i u i) times the window, and times its derivative
 };
 
-// With `wave` cycles and `radius` nodes per kernel radius.
+// `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
     GaborAxis axis;
     float zero = floor(local + (2.0 - GABOR_RADIUS));
-    // Within these bounds but for a compiler that fuses the product in `local` with the difference.
+    // The clamp matters only if a compiler fuses the product in `local` with the difference.
     axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
     axis.turns = wave / radius;
     vec4 value, slope;
@@ -309,8 +301,8 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     return axis;
 }
 
-// The amplitude of a node. In time it is a sum of three, of its word and two that follow from it, with weights whose
-// squares sum to 1 and which at time 0 are 1, 0, 0.
+// The amplitude of a node. With time it is a weighted sum of three, from its word and two words derived from it. The
+// squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
     vec2 amplitude = gabor_impl_amplitude(word);
     if (!animated) return amplitude;
@@ -321,15 +313,16 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
 
-// Adds row j of nodes to sums with windows along y, and with their derivatives; in zw with the derivatives of those along
-// x. Loops over nodes and rows would be shorter, but some compilers do not unroll them, or vectorize what has them.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw has
+// the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows, so there
+// are none.
 void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     vec4 row = vec4(0.0);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if (j != 1 || x.offset < 8.0) { // always, but at a branch compilers for CPUs keep rows, and registers, in order
+    if (j != 1 || x.offset < 8.0) { // always, but the branch keeps CPU compilers from spilling registers
         gabor_impl_add(sum, row, y.node[j].xy);
         gabor_impl_add(slope, row, y.node[j].zw);
     }
@@ -343,8 +336,8 @@ void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec
     if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
-// The noise of such sums, turned by the wave from node (0, 0) to the point and scaled by K, for E[n^2] is half of E|A|^2
-// times the sums of squared windows along x and y. The derivative of a wave is 2 pi i F times it.
+// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch) {
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     vec2 value = gabor_impl_product(sum.xy, turn);
