@@ -1,13 +1,14 @@
 // gabor_noise.glsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place.
 //
-// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name it
-// adds begins with gabor_, Gabor or GABOR_. Those with gabor_impl_ are private.
+// Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
+// it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// Use this file for the paper's noise itself. gabor_lattice.glsl has the same calls, is faster, and is normal at every
-// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per radius.
+// Use this file for the paper's own noise. gabor_lattice.glsl has the same functions, is faster, and is normal at every
+// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
+// radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -24,18 +25,18 @@ precision highp int;
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// ---- Recipe: macros to define before the file. The defaults are the recipe `one`; README has a table of others -----
+// ---- Macros to define before the file: a recipe. These defaults are `one`; docs/recipes.md has others --------------
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
 #endif
 #ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Each axis visits ceil(2 R) + 1 cells
+#define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Loops cover ceil(2 R) + 1 cells per axis
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
 #define GABOR_WEIGHT_FLOOR 0.675 // A: a weight's magnitude is A or 1, equally likely: a float in [0, 1]
 #endif
-// Phases of impulses, evenly spread over a turn: a power of two up to 256. 2 is a sine kernel, which integrates to 0.
+// Number of phases, evenly spread over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
 #ifndef GABOR_PHASES
 #define GABOR_PHASES 256
 #endif
@@ -43,10 +44,10 @@ precision highp int;
 #define GABOR_WINDOW vec3(3.0, -4.5, 2.5) // c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2
 #endif
 #ifndef GABOR_UNROLL
-#define GABOR_UNROLL // stands before each loop: [[unroll]] with GL_EXT_control_flow_attributes, [unroll] in HLSL
+#define GABOR_UNROLL // written before each loop: [[unroll]] with GL_EXT_control_flow_attributes, [unroll] in HLSL
 #endif
 
-#ifndef GABOR_UNCHECKED // defined where the macros are constants that #if cannot know
+#ifndef GABOR_UNCHECKED // define it if the macros are constants that #if cannot evaluate
 #if GABOR_IMPULSES < 1
 #error GABOR_IMPULSES is an int, at least 1
 #endif
@@ -58,26 +59,24 @@ precision highp int;
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-//     normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
-//                    at 10^5 it steps by 0.008
-//       frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of
-//                    impulses are too coarse for the exact variance
+//     Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values are
+//     nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                    steps of 0.008
+//       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, impulses have too coarse
+//                    positions for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //       seed         any; different seeds give independent noises
-//     Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p,
-//     frequency or orientation gives an unspecified value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses,
-//     9 for the default recipe.
+//     Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
+//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
-//     The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-//     orientation as constant.
+//     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
-//     sines. At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1
-//     only from frequency 1.5 up.
+//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
+//     each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only from
+//     frequency 1.5 up.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
@@ -85,38 +84,37 @@ precision highp int;
 
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells
-//     grow to fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14
-//     to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, so is the distribution. Otherwise cells grow
+//     to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, and
+//     14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is
-//     gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87
-//     at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+//     Noise that evolves in place with period 1. At any time it is an instance of gabor_noise. Its autocorrelation is
+//     the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the
+//     places it hardly moves.
 
 // float gabor_unorm(float noise)
-//     Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
-//     clamped.
+//     Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
 
-// ---- By place: large worlds, periods and time together -------------------------------------------------------------
+// ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
-// A wave and its normalization: see gabor_kernel.
+// A wave and its normalization, from gabor_kernel.
 struct GaborKernel {
     vec2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
-    float variance_factor; // variance for K = 1, relative to that at high frequency: 1 but for two phases
+    float variance_factor; // variance for K = 1, relative to high frequencies: 1 unless there are two phases
 };
 
 // A position in cells, and how space and time repeat.
 struct GaborPlace {
-    ivec2 cell;   // any integers, but for the last few before the world wraps around at 2^31
-    vec2 local;   // offset from that cell's corner, in cells: any small vector, [0, 1)^2 is the most precise
-    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or between half of it and it to fit a period
+    ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
+    vec2 local;   // offset from that cell's corner in cells; small, and most precise in [0, 1)^2
+    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
     ivec2 period; // in cells, 0 for none
-    float time;   // in periods of time: only its fraction counts
+    float time;   // in periods; only its fraction counts
 };
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
 struct GaborField {
     vec2 value;
     vec2 slope_x;
@@ -127,11 +125,10 @@ struct GaborField {
 //     The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-//     way.
+//     The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call this one.
+//     Noise, quadrature and both gradients at a place. All other functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -145,14 +142,14 @@ struct GaborField {
 //     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
 //
 // with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
-// phase counts from its own impulse, so frequency and orientation may vary from place to place.
+// radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
+// phase starts at its own impulse, so frequency and orientation may vary with the place.
 //
 // [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, vec3 window) {
 }
-void gabor_impl_check_macros() { // a macro of another type ends in an error here
+void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
     gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
                                                        GABOR_WINDOW);
 }
@@ -160,8 +157,8 @@ void gabor_impl_check_macros() { // a macro of another type ends in an error her
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 #define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u // odd, and spreads consecutive cells over all 32 bits
 
-// A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
-// The salt enters between them, so that the sequences of two salts share no run.
+// Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
+// between the rounds, so the sequences of two salts share no run.
 uint gabor_impl_mix(uint word, uint salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
@@ -177,7 +174,7 @@ uint gabor_impl_row_word(int row, uint seed_word) {
     return gabor_impl_mix(uint(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
 }
 
-// The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
+// The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
 // phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
 // of x: only offsets in x below 1/256 of a cell depend on y.
 uint gabor_impl_impulse_word(int column, uint row_word, int index) {
@@ -185,7 +182,7 @@ uint gabor_impl_impulse_word(int column, uint row_word, int index) {
     return gabor_impl_mix(uint(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
 
-// What an impulse's word says. Positions in the cell are plus 1, in [1, 2)^2, which takes no conversion from integers.
+// The parts of an impulse's word. Positions in the cell have 1 added, in [1, 2)^2, to avoid a conversion from integers.
 struct GaborImpulse {
     vec2 position_plus_one;
     float phase;      // turns
@@ -218,7 +215,7 @@ vec2 gabor_impl_direction(float angle) {
     float r = angle - quarter * 1.5703125;
     r -= quarter * 4.837512969970703e-4;
     r -= quarter * 7.549789948768648e-8;
-    r = abs(r) < 1.0 ? r : 0.0; // far outside the range, where no digit is left of it, any direction will do
+    r = abs(r) < 1.0 ? r : 0.0; // far outside the range no digit is left, and the direction becomes arbitrary
     float s = r * r;
     float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
@@ -332,10 +329,10 @@ GaborKernel gabor_kernel(float frequency, float orientation) {
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
     vec2 whole = floor(place.local);
-    vec2 local = clamp(place.local - whole, 0.0, 1.0); // but for a compiler that fuses the difference with a product
+    vec2 local = clamp(place.local - whole, 0.0, 1.0); // matters only if a compiler fuses this with a product
     vec2 first = floor(local - place.radius);
     ivec2 cell = place.cell + ivec2(whole + first);
-    first -= 1.0; // what position_plus_one adds
+    first -= 1.0; // undoes the 1 of position_plus_one
     vec2 cell_side = 1.0 / place.radius;
     float time = fract(place.time);
     uint seed_word = gabor_impl_seed_word(seed);
@@ -347,15 +344,16 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
             GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
                 uint word = gabor_impl_impulse_word(column, row_word, k);
                 GaborImpulse impulse = gabor_impl_impulse(word);
-                // The sum in the inner brackets is exact, which leaves one rounding.
+                // The sum in the inner brackets is exact, so only one rounding remains.
                 vec2 d = (local - (impulse.position_plus_one + (first + vec2(float(i), float(j))))) * cell_side;
-                // Half of the impulses reach here. The branch also keeps compilers for CPUs from spilling registers.
+                // Only half of the impulses reach this point. The branch also keeps CPU compilers from spilling
+                // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
                     float turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;
                     vec2 x = gabor_impl_window(d.x);
                     vec2 y = gabor_impl_window(d.y);
                     vec2 wave = impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
-                    // The derivative of e^(2 pi i F x) is 2 pi i F times it.
+                    // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     vec2 turned = (6.2831853 * x.x * y.x) * vec2(-wave.y, wave.x);
                     sum.value += (x.x * y.x) * wave;
                     sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
@@ -364,7 +362,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
             }
         }
     }
-    // With fewer cells per radius there are fewer impulses.
+    // Fewer cells per radius mean fewer impulses.
     float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y)
                 * gabor_impl_phase_gain(kernel, time);
     return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);

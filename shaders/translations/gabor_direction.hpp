@@ -1,5 +1,6 @@
 // clang-format off
-// gabor_direction.hpp: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the pixel: for C++ on the CPU.
+// gabor_direction.hpp: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
+// pixel: for C++ on the CPU.
 //
 // Made from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
@@ -9,11 +10,12 @@
 //     ...
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
-// gabor_noise_wave takes the map's wave vector at the pixel: where the map jumps, the noise jumps, and around a vortex
-// stripes crowd. Here each of the nine nodes around a point has one wave vector, so that stripes run across jumps within
-// a kernel radius. Value and gradient are normal at every place for any map, the value with variance 1, and the gradient
-// is exact, the map's own variation included. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis;
-// (0, 0) where the map has no direction. Cost: 1.5 to 1.7 times the form at the pixel, with a computed map's nine reads.
+// gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
+// around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
+// within a kernel radius. Value and gradient are normal at every place for any map. The value has variance 1, and the
+// gradient includes the map's own variation. Values are normal to three standard deviations, as in gabor_lattice.hpp.
+// Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction.
+// Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -26,9 +28,9 @@
 #ifndef GABOR_DIRECTION_HPP
 #define GABOR_DIRECTION_HPP
 
-// ---- With wave vectors that you have read yourself: several maps, or a language without macros ---------------------
+// ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
-// The wave vectors of the nine nodes around a place, row by row: see gabor_node_position.
+// The wave vectors of the nine nodes around a place, row by row, at the positions of gabor_node_position.
 struct GaborWaves {
     gabor_vec2 wave[9];
 };
@@ -37,12 +39,12 @@ struct GaborWaves {
 //     Where to read the map for node `index`, 0 to 8, around a place: in kernel radii, within the place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
-//     Noise, quadrature and both gradients at a place. gabor_stripes_of makes stripes of its value.
+//     Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
 
-// ---- With a map, where GABOR_DIRECTION(p) is defined before the file -----------------------------------------------
+// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
-//     Noise, quadrature and both gradients at a place. All functions below call this one.
+//     Noise, quadrature and both gradients at a place. All functions below call it.
 
 // float gabor_noise_direction(vec2 p, uint seed)
 // vec3 gabor_noise_direction_gradient(vec2 p, uint seed)
@@ -63,9 +65,10 @@ struct GaborWaves {
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //
-// where the F_c are numbers that do not depend on p. A_c and its product with a number of length 1 have the same law, so
-// the value's is that of gabor_noise whatever the F_c are. The gradient, linear in the same amplitudes, is normal too, of
-// covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), h for the product of both windows.
+// where F_c does not depend on p. Multiplying A_c by a number of length 1 does not change its distribution, so the
+// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and so also
+// normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the product of
+// both windows.
 
 GABOR_INLINE gabor_vec2 gabor_node_position(GaborPlace place, int index) {
     gabor_ivec2 node = gabor_ivec2(gabor_cpp_floor(place.local + 0.5f)) + gabor_ivec2(index - index / 3 * 3 - 1, index / 3 - 1);

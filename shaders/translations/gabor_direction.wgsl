@@ -1,7 +1,8 @@
-// gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the pixel: for WGSL.
+// gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
+// pixel: for WGSL.
 //
+// Digest of the GLSL and of this file: 1f56bdc9e651cc6f
 // Made from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 4c953ec0ba76ec3f
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -9,15 +10,16 @@
 //     ...
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
-// gabor_noise_wave takes the map's wave vector at the pixel: where the map jumps, the noise jumps, and around a vortex
-// stripes crowd. Here each of the nine nodes around a point has one wave vector, so that stripes run across jumps within
-// a kernel radius. Value and gradient are normal at every place for any map, the value with variance 1, and the gradient
-// is exact, the map's own variation included. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis;
-// (0, 0) where the map has no direction. Cost: 1.5 to 1.7 times the form at the pixel, with a computed map's nine reads.
+// gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
+// around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
+// within a kernel radius. Value and gradient are normal at every place for any map. The value has variance 1, and the
+// gradient includes the map's own variation. Values are normal to three standard deviations, as in gabor_lattice.wgsl.
+// Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction.
+// Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The wave vectors of the nine nodes around a place, row by row: see gabor_node_position.
+// The wave vectors of the nine nodes around a place, row by row, at the positions of gabor_node_position.
 struct GaborWaves {
     wave: array<vec2<f32>, 9>,
 }
@@ -36,7 +38,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// Noise, quadrature and both gradients at a place. gabor_stripes_of makes stripes of its value.
+// Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
@@ -137,9 +139,10 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //
-// where the F_c are numbers that do not depend on p. A_c and its product with a number of length 1 have the same law, so
-// the value's is that of gabor_noise whatever the F_c are. The gradient, linear in the same amplitudes, is normal too, of
-// covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), h for the product of both windows.
+// where F_c does not depend on p. Multiplying A_c by a number of length 1 does not change its distribution, so the
+// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and so also
+// normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the product of
+// both windows.
 
 // Adds a node's wave, `d` kernel radii from it, with (window, derivative) along each axis.
 fn gabor_impl_add_directed(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {

@@ -1,11 +1,11 @@
-// gabor_materials.hlsl: materials made of Gabor noise: for HLSL, shader model 5.0 and up.
+// gabor_materials.hlsl: twelve materials from Gabor noise: for HLSL, shader model 5.0 and up.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
+// One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -35,7 +35,7 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
     return made;
 }
 
-// The materials at p, and in brackets how many noises each evaluates.
+// The material at p; the number of noises that it evaluates is in brackets.
 // GaborMaterial gabor_wood(float2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
 // GaborMaterial gabor_fabric(float2 p, uint seed)           linen: a plain weave of uneven threads [5]
 // GaborMaterial gabor_leather(float2 p, uint seed)          pebbled grain: cells between creases [8]
@@ -49,8 +49,8 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 // GaborMaterial gabor_carbon_fibre(float2 p, uint seed)     a twill of black tows [3]
 // GaborMaterial gabor_strata(float2 p, uint seed)           layers of sandstone, seen from the side [11]
 
-// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
-// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+// The same averaged over a pixel. dx and dy are dFdx(p) and dFdy(p): the change of p from one pixel to the next. Noises
+// that only displace the pattern cost as much as unfiltered, all others as much as gabor_noise_filtered.
 // GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed)
 // GaborMaterial gabor_fabric_filtered(float2 p, float2 dx, float2 dy, uint seed)
 // GaborMaterial gabor_leather_filtered(float2 p, float2 dx, float2 dy, uint seed)
@@ -68,12 +68,12 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 // Private implementation
 // ====================================================================================================================
 //
-// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
-// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
-// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
-// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
-// sharp ones at every distance; leather and the weaves fade to a measured mean.
+// How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
+// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
+// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
+// of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -95,8 +95,8 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered)
     return made;
 }
 
-// Two independent noises, the parts of a complex one, and the share of their variance that was removed.
-//   density  kernels to the unit, along x and y
+// Two independent noises, the parts of a complex one, and the removed share of their variance.
+//   density  kernels per unit along x and y
 float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
@@ -108,12 +108,12 @@ float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float
     return float3(value, removed);
 }
 
-// The same without waves, of frequency 0: spots as large as a kernel.
+// The same at frequency 0: spots as large as a kernel.
 float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// Their sum over sizes, each half as large and of `gain` times the amplitude.
+// A sum of spots, each octave half as large with `gain` times the amplitude.
 float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = (float3)(0.0);
     float power = 0.0;
@@ -128,7 +128,7 @@ float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gai
     return sum / float3((float2)(sqrt(power)), power);
 }
 
-// The place moved by two noises, and its steps with it.
+// Moves the place by two noises, and its steps accordingly.
 GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed) {
     GaborPlace place = gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
     GaborField field = gabor_field(place, gabor_kernel(0.0, 0.0), seed);
@@ -138,14 +138,14 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered);
 }
 
-// The place in axes turned by an angle.
+// Turns the axes by an angle.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(-0.15915494 * angle);
     return GaborPixel_of(gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
                       gabor_impl_product(turn, pixel.dy), pixel.filtered);
 }
 
-// ---- Functions of noise, and their means over what a filter took away ----------------------------------------------
+// ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
@@ -165,22 +165,22 @@ float gabor_impl_tone(float noise, float removed, float contrast) {
     return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
 }
 
-// The unit vector of a complex noise's phase, of which its mean is shorter.
+// The unit vector of a complex noise's phase; shorter where it is a mean.
 float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
-// A phase that grows evenly, likewise: what a normal filter leaves of the wave.
+// The same for a phase that grows evenly: the wave after a normal filter.
 float2 gabor_impl_turns(float turns, float dx, float dy) {
     return exp(-min(4.9348022 * (dx * dx + dy * dy), 40.0)) * gabor_impl_wave(turns);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
 float gabor_impl_rise(float2 stripes) {
     return gabor_stripes_sawtooth(stripes) - 0.25 * gabor_stripes_ridges(stripes);
 }
 
-// The colour within [0, 1], which a product of tones can exceed.
+// Clamps the colour to [0, 1], which a product of tones can exceed.
 GaborMaterial gabor_impl_material(float3 colour, float height, float roughness, float metalness) {
     return GaborMaterial_of(clamp(colour, 0.0, 1.0), height, roughness, metalness);
 }
@@ -213,7 +213,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
     float3 upright_fibre = gabor_impl_spots(cloth, float2(14.0, 2.0) * count, gabor_lobe_seed(seed, 3));
     float3 level_fibre = gabor_impl_spots(cloth, float2(2.0, 14.0) * count, gabor_lobe_seed(seed, 4));
 
-    // Across it a thread is round, along it it goes over one and under the next.
+    // A thread has a round profile, and goes over one crossing thread and under the next.
     float2 at = count * cloth.p + 0.13 * float2(upright.x, level.x);
     float2 thread_ = floor(at);
     float2 within = at - thread_ - 0.5;
@@ -227,7 +227,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
     float3 tone = first ? upright : level;
     float3 fibre = first ? upright_fibre : level_fibre;
 
-    // What is left of the weave under the pixel's filter; beyond, its mean.
+    // The part of the weave that the filter keeps; the rest becomes the mean.
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
     float light = lerp(0.87, smoothstep(-1.3, 0.5, top), kept);
@@ -237,7 +237,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, (0.3 * lerp(0.146, top, kept) + 0.035 * fibre.y) / count, 0.85, 0.0);
 }
 
-// Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
+// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
 GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014), gabor_lobe_seed(seed, 1));

@@ -1,12 +1,12 @@
 // clang-format off
-// gabor_materials.hpp: materials made of Gabor noise: for C++ on the CPU.
+// gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
+// One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -26,7 +26,7 @@ struct GaborMaterial {
     float metalness; // 0 or 1
 };
 
-// The materials at p, and in brackets how many noises each evaluates.
+// The material at p; the number of noises that it evaluates is in brackets.
 // GaborMaterial gabor_wood(vec2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
 // GaborMaterial gabor_fabric(vec2 p, uint seed)           linen: a plain weave of uneven threads [5]
 // GaborMaterial gabor_leather(vec2 p, uint seed)          pebbled grain: cells between creases [8]
@@ -40,8 +40,8 @@ struct GaborMaterial {
 // GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)     a twill of black tows [3]
 // GaborMaterial gabor_strata(vec2 p, uint seed)           layers of sandstone, seen from the side [11]
 
-// The same averaged over a pixel. dx and dy are how far p moves from one pixel to the next, dFdx(p) and dFdy(p). Noises
-// that only move or bend the pattern cost as much as before, all others as much as gabor_noise_filtered.
+// The same averaged over a pixel. dx and dy are dFdx(p) and dFdy(p): the change of p from one pixel to the next. Noises
+// that only displace the pattern cost as much as unfiltered, all others as much as gabor_noise_filtered.
 // GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 // GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 // GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
@@ -59,12 +59,12 @@ struct GaborMaterial {
 // Private implementation
 // ====================================================================================================================
 //
-// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
-// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
-// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
-// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
-// sharp ones at every distance; leather and the weaves fade to a measured mean.
+// How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
+// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
+// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
+// of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -76,8 +76,8 @@ struct GaborPixel {
     bool filtered;
 };
 
-// Two independent noises, the parts of a complex one, and the share of their variance that was removed.
-//   density  kernels to the unit, along x and y
+// Two independent noises, the parts of a complex one, and the removed share of their variance.
+//   density  kernels per unit along x and y
 GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
@@ -89,12 +89,12 @@ GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, f
     return gabor_vec3(value, removed);
 }
 
-// The same without waves, of frequency 0: spots as large as a kernel.
+// The same at frequency 0: spots as large as a kernel.
 GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, std::uint32_t seed) {
     return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
 }
 
-// Their sum over sizes, each half as large and of `gain` times the amplitude.
+// A sum of spots, each octave half as large with `gain` times the amplitude.
 GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
     gabor_vec3 sum = gabor_vec3(0.0f);
     float power = 0.0f;
@@ -109,7 +109,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density,
     return sum / gabor_vec3(gabor_vec2(gabor_cpp_sqrt(power)), power);
 }
 
-// The place moved by two noises, and its steps with it.
+// Moves the place by two noises, and its steps accordingly.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
     GaborField field = gabor_field(place, gabor_kernel(0.0f, 0.0f), seed);
@@ -119,14 +119,14 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered};
 }
 
-// The place in axes turned by an angle.
+// Turns the axes by an angle.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(-0.15915494f * angle);
     return GaborPixel{gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
                       gabor_impl_product(turn, pixel.dy), pixel.filtered};
 }
 
-// ---- Functions of noise, and their means over what a filter took away ----------------------------------------------
+// ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
@@ -146,22 +146,22 @@ GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
     return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
 }
 
-// The unit vector of a complex noise's phase, of which its mean is shorter.
+// The unit vector of a complex noise's phase; shorter where it is a mean.
 GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
 
-// A phase that grows evenly, likewise: what a normal filter leaves of the wave.
+// The same for a phase that grows evenly: the wave after a normal filter.
 GABOR_INLINE gabor_vec2 gabor_impl_turns(float turns, float dx, float dy) {
     return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * (dx * dx + dy * dy), 40.0f)) * gabor_impl_wave(turns);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
 GABOR_INLINE float gabor_impl_rise(gabor_vec2 stripes) {
     return gabor_stripes_sawtooth(stripes) - 0.25f * gabor_stripes_ridges(stripes);
 }
 
-// The colour within [0, 1], which a product of tones can exceed.
+// Clamps the colour to [0, 1], which a product of tones can exceed.
 GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, float roughness, float metalness) {
     return GaborMaterial{gabor_cpp_clamp(colour, 0.0f, 1.0f), height, roughness, metalness};
 }
@@ -194,7 +194,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
     gabor_vec3 upright_fibre = gabor_impl_spots(cloth, gabor_vec2(14.0f, 2.0f) * count, gabor_lobe_seed(seed, 3));
     gabor_vec3 level_fibre = gabor_impl_spots(cloth, gabor_vec2(2.0f, 14.0f) * count, gabor_lobe_seed(seed, 4));
 
-    // Across it a thread is round, along it it goes over one and under the next.
+    // A thread has a round profile, and goes over one crossing thread and under the next.
     gabor_vec2 at = count * cloth.p + 0.13f * gabor_vec2(upright.x, level.x);
     gabor_vec2 thread = gabor_cpp_floor(at);
     gabor_vec2 within = at - thread - 0.5f;
@@ -208,7 +208,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
     gabor_vec3 tone = first ? upright : level;
     gabor_vec3 fibre = first ? upright_fibre : level_fibre;
 
-    // What is left of the weave under the pixel's filter; beyond, its mean.
+    // The part of the weave that the filter keeps; the rest becomes the mean.
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
     float light = gabor_cpp_mix(0.87f, gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
@@ -218,7 +218,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
     return gabor_impl_material(colour, (0.3f * gabor_cpp_mix(0.146f, top, kept) + 0.035f * fibre.y) / count, 0.85f, 0.0f);
 }
 
-// Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
+// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
 GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f), gabor_lobe_seed(seed, 1));

@@ -1,12 +1,12 @@
-// gabor_materials.wgsl: materials made of Gabor noise: for WGSL.
+// gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: bb654efbe868ab6f
+// Digest of the GLSL and of this file: c6beb45763631de4
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-// A unit of p is about as much of a material as one sees at a glance: four by four make a good picture.
+// One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -153,12 +153,12 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // Private implementation
 // ====================================================================================================================
 //
-// How a nonlinear function f of noise is filtered: the pixel's filter leaves the value v of a noise of variance 1, and
-// removes the share r of the variance. What it removes is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
-// over normal z. The functions f below have that mean in closed form: a threshold is a normal distribution function, a
-// line along the zeros of a noise a normal curve, a change of tone an exponential, a profile along a phase a mean over
-// phases. Materials multiply and mix functions of independent noises, so that filtered they have the mean colour of the
-// sharp ones at every distance; leather and the weaves fade to a measured mean.
+// How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
+// removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
+// over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
+// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
+// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
+// of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 // A place and the steps to the neighbouring pixels.
 struct GaborPixel {
@@ -168,8 +168,8 @@ struct GaborPixel {
     filtered: bool,
 }
 
-// Two independent noises, the parts of a complex one, and the share of their variance that was removed.
-//   density  kernels to the unit, along x and y
+// Two independent noises, the parts of a complex one, and the removed share of their variance.
+//   density  kernels per unit along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var place_17: GaborPlace;
     var kernel_8: GaborKernel;
@@ -199,13 +199,13 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
 
-// The same without waves, of frequency 0: spots as large as a kernel.
+// The same at frequency 0: spots as large as a kernel.
 fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f32> {
     let _e5 = gabor_impl_layer(pixel, density, 0f, 0f, seed);
     return _e5;
 }
 
-// Their sum over sizes, each half as large and of `gain` times the amplitude.
+// A sum of spots, each octave half as large with `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
     var sum_12: vec3<f32> = vec3(0f);
@@ -251,7 +251,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
     return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
 }
 
-// The place moved by two noises, and its steps with it.
+// Moves the place by two noises, and its steps accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var place_18: GaborPlace;
     var field_10: GaborField;
@@ -276,7 +276,7 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e34.value)), ((pixel.dx + (pixel.dx.x * _e41)) + (pixel.dx.y * _e46)), ((pixel.dy + (pixel.dy.x * _e52)) + (pixel.dy.y * _e57)), pixel.filtered);
 }
 
-// The place in axes turned by an angle.
+// Turns the axes by an angle.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
 
@@ -318,25 +318,25 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
     return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
 }
 
-// The unit vector of a complex noise's phase, of which its mean is shorter.
+// The unit vector of a complex noise's phase; shorter where it is a mean.
 fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
 
-// A phase that grows evenly, likewise: what a normal filter leaves of the wave.
+// The same for a phase that grows evenly: the wave after a normal filter.
 fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
     let _e12 = gabor_impl_wave(turns);
     return (exp(-(min((4.934802f * ((dx * dx) + (dy * dy))), 40f))) * _e12);
 }
 
-// The square of a sawtooth, from 0 to 1, of mean 1/3, along a phase: t^2 = t - 4 t (1 - t) / 4.
+// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
 fn gabor_impl_rise(stripes: vec2<f32>) -> f32 {
     let _e1 = gabor_stripes_sawtooth(stripes);
     let _e3 = gabor_stripes_ridges(stripes);
     return (_e1 - (0.25f * _e3));
 }
 
-// The colour within [0, 1], which a product of tones can exceed.
+// Clamps the colour to [0, 1], which a product of tones can exceed.
 fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness: f32) -> GaborMaterial {
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
@@ -561,7 +561,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     return _e272;
 }
 
-// Two phases and their sum are those of three waves, whose crests meet at every place: a lattice of cells, with faults.
+// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
 fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var skin: GaborPixel;
     var one: vec3<f32>;

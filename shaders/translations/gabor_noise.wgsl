@@ -1,37 +1,36 @@
 // gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Made from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 02a0a868f95135e1
+// Digest of the GLSL and of this file: 634a0c05bf3bd0a5
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
 //
-// Use this file for the paper's noise itself. gabor_lattice.wgsl has the same calls, is faster, and is normal at every
-// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per radius.
+// Use this file for the paper's own noise. gabor_lattice.wgsl has the same functions, is faster, and is normal at every
+// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
+// radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
-// Gabor noise at p: mean 0, variance 1 at every place, continuous with its first derivatives. Its values are nearly
-// normal over all places together, less so at each place of a cell: README has both figures for each recipe.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. A float's own rounding shows where p is large:
-//                at 10^5 it steps by 0.008
-//   frequency    cycles per kernel radius; its magnitude counts, within [10^-6, 10^6]. Above 64 the positions of
-//                impulses are too coarse for the exact variance
+// Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values are
+// nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
+//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                steps of 0.008
+//   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, impulses have too coarse
+//                positions for the exact variance
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //   seed         any; different seeds give independent noises
-// Frequency and orientation may vary from place to place: the noise is continuous where they are. NaN in p,
-// frequency or orientation gives an unspecified value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses,
-// 9 for the default recipe.
+// Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
+// value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     let _e8 = gabor_kernel(frequency, orientation);
     let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
     return _e9;
 }
 
-// The noise and its analytic gradient per kernel radius: (noise, d/dx, d/dy). The gradient takes frequency and
-// orientation as constant.
+// (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var field: GaborField;
 
@@ -45,9 +44,9 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
 }
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines where the noise has
-// sines. At one place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part's variance is 1
-// only from frequency 1.5 up.
+// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
+// each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only from
+// frequency 1.5 up.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
@@ -86,9 +85,9 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 }
 
 // Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-// mean and variance of gabor_noise. So is the rest of the law where period * GABOR_RADIUS is whole; else cells
-// grow to fit, and values become less normal: for `one` cvm 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, 14
-// to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+// mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, so is the distribution. Otherwise cells grow
+// to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, and
+// 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
@@ -118,9 +117,9 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e39.value.y;
 }
 
-// Noise that evolves in place, without drift, and repeats when `time` has grown by 1. At any time it is
-// gabor_noise of some instance. Its correlation with itself is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87
-// at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the places it hardly moves.
+// Noise that evolves in place with period 1. At any time it is an instance of gabor_noise. Its autocorrelation is
+// the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the
+// places it hardly moves.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
@@ -133,13 +132,12 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     return _e14.value.y;
 }
 
-// Maps noise to [0, 1]: two standard deviations either side of 0.5, as [TNVT19] does. 5 % of the values are
-// clamped.
+// Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// A wave and its normalization: see gabor_kernel.
+// A wave and its normalization, from gabor_kernel.
 struct GaborKernel {
     wave: vec2<f32>,
     amplitude: f32,
@@ -155,7 +153,7 @@ struct GaborPlace {
     time: f32,
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Parts that are not used cost nothing.
+// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
 struct GaborField {
     value: vec2<f32>,
     slope_x: vec2<f32>,
@@ -214,13 +212,12 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-// way.
+// The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
 }
 
-// Noise, quadrature and both gradients at a place. All other functions call this one.
+// Noise, quadrature and both gradients at a place. All other functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var kernel_3: GaborKernel;
     var visited: i32 = 3i;
@@ -409,13 +406,13 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
 //     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
 //
 // with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, at which q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
-// phase counts from its own impulse, so frequency and orientation may vary from place to place.
+// radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
+// phase starts at its own impulse, so frequency and orientation may vary with the place.
 //
 // [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-// A well-mixed word for each word: two rounds of shift and multiply, with constants from the hash-prospector project.
-// The salt enters between them, so that the sequences of two salts share no run.
+// Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
+// between the rounds, so the sequences of two salts share no run.
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     var word_1: u32;
 
@@ -442,7 +439,7 @@ fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
     return _e6;
 }
 
-// The word of impulse `index` in a cell. In its bits are y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
+// The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
 // phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
 // of x: only offsets in x below 1/256 of a cell depend on y.
 fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
@@ -455,7 +452,7 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
     return _e14;
 }
 
-// What an impulse's word says. Positions in the cell are plus 1, in [1, 2)^2, which takes no conversion from integers.
+// The parts of an impulse's word. Positions in the cell have 1 added, in [1, 2)^2, to avoid a conversion from integers.
 struct GaborImpulse {
     position_plus_one: vec2<f32>,
     phase: f32,

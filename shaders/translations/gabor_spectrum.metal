@@ -1,12 +1,12 @@
-// gabor_spectrum.metal: Gabor noise of any power spectrum, and without aliasing: for the Metal shading language.
+// gabor_spectrum.metal: Gabor noise with any power spectrum, and filtered for a pixel: for the Metal shading language.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
-//     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
+//     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.metal. Noise has variance 1; filtered noise 1 less what was removed.
-// The filter needs GABOR_TAPS 3, the default.
+// Positions are in kernel radii, as in gabor_lattice.metal. Noise has variance 1; filtered noise has 1 minus the removed
+// share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -20,7 +20,7 @@
 
 using namespace metal;
 
-// The most lobes that a GaborLobes holds; define it before the file to change it.
+// The capacity of a GaborLobes, to define before the file.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
@@ -30,7 +30,7 @@ using namespace metal;
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector: see gabor_lobe.
+// Waves around one wave vector, from gabor_lobe.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -38,7 +38,7 @@ struct GaborLobe {
     float power;
 };
 
-// A power spectrum: its first `count` lobes. GABOR_LOBES at most count.
+// A power spectrum: the first `count` lobes, at most GABOR_LOBES.
 struct GaborLobes {
     GaborLobe lobe[GABOR_LOBES];
     int count;
@@ -46,14 +46,14 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, whatever the radius
+//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
 //       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
 //                               radius cycles per unit of p
-//       power                   relative to other lobes', not negative
+//       power                   relative to other lobes, not negative
 
 // float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed)
-//     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At
-//     the cost of gabor_noise for each lobe.
+//     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
+//     Costs one gabor_noise per lobe.
 //         #define GABOR_LOBES 2              // before the file
 //         GaborLobes lobes;
 //         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
@@ -68,16 +68,17 @@ struct GaborLobes {
 
 // ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
 
-// float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
+// float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float
+// orientation_spread,
 //                          uint seed)
 //     Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-//     `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be.
-//     pi/2 radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at
-//     frequencies from 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous
-//     where the arguments are. Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
+//     `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
+//     isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
+//     below. Normal with all its derivatives, mean 0, variance 1, and continuous where the arguments are. Costs one
+//     gabor_noise per lobe. With o for the orientation_spread there are
 //         (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-//     directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8
-//     frequencies, up to 16. Near a change, a fifth of all arguments, both counts run.
+//     directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
+//     rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -87,24 +88,23 @@ struct GaborLobes {
 //                                 float orientation_spread, uint seed)
 //     With its quadrature, as gabor_noise_complex.
 
-// ---- As a pixel sees it, with GABOR_TAPS 3 -------------------------------------------------------------------------
+// ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add
-//     what was removed to a material's roughness, or treat it as the contrast that a picture lost.
-//       dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The
-//               pixel is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its deviation is half a pixel.
-//     Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the
-//     noise differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root
-//     mean squares over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone.
-//     Continuous in the place and in both steps. Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii,
-//     with 9 nodes, and from 0.2 on 3.1 times, with 16; both in between. From 0.66 on along x or y it takes 20 nodes
-//     and 3.4 times, along both 25 and 3.8 times. Where compilers run both sides of a branch, as for CPUs, 3 and 5
-//     times.
+//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
+//     the removed share to a material's roughness: it is the contrast that is lost.
+//       dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
+//               is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//     The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
+//     pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
+//     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
+//     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
+//     0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2 both
+//     of the first run. On CPUs, where compilers run both sides of a branch: 3 and 5.
 
 // float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and
-//     differ by up to 7 %.
+//     With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
+//     to 7 %.
 
 // float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed,
 //                                out float removed)
@@ -117,13 +117,13 @@ struct GaborLobes {
 //     With its gradient: (noise, d/dx, d/dy, removed).
 
 // float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed)
-//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over what the filter removed, within
-//     0.1: (cosine, sine) gets shorter as waves are removed. Profiles of it fade to their mean.
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
+//     So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
-// By phase and width, averaged over `width` turns of the phase, at least 0.001 and at most 1. Give it how far the phase
-// moves over a pixel, such as gabor_noise's frequency times the length of dFdx(p):
+// By phase in turns, averaged over `width` turns, 0.001 to 1: the change of the phase over a pixel, such as the
+// frequency times the length of dFdx(p).
 
 // float gabor_profile_sine(float phase, float width)
 //     A sine wave from 0 at phase 0 to 1 at half a turn.
@@ -135,13 +135,14 @@ struct GaborLobes {
 //     A straight line from 0 at phase 0 to 1 after a turn.
 
 // float gabor_profile_pulse(float phase, float duty, float width)
-//     1 from phase 0 over the share `duty` of a turn, from 0 to 1, then 0.
+//     1 from phase 0 over the share `duty` (0 to 1) of a turn, then 0.
 
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
 
-// By the (cosine, sine) of stripes, which need no width. Where their length is 1 the profile is sharp. Where it is less,
-// as variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that length:
+// By the (cosine, sine) of stripes, without a width. The profile is sharp where their length is 1. Where it is less,
+// because variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that
+// length.
 
 // float gabor_stripes_sine(float2 stripes)
 // float gabor_stripes_triangle(float2 stripes)
@@ -150,11 +151,11 @@ struct GaborLobes {
 // float gabor_stripes_ridges(float2 stripes)
 //     gabor_profile_sine and so on.
 
-// ---- By place ------------------------------------------------------------------------------------------------------
+// ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 //     The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
-//     rounded to a float: within a period, or without one as p is.
+//     rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -164,7 +165,7 @@ struct GaborLobes {
 //     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 #if GABOR_TAPS == 3
-// What a pixel covers: see gabor_footprint.
+// The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
     float3 covariance; // xx, yy, xy in kernel radii^2
     float3 resolved;   // the same with standard deviations of at most 1/2, for which the windows are made
@@ -175,13 +176,13 @@ struct GaborFootprint {
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
 
 // float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as below.
+//     gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
-//     The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
-//     For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius /
-//     GABOR_RADIUS.
+//     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
+//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
+//     GABOR_RADIUS apart.
 
 // ====================================================================================================================
 // Private implementation
@@ -219,23 +220,23 @@ inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint see
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
 
-// A range of waves is a sum of lobes in the middle of equal pieces of it, at most 0.7 cycles wide: the power of Hann's
-// window falls off with a standard deviation of 1/sqrt(12) cycles, so that the sum is even. There are as many pieces as
-// the whole part of a number c says. While the rest of c goes from 0.8 to 1 they fade out and one more fade in: the
-// noise is continuous in frequency and spread.
+// A range of waves is cut into equal pieces of at most 0.7 cycles, with a lobe in the middle of each. The power of
+// Hann's window has a standard deviation of 1/sqrt(12) cycles, so the sum is even. The number of pieces is the whole
+// part of a number c. While the fraction of c goes from 0.8 to 1, these pieces fade out and one more than their number
+// fade in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that takes over from another as x goes from 0 to 1. Not x itself, at whose ends amplitudes, its roots,
-// would have infinite slopes.
+// The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
+// would have infinite slopes at the ends.
 inline float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0 - x) * (1.0 - x));
 }
 
-// Of `c`: how many lobes there are, of both numbers where one fades.
+// The number of lobes for `c`; both numbers added while one fades into the other.
 inline int gabor_impl_pieces(float c) {
     return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
-// Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+// Lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
 inline float3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float left = min(5.0 - 5.0 * fract(c), 1.0);
@@ -274,27 +275,27 @@ inline GaborField gabor_field_spread(GaborPlace place, float frequency, float or
 
 // ---- The filter ----------------------------------------------------------------------------------------------------
 //
-// A normal filter of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). What it leaves of one node's
-// kernel h(x) h(y) e^(2 pi i F.d) is, with H the transform of h, the integral over q of
+// A normal filter of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). With H the transform of h, one
+// node's kernel h(x) h(y) e^(2 pi i F.d) becomes the integral over q of
 //
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
-// Along an axis, and within w of the node, that is the Fourier series of a period 2w: a sum over q = a / 2w. With w = 1
-// the three waves a = -1, 0, 1 are h itself; filtered, they err only near its ends, by less than 1 % of the noise's
-// deviation while the filter's is at most 0.1 radii. The seven waves a = -3 ... 3 have room for what the filter widens,
-// with w = 4/3 and four nodes along the axis up to a deviation of 0.33 along it, with w up to 5/3 and five nodes
-// beyond. From 0.09 to 0.1 seven waves take over from three. These are the windows of GABOR_TAPS 3.
+// Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
+// three waves a = -1, 0, 1 are h itself. Filtered, they are wrong only near its ends, by less than 1 % of the noise's
+// deviation for filters of at most 0.1 radii. The filter widens the kernel, for which the seven waves a = -3 ... 3 have
+// room: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five nodes beyond.
+// Between 0.09 and 0.1, seven waves gradually replace three. These are the windows of GABOR_TAPS 3.
 //
-// The axes meet in exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy will do.
-// For seven, as H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3 - 2/pi^2 the
-// variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F of the
-// filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
+// The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
+// enough. For seven waves, because H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3
+// - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F
+// of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
 // g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
 //                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...),
 //
-// of which these three terms are used; |lambda| is at most 0.26.
+// of which we use these three terms; |lambda| is at most 0.26.
 
 #if GABOR_TAPS == 3
 // A symmetric matrix (xx, yy, xy) times a vector.
@@ -302,8 +303,8 @@ inline float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-// The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
-// normal, of variance 1/12 along each axis, as Hann's window has it, and d the determinant of 1 + 2/3 pi^2 S,
+// The share of its variance that a lobe keeps under a filter of covariance S. With a normal approximation of the lobe's
+// power, with the variance 1/12 of Hann's window along each axis, and with d the determinant of 1 + 2/3 pi^2 S, it is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
@@ -312,16 +313,17 @@ inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
-// Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi.
+// Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
+// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 inline float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
     return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase), gabor_impl_product(float2(even.y, odd.x), phase));
 }
 
-// Filters an axis, of the given S and S F. Windows fade within half a deviation from their ends, the middle one never.
+// Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
+// does.
 inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
@@ -351,14 +353,14 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, float2(1.0));
 }
 
-// Of seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// Seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     float3 real;
     float3 imaginary;
 };
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and sine of
-// 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and
+// sine of 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
     float3 even_0;
     float3 even_1;
@@ -377,7 +379,8 @@ struct GaborBand {
     float2 back;      // of the noise's wave
 };
 
-// With the windows, less their common factor e^(-g c^2), for a filter of a given deviation along the axis; `m` is r M.
+// Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
+// r M.
 inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
     GaborBand b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
@@ -393,8 +396,8 @@ inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, fl
     float g = 19.739209 * m, unit = 0.75 / b.reach;
     float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
-    // Of the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the factors of their cosines
-    // C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the factors of their
+    // cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0;
     float3 wave = float3(0.25723323, 0.12732396, -0.03693604)
               + t * (float3(-0.03099653, 0.22852218, 0.10636504) - t * float3(0.0214304, 0.11618766, -0.1615392));
@@ -405,7 +408,7 @@ inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, fl
     float3 even = above + below, odd = above - below;
     float3 q = unit * float3(1.0, 2.0, 3.0);
     float quarter = 0.25 / g;
-    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // of the second factor
+    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the second factor
     float3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
     b.even_2 = float3(even.y, even_1.y, even_2.y);
     b.even_3 = float3(even.z, even_1.z, even_2.z);
@@ -425,13 +428,13 @@ struct GaborLine {
     float2 phase; // of the noise's wave
 };
 
-// What is left of the windows of line `index` as they fade over a quarter of a node spacing.
+// The fade of the windows of line `index`, over a quarter of a node spacing.
 inline float gabor_impl_fade(GaborBand b, int index) {
     float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
     return fade * fade * (3.0 - 2.0 * fade);
 }
 
-// Line `index` from its turn and phase.
+// Computes line `index` from its turn and phase.
 inline GaborLine gabor_impl_filtered_line(GaborBand b, int index, float2 turn, float2 phase, float fade) {
     GaborLine line_;
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
@@ -444,13 +447,13 @@ inline GaborLine gabor_impl_filtered_line(GaborBand b, int index, float2 turn, f
     return line_;
 }
 
-// Line `index` from the one before.
+// Computes line `index` from the previous one.
 inline GaborLine gabor_impl_next_line(GaborLine line_, GaborBand b, int index, float fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
-// The columns of nodes that reach a point: the last counts where there are five.
+// The columns of nodes that reach a point: four, or five.
 struct GaborColumns {
     GaborLine column_0;
     GaborLine column_1;
@@ -481,7 +484,7 @@ inline GaborLine gabor_impl_line_before(GaborBand b, float2 phase) {
     return line_;
 }
 
-// A sum to which a complex number times the factors was added.
+// Adds a complex number times the factors to a sum.
 inline GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
     return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
@@ -515,7 +518,7 @@ inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weigh
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The noise at a place, filtered by seven waves along each axis; not at all if it is not `wanted`.
+// The noise at a place, filtered by seven waves along each axis; skipped unless `wanted`.
 inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);
@@ -537,7 +540,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
     float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0);
-    int j = 0; // tested after each row: some compilers run the body of a loop to its end when a test in it fails
+    int j = 0; // tested after each row: if a test comes first, some compilers run the body once more when it fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
@@ -546,8 +549,8 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
         next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
-    // A derivative is 2 pi i (F + q) times a wave, and of the factors f_0, f_1, f_2 of an axis (q - c) f_n is the next,
-    // which the third lacks, and n / 4g times the one before.
+    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis, (q - c) f_n
+    // is f_(n + 1), which is missing for the last, plus n / 4g times f_(n - 1).
     float2 mean = wave + c, before = lambda * sqrt(m.yx / m);
     float2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
     float2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
@@ -586,11 +589,11 @@ inline GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, Ga
 
 // ---- The filter in space -------------------------------------------------------------------------------------------
 //
-// For gabor_lattice_3d.metal. With M = S + v, a diagonal matrix D of D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M D^(-1/2),
-// B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), what keeps three axes together is again a sum of products:
+// For gabor_lattice_3d.metal. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
+// D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
 //     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...),
-// the exponential series of the last sum with Hermite polynomials for powers of z; B's diagonal, at most 0.01, is left
-// out. The terms up to the square of each factor are used.
+// the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal, which is
+// at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric matrix.
 struct GaborMatrix {
@@ -602,7 +605,7 @@ inline float3 gabor_impl_symmetric_3d(GaborMatrix m, float3 v) {
     return m.diagonal * v + m.mixed.zxy * v.yzx + m.mixed.yzx * v.zxy;
 }
 
-// Its inverse times its determinant.
+// The inverse times the determinant.
 inline GaborMatrix gabor_impl_adjugate(GaborMatrix m, thread float& determinant) {
     GaborMatrix a = GaborMatrix{m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
                                 m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed};
@@ -611,12 +614,12 @@ inline GaborMatrix gabor_impl_adjugate(GaborMatrix m, thread float& determinant)
 }
 
 #define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
-// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 inline uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// What each factor along z is multiplied with, from the sums for each factor along x, of each along y.
+// The multiplier of each factor along z, from the sums for each factor along x of each along y.
 inline float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
     return float3(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
@@ -630,8 +633,8 @@ inline float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, Gabor
     return gabor_impl_contracted(slice, z, float3(1.0));
 }
 
-// The noise in space, in node spacings `local` from a cell's corner, and its derivatives, filtered by seven waves along
-// each axis; not at all if it is not `wanted`.
+// The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
+// each axis; skipped unless `wanted`.
 inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
                                GaborMatrix s, bool wanted, uint salt, thread float4& noise, thread float4& quadrature) {
     float determinant;
@@ -676,7 +679,8 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // As in the plane; n / 4g times the factor before is, over the series, w / 4g times the next of the other axes.
+    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next of the other
+    // axes.
     float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
     float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{float3(0.0), w}, real);
@@ -729,14 +733,14 @@ inline float2 gabor_noise_spread_complex(float2 p, float frequency, float orient
 
 #if GABOR_TAPS == 3
 inline GaborFootprint gabor_footprint(float2 dx, float2 dy) {
-    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // or not a number: nothing is left of any wave
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
         dx = float2(1.0e5, 0.0);
         dy = float2(0.0, 1.0e5);
     }
     GaborFootprint footprint;
     footprint.covariance = 0.25 * float3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
-    // The eigenvalues are mean +- apart, the smaller one precisely the determinant over the larger one.
+    // The eigenvalues are mean +- apart; the smaller one is more precise as the determinant over the larger one.
     float mean = 0.5 * (footprint.covariance.x + footprint.covariance.y);
     float2 axis = float2(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = length(axis);
@@ -795,8 +799,8 @@ inline float2 gabor_noise_lobes_filtered(float2 p, float2 dx, float2 dy, GaborLo
     return float2(field.x, field.w);
 }
 
-// For z = v + sqrt(r) times normal numbers, both parts independent, the mean of z / |z| is about v / sqrt(|v|^2 + 8/pi r)
-// and the mean of |z| about sqrt(|v|^2 + pi/2 r): both exact for small and for large |v|.
+// For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
+// v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
 inline float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed) {
     float removed;
     float2 value = gabor_field_filtered(place, gabor_kernel_wave(wave), footprint, seed, removed).value;
@@ -811,8 +815,8 @@ inline float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave
 }
 #endif // GABOR_TAPS == 3
 
-// Profiles are averaged over [phase - width / 2, phase + width / 2] by the difference of their integrals at its ends: that
-// of a period for each whole turn, and that of the rest.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends.
+// Each whole turn adds the integral of a period.
 inline float3 gabor_impl_ends(float phase, float width) {
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
@@ -864,8 +868,8 @@ inline float gabor_profile_ridges(float phase, float width) {
     return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
-// (phase, width) of stripes: over `width` turns the mean of a wave has the length sin(pi width) / (pi width), whose inverse
-// this is, within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
+// inverts it within 0.0025.
 inline float2 gabor_impl_phase_of(float2 stripes) {
     float2 phasor = gabor_phasor(stripes);
     float y = max(1.0 - phasor.y, 0.0);

@@ -1,19 +1,19 @@
 #define_import_path gabor_noise::spectrum
 #import gabor_noise::lattice::{GABOR_TAPS, gabor_phasor, gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_kernel_wave, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_product, gabor_impl_wave, gabor_impl_windows, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum, gabor_impl_field}
 
-// gabor_spectrum.wgsl: Gabor noise of any power spectrum, and without aliasing: for WGSL.
+// gabor_spectrum.wgsl: Gabor noise with any power spectrum, and filtered for a pixel: for WGSL.
 //
 // Made from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
-//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // as a pixel sees it
+//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise 1 less what was removed.
-// The filter needs GABOR_TAPS 3, the default.
+// Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise has 1 minus the removed
+// share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves around one wave vector: see gabor_lobe.
+// Waves around one wave vector, from gabor_lobe.
 struct GaborLobe {
     frequency: f32,
     orientation: f32,
@@ -21,23 +21,23 @@ struct GaborLobe {
     power: f32,
 }
 
-// A power spectrum: its first `count` lobes. GABOR_LOBES at most count.
+// A power spectrum: the first `count` lobes, at most GABOR_LOBES.
 struct GaborLobes {
     lobe: array<GaborLobe, 4>,
     count: i32,
 }
 
 // A lobe of waves around one wave vector.
-//   frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, whatever the radius
+//   frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
 //   radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
 //                           radius cycles per unit of p
-//   power                   relative to other lobes', not negative
+//   power                   relative to other lobes, not negative
 fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, radius, power);
 }
 
-// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1. At
-// the cost of gabor_noise for each lobe.
+// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
+// Costs one gabor_noise per lobe.
 //     #define GABOR_LOBES 2              // before the file
 //     GaborLobes lobes;
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
@@ -145,13 +145,13 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 }
 
 // Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-// `frequency_spread` (0 to 1) of the frequency, both evenly spread, as far as lobes of kernel radius 1 can be.
-// pi/2 radians are every direction: isotropic noise, whose power varies with direction by at most 5 % at
-// frequencies from 0.12 to 14, by up to 7 % below. Normal with all its derivatives, mean 0, variance 1. Continuous
-// where the arguments are. Cost: that of gabor_noise for each lobe. With o for the orientation_spread there are
+// `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
+// isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
+// below. Normal with all its derivatives, mean 0, variance 1, and continuous where the arguments are. Costs one
+// gabor_noise per lobe. With o for the orientation_spread there are
 //     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-// directions, 10 for isotropic noise of frequency 2, and likewise 2.86 frequency_spread frequency + 0.8
-// frequencies, up to 16. Near a change, a fifth of all arguments, both counts run.
+// directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
+// rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_10: GaborPlace;
@@ -253,17 +253,16 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
     }
 }
 
-// Gabor noise at p averaged over a pixel, and the share of the variance that this removed: (noise, removed). Add
-// what was removed to a material's roughness, or treat it as the contrast that a picture lost.
-//   dx, dy  how far p moves from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The
-//           pixel is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its deviation is half a pixel.
-// Where the pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, the
-// noise differs from the exactly filtered one by at most 1 % of its deviation, up to a whole radius by 2 %: root
-// mean squares over places, at the worst of which it is 2 and 3 %. What covers more has the right variance alone.
-// Continuous in the place and in both steps. Cost: on GPUs 1.4 times gabor_noise up to steps of 0.18 kernel radii,
-// with 9 nodes, and from 0.2 on 3.1 times, with 16; both in between. From 0.66 on along x or y it takes 20 nodes
-// and 3.4 times, along both 25 and 3.8 times. Where compilers run both sides of a branch, as for CPUs, 3 and 5
-// times.
+// (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
+// the removed share to a material's roughness: it is the contrast that is lost.
+//   dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
+//           is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+// The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
+// pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
+// a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
+// and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
+// 0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2 both
+// of the first run. On CPUs, where compilers run both sides of a branch: 3 and 5.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_8: vec4<f32>;
 
@@ -274,8 +273,8 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
     return vec2<f32>(_e8.x, _e10.w);
 }
 
-// With its gradient: (noise, d/dx, d/dy, removed). Derivatives are those of the windows without their fades, and
-// differ by up to 7 %.
+// With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
+// to 7 %.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_1: f32;
     var field_7: GaborField;
@@ -410,8 +409,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     return _e90;
 }
 
-// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over what the filter removed, within
-// 0.1: (cosine, sine) gets shorter as waves are removed. Profiles of it fade to their mean.
+// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
+// So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
 fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_footprint(dx, dy);
@@ -479,7 +478,7 @@ fn gabor_profile_sawtooth(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
-// 1 from phase 0 over the share `duty` of a turn, from 0 to 1, then 0.
+// 1 from phase 0 over the share `duty` (0 to 1) of a turn, then 0.
 fn gabor_profile_pulse(phase: f32, duty: f32, width: f32) -> f32 {
     var ends_2: vec3<f32>;
 
@@ -637,7 +636,7 @@ fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
 }
 
 // The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
-// rounded to a float: within a period, or without one as p is.
+// rounded to a float, within the period if there is one.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
     var cell_3: vec2<i32>;
     var unit: vec2<f32>;
@@ -965,7 +964,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     return _e128;
 }
 
-// What a pixel covers: see gabor_footprint.
+// The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>,
@@ -1055,7 +1054,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e141;
 }
 
-// gabor_stripes_filtered at a place, with a footprint as below.
+// gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
     var removed_3: f32;
     var value_9: vec2<f32>;
@@ -1080,9 +1079,9 @@ fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: Gabo
     return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
 }
 
-// The noise at a place as a pixel sees it, with quadrature and derivatives, and the share of its variance removed.
-// For periods, whose nodes are not 1 / GABOR_RADIUS apart, give gabor_footprint steps times place.radius /
-// GABOR_RADIUS.
+// The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
+// period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
+// GABOR_RADIUS apart.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_7: GaborKernel;
     var stretch_1: vec2<f32>;
@@ -1183,13 +1182,13 @@ fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, ampl
     return;
 }
 
-// The power of a sum that takes over from another as x goes from 0 to 1. Not x itself, at whose ends amplitudes, its roots,
-// would have infinite slopes.
+// The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
+// would have infinite slopes at the ends.
 fn gabor_impl_takeover(x: f32) -> f32 {
     return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
 }
 
-// Of `c`: how many lobes there are, of both numbers where one fades.
+// The number of lobes for `c`; both numbers added while one fades into the other.
 fn gabor_impl_pieces(c: f32) -> i32 {
     var local_13: i32;
 
@@ -1202,7 +1201,7 @@ fn gabor_impl_pieces(c: f32) -> i32 {
     return _e11;
 }
 
-// Of lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+// Lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
 fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     var i_2: i32;
     var n: i32;
@@ -1242,8 +1241,8 @@ fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
     return ((matrix.xy * v) + (matrix.z * v.yx));
 }
 
-// The share of its variance that a wave's lobe keeps under a filter of covariance S: with the lobe's power taken as
-// normal, of variance 1/12 along each axis, as Hann's window has it, and d the determinant of 1 + 2/3 pi^2 S,
+// The share of its variance that a lobe keeps under a filter of covariance S. With a normal approximation of the lobe's
+// power, with the variance 1/12 of Hann's window along each axis, and with d the determinant of 1 + 2/3 pi^2 S, it is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     var area: f32;
@@ -1262,9 +1261,9 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
 }
 
-// Of three waves: a node's window and its derivative, filtered. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q): with its even and odd part at q = 1/2, S along the axis, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi.
+// Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
+// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
     var wave_11: vec2<f32>;
     var even: vec2<f32>;
@@ -1284,7 +1283,8 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
     return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
 }
 
-// Filters an axis, of the given S and S F. Windows fade within half a deviation from their ends, the middle one never.
+// Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
+// does.
 fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
     var rise: f32;
     var part_1: vec2<f32>;
@@ -1377,14 +1377,14 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     return _e90;
 }
 
-// Of seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// Seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
 }
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and sine of
-// 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and
+// sine of 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,
@@ -1403,7 +1403,8 @@ struct GaborBand {
     back: vec2<f32>,
 }
 
-// With the windows, less their common factor e^(-g c^2), for a filter of a given deviation along the axis; `m` is r M.
+// Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
+// r M.
 fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
     var local_15: i32;
@@ -1581,7 +1582,7 @@ struct GaborLine {
     phase: vec2<f32>,
 }
 
-// What is left of the windows of line `index` as they fade over a quarter of a node spacing.
+// The fade of the windows of line `index`, over a quarter of a node spacing.
 fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
     var fade_1: f32;
 
@@ -1592,7 +1593,7 @@ fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
     return ((_e14 * _e15) * (3f - (2f * _e19)));
 }
 
-// Line `index` from its turn and phase.
+// Computes line `index` from its turn and phase.
 fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborLine {
     var phase_3: vec2<f32>;
     var line: GaborLine;
@@ -1623,7 +1624,7 @@ fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: ve
     return _e65;
 }
 
-// Line `index` from the one before.
+// Computes line `index` from the previous one.
 fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) -> GaborLine {
     let _e6 = gabor_impl_product(line.turn, b.turn_back);
     let _e9 = gabor_impl_product(line.phase, b.back);
@@ -1631,7 +1632,7 @@ fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) ->
     return _e10;
 }
 
-// The columns of nodes that reach a point: the last counts where there are five.
+// The columns of nodes that reach a point: four, or five.
 struct GaborColumns {
     column_0_: GaborLine,
     column_1_: GaborLine,
@@ -1686,7 +1687,7 @@ fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
     return _e13;
 }
 
-// A sum to which a complex number times the factors was added.
+// Adds a complex number times the factors to a sum.
 fn gabor_impl_added(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
     return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
 }
@@ -1732,7 +1733,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The noise at a place, filtered by seven waves along each axis; not at all if it is not `wanted`.
+// The noise at a place, filtered by seven waves along each axis; skipped unless `wanted`.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;
@@ -1925,7 +1926,7 @@ fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
     return (((m.diagonal * v) + (m.mixed.zxy * v.yzx)) + (m.mixed.yzx * v.zxy));
 }
 
-// Its inverse times its determinant.
+// The inverse times the determinant.
 fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> GaborMatrix {
     var a_4: GaborMatrix;
 
@@ -1938,12 +1939,12 @@ fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> Gabor
     return _e42;
 }
 
-// The word of a row in a slice of nodes: odd and of 24 bits, as those of lines are.
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
-// What each factor along z is multiplied with, from the sums for each factor along x, of each along y.
+// The multiplier of each factor along z, from the sums for each factor along x of each along y.
 fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
     return vec3<f32>((y_0.x + (w.z * (y_1.y + ((0.5f * w.z) * y_2.z)))), ((w.y * (y_0.y + (w.z * y_1.z))) + (w.x * (y_1.x + (w.z * y_2.y)))), ((0.5f * (((w.y * w.y) * y_0.z) + ((w.x * w.x) * y_2.x))) + ((w.x * w.y) * (y_1.y + (w.z * y_2.z)))));
 }
@@ -1960,8 +1961,8 @@ fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFact
     return _e18;
 }
 
-// The noise in space, in node spacings `local` from a cell's corner, and its derivatives, filtered by seven waves along
-// each axis; not at all if it is not `wanted`.
+// The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
+// each axis; skipped unless `wanted`.
 fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
     var determinant_1: f32;
     var m_4: GaborMatrix;
@@ -2243,8 +2244,8 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Profiles are averaged over [phase - width / 2, phase + width / 2] by the difference of their integrals at its ends: that
-// of a period for each whole turn, and that of the rest.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends.
+// Each whole turn adds the integral of a period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var phase_2: f32;
@@ -2456,8 +2457,8 @@ fn gabor_impl_ridges_integral(x: f32) -> f32 {
     }
 }
 
-// (phase, width) of stripes: over `width` turns the mean of a wave has the length sin(pi width) / (pi width), whose inverse
-// this is, within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
+// inverts it within 0.0025.
 fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         var phasor: vec2<f32>;
