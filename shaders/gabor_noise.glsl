@@ -108,10 +108,10 @@ struct GaborKernel {
 // A position in cells, and how space and time repeat.
 struct GaborPlace {
     ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
-    vec2 local;   // offset from that cell's corner in cells; small, and most precise in [0, 1)^2
+    vec2 local;   // offset from that cell's corner in cells: small, most precise in [0, 1)^2
     vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
     ivec2 period; // in cells, 0 for none
-    float time;   // in periods; only its fraction counts
+    float time;   // in periods: only its fraction counts
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.

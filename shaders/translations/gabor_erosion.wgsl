@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for WGSL.
 //
 // Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: d3e6c918b8068559
+// Digest of the GLSL and of this file: 65f1a9e89726046c
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

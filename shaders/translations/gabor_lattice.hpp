@@ -396,7 +396,7 @@ struct GaborKernel {
 // A position in nodes of the lattice, and how space and time repeat.
 struct GaborPlace {
     gabor_ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
-    gabor_vec2 local;    // offset from that cell's corner in node spacings; small, and most precise in [0, 1)^2
+    gabor_vec2 local;    // offset from that cell's corner in node spacings: small, most precise in [0, 1)^2
     gabor_vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     gabor_ivec2 period;  // in nodes, 0 for none
     bool animated; // whether to use time
@@ -545,7 +545,7 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     value = gabor_vec4(a - s, 0.5f + c, a + s, 0.0f);
     slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
 #else
-    float z = x - 0.5f, y = z * z; // cosine and sine of pi/2 z, over sqrt(8); c and s are half those of pi/2 x
+    float z = x - 0.5f, y = z * z; // cosine and sine of pi/2 z, over sqrt(8), and c and s half those of pi/2 x
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
     float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
     float c = cosine - sine, s = cosine + sine;

@@ -96,7 +96,7 @@ struct GaborKernel {
 // A position in nodes of the lattice, and how space and time repeat.
 struct GaborPlace {
     int2 cell;    // any integers except the last few before 2^31, where the world wraps around
-    float2 local;    // offset from that cell's corner in node spacings; small, and most precise in [0, 1)^2
+    float2 local;    // offset from that cell's corner in node spacings: small, most precise in [0, 1)^2
     float2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     int2 period;  // in nodes, 0 for none
     bool animated; // whether to use time
@@ -245,7 +245,7 @@ inline void gabor_impl_windows(float x, thread float4& value, thread float4& slo
     value = float4(a - s, 0.5 + c, a + s, 0.0);
     slope = float4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8); c and s are half those of pi/2 x
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8), and c and s half those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
