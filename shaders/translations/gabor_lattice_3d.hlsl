@@ -1,12 +1,16 @@
-// gabor_lattice_3d.hlsl: Gabor noise in space, and on surfaces without parametrization: mean 0, variance 1 and a normal
-// distribution at every place: for HLSL, shader model 5.0 and up.
+// gabor_lattice_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// a normal distribution at every place: for HLSL, shader model 5.0 and up.
 //
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Positions are in kernel radii, as in gabor_lattice.hlsl: a wave fades out within one radius of its node.
+// Arguments of all functions; the others are as in gabor_lattice.hlsl:
+//     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     normal     of the surface, of any length from 10^-15 to 10^15
+//     dx, dy     how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+// All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -21,58 +25,46 @@
 // ---- Solid noise with one wave vector ------------------------------------------------------------------------------
 
 // float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
-//     Noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//       p, frequency, seed  as for gabor_noise
-//       direction           of the wave vector, of any length from 10^-15 to 10^15; with 0 the frequency is 0
-//     Both may vary from place to place: the noise is continuous where they are.
-
-// float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
-//     With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz). For bumps, subtract the part of it along
-//     the normal.
-
-// float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
-//     (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
-
-// float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
-//     Four independent noises; the first is gabor_noise_3d. Four times the cost.
-
 // float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
-//     Noise that repeats exactly after `period` kernel radii along each axis: see gabor_noise_tiled.
+//     The noise. It and its first derivatives are continuous.
 
 // float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
-//     Noise that evolves in place and repeats when `time` has grown by 1: see gabor_noise_animated.
+// float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
+// float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
+//     As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
+
+// float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
+//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
+//     along the normal.
 
 // float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
-//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed).
-//       dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-//     The filter and its accuracy are those of gabor_noise_filtered: 1 % up to a third of a kernel radius along the
-//     pixel's longest axis, 2 % up to a whole one. Continuous in the place and in both steps. On GPUs 1.4 times
-//     gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
+//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
+//     that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
+//     whole one. Continuous in p, dx and dy. On GPUs 1.4 times gabor_noise_3d up to steps of 0.18, with 27 nodes; from
+//     0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
 // float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-//     and gradient are normal at every place, with the same variance. The power is even over all directions but for what
+//     and gradient are normal, with the same variance at every place. The power is even over all directions but for what
 //     the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
 //     distributions; so are second derivatives.
 
 // float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed)
-//     With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz).
+//     (noise, d/dx, d/dy, d/dz), per kernel radius.
 
 // float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed)
-//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). dx and dy are
-//     those of gabor_noise_3d_filtered. Less than twice the cost. Where the pixel's longest axis is at most 0.3 kernel
-//     radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root mean square.
-//     What covers more has the right variance alone.
+//     As gabor_noise_3d_filtered, for less than twice the cost of the noise. Where the pixel's longest axis is at most
+//     0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
+//     mean square. Beyond, only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
-//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane.
-//       normal  of any length from 10^-15 to 10^15
-//     Where the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over,
-//     for twice the cost. Where the surface is curved, the waves of a kernel bend.
+//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
+//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for twice
+//     the cost. Where the surface is curved, the waves of a kernel bend.
 
 // float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
@@ -203,11 +195,12 @@ GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatrix pixe
                         sum.x, float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude) {
+// Adds a field times an amplitude. Of its unit of length, `stretch` make a kernel radius.
+void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude, float3 stretch) {
     sum.noise += amplitude * field.noise;
-    sum.gradient += amplitude * field.gradient;
+    sum.gradient += amplitude * stretch * field.gradient;
     sum.quadrature += amplitude * field.quadrature;
-    sum.quadrature_gradient += amplitude * field.quadrature_gradient;
+    sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
 // The axes of a place's pixel, at right angles, as long as twice the filter's deviations. Lengths are in units of
@@ -278,23 +271,21 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 directio
     if (transmitted == 0.0)
         return sum;
     if (wide < 1.0)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude);
+        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         float4 noise, quadrature;
         gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
         gabor_impl_accumulate_3d(sum, GaborField3d_of(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
-                                 wide * amplitude);
+                                 wide * amplitude, stretch);
     }
-    sum.gradient *= stretch;
-    sum.quadrature_gradient *= stretch;
     return sum;
 }
 
 // Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
 void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
-    gabor_impl_accumulate_3d(sum, term, sqrt(power));
+    gabor_impl_accumulate_3d(sum, term, sqrt(power), (float3)(1.0));
     sum.removed += power * term.removed;
 }
 
@@ -322,57 +313,37 @@ GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency
 // and gradient are independent. As none of this depends on the directions, both are normal without knowing them. On a
 // surface there are two tangent vectors, and the same holds of the value and its derivatives along the surface.
 
-// A node's window along an axis is middle + cosine, its derivative sine: 1/2, cos(pi d) / 2 and -pi / 2 sin(pi d).
-struct GaborWindow3d {
-    float3 middle;
-    float3 cosine;
-    float3 sine;
-};
-
-GaborWindow3d GaborWindow3d_of(float3 middle, float3 cosine, float3 sine)
-{
-    GaborWindow3d made;
-    made.middle = middle;
-    made.cosine = cosine;
-    made.sine = sine;
-    return made;
-}
-
-// Adds a node's wave, which has turned by `turns` from the node to the point. The filter, see gabor_spectrum.hlsl,
-// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F, to
-// middle + cosh x cosine + i sinh x sine / pi.
-void gabor_impl_add_wave(inout GaborField3d sum, GaborWindow3d node, float3 wave, float turns, GaborPlace3d place,
+// Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
+// to the point. The filter, see gabor_spectrum.hlsl, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
+// each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+void gabor_impl_add_wave(inout GaborField3d sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
                          GaborMatrix pixel, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(turns));
-    float3 h = node.middle + node.cosine, slope = node.sine;
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
+    float3 middle = float3(x.y, y.y, z.y), cosine = float3(x.z, y.z, z.z), sine = float3(x.w, y.w, z.w);
+    float3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = (float3)(0.0);
     float2 value = h.x * (h.y * h.z) * a;
     if (place.filtered) {
-        float3 x = 19.739209 * gabor_impl_symmetric_3d(pixel, wave);
-        a *= exp(-max(dot(wave, x), 0.0));
-        x = clamp(x, -3.0, 3.0); // of a wave that is left
-        float3 y = x * x;
-        float3 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
-        h = node.middle + even * node.cosine;
-        slope = even * node.sine;
-        float3 i_h = 0.31830989 * odd * node.sine, i_slope = -3.1415927 * odd * node.cosine;
+        float3 s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
+        a *= exp(-max(dot(wave.xyz, s), 0.0));
+        s = clamp(s, -3.0, 3.0); // of a wave that is left
+        float3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
+        float3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r));
+        float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
+        h = middle + even * cosine;
+        float3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
         float3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
-        float3 s = node.sine.yzx * node.sine.zxy * (node.middle + node.cosine);
-        value = gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + dot(pixel.mixed, s),
-                                        h.x * imaginary.x + i_h.x * real.x), a);
-        float3 turned = slope * imaginary + i_slope * real;
-        slope = slope * real - i_slope * imaginary;
-        sum.gradient += turned * a.x;
-        sum.quadrature_gradient -= turned * a.y;
-    } else {
-        slope *= h.yzx * h.zxy;
+        value = float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x);
+        value = gabor_impl_product(value, a);
+        slope = even * sine * real - i_slope * imaginary;
+        turned = even * sine * imaginary + i_slope * real;
     }
     sum.noise += value.y;
-    sum.gradient += slope * a.y + 6.2831853 * value.x * wave;
+    sum.gradient += slope * a.y + turned * a.x + 6.2831853 * value.x * wave.xyz;
     sum.quadrature += value.x;
-    sum.quadrature_gradient += slope * a.x - 6.2831853 * value.y * wave;
+    sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
 }
 
-// Which waves isotropic noise has: all, or those along a surface, with two vectors at right angles there.
+// Which waves isotropic noise has: all, or only those along a surface, in which these vectors are at right angles.
 struct GaborTangents {
     bool only;
     float3 along;
@@ -388,40 +359,37 @@ GaborTangents GaborTangents_of(bool only, float3 along, float3 across)
     return made;
 }
 
-// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. Half a turn around
-// z and a quarter around the first vector make all frames, as a wave along -u is one along u.
+// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. As a wave along
+// -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
+// of a turn around it is enough for the others.
 void gabor_impl_add_node(inout GaborField3d sum, float4 x, float4 y, float4 z, GaborPlace3d place, GaborMatrix pixel,
                          float3 scale, GaborTangents tangents, uint column, uint4 row) {
-    GaborWindow3d node = GaborWindow3d_of(float3(x.y, y.y, z.y), float3(x.z, y.z, z.z), float3(x.w, y.w, z.w));
-    float3 d = scale * float3(x.x, y.x, z.x);
     uint word = column * row.w;
     float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
-    if (tangents.only) {
-        float3 first = turn.x * tangents.along + turn.y * tangents.across;
-        float3 second = turn.x * tangents.across - turn.y * tangents.along;
-        gabor_impl_add_wave(sum, node, scale * first, dot(first, d), place, pixel, column * row.x);
-        gabor_impl_add_wave(sum, node, scale * second, dot(second, d), place, pixel, column * row.y);
-    } else {
-        float rise = 4.6566129e-10 * float(int(word << 12u));
-        float level = sqrt(max(1.0 - rise * rise, 0.0));
+    float3 first = turn.x * tangents.along + turn.y * tangents.across;
+    float3 second = turn.x * tangents.across - turn.y * tangents.along;
+    float3 d = scale * float3(x.x, y.x, z.x);
+    float4 u = float4(first, dot(first, d)), v = float4(second, dot(second, d)), w = float4(0.0, 0.0, 1.0, d.z);
+    if (!tangents.only) {
+        float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0));
         float2 spin = gabor_impl_half_turn(5.8207661e-11 * float(int(word << 20u)));
-        float3 t = float3(-turn.y, turn.x, 0.0), b = float3(-rise * turn, level);
-        float outward = dot(turn, d.xy), aside = turn.x * d.y - turn.y * d.x, upward = level * d.z - rise * outward;
-        gabor_impl_add_wave(sum, node, scale * float3(level * turn, rise), level * outward + rise * d.z, place, pixel,
-                            column * row.x);
-        gabor_impl_add_wave(sum, node, scale * (spin.x * t + spin.y * b), spin.x * aside + spin.y * upward, place,
-                            pixel, column * row.y);
-        gabor_impl_add_wave(sum, node, scale * (spin.x * b - spin.y * t), spin.x * upward - spin.y * aside, place,
-                            pixel, column * row.z);
+        float4 across = v, lifted = level * w - rise * u;
+        u = level * u + rise * w;
+        v = spin.x * across + spin.y * lifted;
+        w = spin.x * lifted - spin.y * across;
     }
+    float4 unit = float4(scale, 1.0);
+    gabor_impl_add_wave(sum, x, y, z, unit * u, place, pixel, column * row.x);
+    gabor_impl_add_wave(sum, x, y, z, unit * v, place, pixel, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
-// A node of an axis: the point's offset from it and the three parts of its window. Filtered windows fade within half a
-// deviation of their ends.
-float4 gabor_impl_node(float offset, float4 node, bool filtered, float variance) {
+// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) / 2;
+// and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
+float4 gabor_impl_node(float offset, float4 node, float variance) {
     offset /= GABOR_RADIUS;
     float fade = 1.0, fall = 1.0;
-    if (filtered) {
+    if (variance > 0.0) {
         fade = clamp((1.0 - abs(offset)) / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0);
         fade *= fade * (3.0 - 2.0 * fade);
         fall = fade * exp(-4.934802 * variance);
@@ -429,11 +397,11 @@ float4 gabor_impl_node(float offset, float4 node, bool filtered, float variance)
     return float4(offset, 0.5 * fade, fall * (node.x - 0.5), fall * node.z);
 }
 
-GaborAxis gabor_impl_nodes(int cell, float local, int period, uint salt, bool filtered, float variance) {
+GaborAxis gabor_impl_nodes(int cell, float local, int period, uint salt, float variance) {
     GaborAxis axis = gabor_impl_axis(cell, local, period, salt, 0.0, GABOR_RADIUS);
-    axis.node[0] = gabor_impl_node(axis.offset + 1.0, axis.node[0], filtered, variance);
-    axis.node[1] = gabor_impl_node(axis.offset, axis.node[1], filtered, variance);
-    axis.node[2] = gabor_impl_node(axis.offset - 1.0, axis.node[2], filtered, variance);
+    axis.node[0] = gabor_impl_node(axis.offset + 1.0, axis.node[0], variance);
+    axis.node[1] = gabor_impl_node(axis.offset, axis.node[1], variance);
+    axis.node[2] = gabor_impl_node(axis.offset - 1.0, axis.node[2], variance);
     return axis;
 }
 
@@ -450,11 +418,10 @@ uint4 gabor_impl_row(uint word) {
 // The sum over 27 nodes, less its factor K.
 GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, float3 scale, GaborTangents tangents,
                                       uint salt) {
-    GaborAxis x = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, place.filtered, pixel.diagonal.x);
-    GaborAxis y = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, place.filtered,
-                                    pixel.diagonal.y);
-    GaborAxis z = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                    place.filtered, pixel.diagonal.z);
+    float3 s = pixel.diagonal;
+    GaborAxis x = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborAxis y = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborAxis z = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, s.z);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
         int j = i % 3;
@@ -515,15 +482,12 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
     if (transmitted > 0.0)
         gabor_impl_accumulate_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
-                                                               gabor_impl_salt(seed)), amplitude);
-    sum.gradient *= stretch;
-    sum.quadrature_gradient *= stretch;
+                                                               gabor_impl_salt(seed)), amplitude, stretch);
     return sum;
 }
 
-// Waves of all directions.
 GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
-    return gabor_impl_isotropic(place, frequency, GaborTangents_of(false, (float3)(0.0), (float3)(0.0)), seed);
+    return gabor_impl_isotropic(place, frequency, GaborTangents_of(false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)), seed);
 }
 
 // Of all directions in the tangent plane; from the circle of latitude around z, near the poles around x.

@@ -1,64 +1,27 @@
-// gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without parametrization: mean 0, variance 1 and a normal
-// distribution at every place: for WGSL.
+// gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 462d39ebfac0e03d
+// Digest of the GLSL and of this file: 865632b057513d06
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Positions are in kernel radii, as in gabor_lattice.wgsl: a wave fades out within one radius of its node.
+// Arguments of all functions; the others are as in gabor_lattice.wgsl:
+//     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     normal     of the surface, of any length from 10^-15 to 10^15
+//     dx, dy     how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+// All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Noise at p: mean 0, variance 1 and normal at every place, continuous with its first derivatives.
-//   p, frequency, seed  as for gabor_noise
-//   direction           of the wave vector, of any length from 10^-15 to 10^15; with 0 the frequency is 0
-// Both may vary from place to place: the noise is continuous where they are.
+// The noise. It and its first derivatives are continuous.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
     return _e12.noise;
 }
 
-// With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz). For bumps, subtract the part of it along
-// the normal.
-fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var field_11: GaborField3d;
-
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_11 = _e12;
-    let _e14 = field_11;
-    let _e16 = field_11;
-    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
-}
-
-// (quadrature, noise), for gabor_phasor: see gabor_noise_complex.
-fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_12: GaborField3d;
-
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_12 = _e12;
-    let _e14 = field_12;
-    let _e16 = field_12;
-    return vec2<f32>(_e14.quadrature, _e16.noise);
-}
-
-// Four independent noises; the first is gabor_noise_3d. Four times the cost.
-fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
-}
-
-// Noise that repeats exactly after `period` kernel radii along each axis: see gabor_noise_tiled.
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_10: vec3<f32>;
     var nodes_1: vec3<f32>;
@@ -85,7 +48,7 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     return _e48.noise;
 }
 
-// Noise that evolves in place and repeats when `time` has grown by 1: see gabor_noise_animated.
+// As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var place_29: GaborPlace3d;
 
@@ -98,11 +61,45 @@ fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: v
     return _e18.noise;
 }
 
-// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed).
-//   dx, dy  how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// The filter and its accuracy are those of gabor_noise_filtered: 1 % up to a third of a kernel radius along the
-// pixel's longest axis, 2 % up to a whole one. Continuous in the place and in both steps. On GPUs 1.4 times
-// gabor_noise_3d up to steps of 0.18, with 27 nodes; from 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
+fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_12: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_12 = _e12;
+    let _e14 = field_12;
+    let _e16 = field_12;
+    return vec2<f32>(_e14.quadrature, _e16.noise);
+}
+
+// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
+// along the normal.
+fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var field_11: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_11 = _e12;
+    let _e14 = field_11;
+    let _e16 = field_11;
+    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
+}
+
+// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
+// that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
+// whole one. Continuous in p, dx and dy. On GPUs 1.4 times gabor_noise_3d up to steps of 0.18, with 27 nodes; from
+// 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_13: GaborField3d;
 
@@ -115,7 +112,7 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
 }
 
 // Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-// and gradient are normal at every place, with the same variance. The power is even over all directions but for what
+// and gradient are normal, with the same variance at every place. The power is even over all directions but for what
 // the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
 // distributions; so are second derivatives.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
@@ -124,7 +121,7 @@ fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     return _e11.noise;
 }
 
-// With its analytic gradient per kernel radius: (noise, d/dx, d/dy, d/dz).
+// (noise, d/dx, d/dy, d/dz), per kernel radius.
 fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
     var field_14: GaborField3d;
 
@@ -136,10 +133,9 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
     return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
 }
 
-// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). dx and dy are
-// those of gabor_noise_3d_filtered. Less than twice the cost. Where the pixel's longest axis is at most 0.3 kernel
-// radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root mean square.
-// What covers more has the right variance alone.
+// As gabor_noise_3d_filtered, for less than twice the cost of the noise. Where the pixel's longest axis is at most
+// 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
+// mean square. Beyond, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_15: GaborField3d;
 
@@ -151,10 +147,9 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
-// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane.
-//   normal  of any length from 10^-15 to 10^15
-// Where the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over,
-// for twice the cost. Where the surface is curved, the waves of a kernel bend.
+// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
+// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for twice
+// the cost. Where the surface is curved, the waves of a kernel bend.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
@@ -200,7 +195,7 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
 
 // The noises above at a place. All other functions call these.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var stretch_3: vec3<f32>;
+    var stretch_4: vec3<f32>;
     var wave_21: vec3<f32>;
     var salt_10: u32;
     var amplitude_5: f32 = 1f;
@@ -214,15 +209,15 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     var noise_4: vec4<f32>;
     var quadrature_1: vec4<f32>;
 
-    stretch_3 = (place.radius / vec3(1.5f));
+    stretch_4 = (place.radius / vec3(1.5f));
     let _e15 = gabor_impl_unit(direction);
-    let _e17 = stretch_3;
+    let _e17 = stretch_4;
     wave_21 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
     let _e20 = gabor_impl_salt(seed);
     salt_10 = _e20;
     if place.filtered {
         {
-            let _e35 = stretch_3;
+            let _e35 = stretch_4;
             let _e36 = gabor_impl_pixel(place, _e35);
             whole = _e36;
             let _e38 = whole;
@@ -267,38 +262,34 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
         let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
         let _e101 = wide_1;
         let _e103 = amplitude_5;
-        gabor_impl_accumulate_3d((&sum_15), _e99, ((1f - _e101) * _e103));
+        let _e105 = stretch_4;
+        gabor_impl_accumulate_3d((&sum_15), _e99, ((1f - _e101) * _e103), _e105);
     }
-    let _e106 = wide_1;
-    if (_e106 > 0f) {
+    let _e107 = wide_1;
+    if (_e107 > 0f) {
         {
-            let _e116 = wave_21;
-            let _e117 = pixel_5;
-            let _e118 = wide_1;
-            let _e121 = salt_10;
-            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e116, _e117, (_e118 > 0f), _e121, (&noise_4), (&quadrature_1));
-            let _e127 = noise_4;
-            let _e129 = noise_4;
-            let _e131 = quadrature_1;
-            let _e133 = quadrature_1;
-            let _e137 = wide_1;
-            let _e138 = amplitude_5;
-            gabor_impl_accumulate_3d((&sum_15), GaborField3d(_e127.x, _e129.yzw, _e131.x, _e133.yzw, 0f), (_e137 * _e138));
+            let _e117 = wave_21;
+            let _e118 = pixel_5;
+            let _e119 = wide_1;
+            let _e122 = salt_10;
+            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
+            let _e128 = noise_4;
+            let _e130 = noise_4;
+            let _e132 = quadrature_1;
+            let _e134 = quadrature_1;
+            let _e138 = wide_1;
+            let _e139 = amplitude_5;
+            let _e141 = stretch_4;
+            gabor_impl_accumulate_3d((&sum_15), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
         }
     }
-    let _e142 = sum_15;
-    let _e144 = stretch_3;
-    sum_15.gradient = (_e142.gradient * _e144);
-    let _e147 = sum_15;
-    let _e149 = stretch_3;
-    sum_15.quadrature_gradient = (_e147.quadrature_gradient * _e149);
-    let _e151 = sum_15;
-    return _e151;
+    let _e143 = sum_15;
+    return _e143;
 }
 
 fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
-    let _e9 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3(0f), vec3(0f)), seed);
-    return _e9;
+    let _e13 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f)), seed);
+    return _e13;
 }
 
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
@@ -397,7 +388,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
 
 fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
-    var aside_1: f32;
+    var aside: f32;
     var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_49: i32;
     var i_8: i32;
@@ -413,8 +404,8 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     normal_3 = _e6;
     let _e7 = normal_3;
     let _e9 = normal_3;
-    aside_1 = dot(_e7.xy, _e9.xy);
-    let _e22 = aside_1;
+    aside = dot(_e7.xy, _e9.xy);
+    let _e22 = aside;
     if (_e22 > 0.25f) {
         local_49 = 0i;
     } else {
@@ -424,7 +415,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     i_8 = _e28;
     loop {
         let _e30 = i_8;
-        let _e31 = aside_1;
+        let _e31 = aside;
         if (_e31 < 0.5f) {
             local_50 = 2i;
         } else {
@@ -455,10 +446,10 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
             let _e71 = term_1;
             let _e72 = i_8;
             if (_e72 == 0i) {
-                let _e77 = aside_1;
+                let _e77 = aside;
                 local_52 = smoothstep(0.25f, 0.5f, _e77);
             } else {
-                let _e83 = aside_1;
+                let _e83 = aside;
                 local_52 = smoothstep(-0.5f, -0.25f, -(_e83));
             }
             let _e87 = local_52;
@@ -632,15 +623,16 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
 }
 
-fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32) {
-    let _e4 = (*sum);
-    (*sum).noise = (_e4.noise + (amplitude * field.noise));
-    let _e10 = (*sum);
-    (*sum).gradient = (_e10.gradient + (amplitude * field.gradient));
-    let _e16 = (*sum);
-    (*sum).quadrature = (_e16.quadrature + (amplitude * field.quadrature));
-    let _e22 = (*sum);
-    (*sum).quadrature_gradient = (_e22.quadrature_gradient + (amplitude * field.quadrature_gradient));
+// Adds a field times an amplitude. Of its unit of length, `stretch` make a kernel radius.
+fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
+    let _e5 = (*sum);
+    (*sum).noise = (_e5.noise + (amplitude * field.noise));
+    let _e11 = (*sum);
+    (*sum).gradient = (_e11.gradient + ((amplitude * stretch) * field.gradient));
+    let _e18 = (*sum);
+    (*sum).quadrature = (_e18.quadrature + (amplitude * field.quadrature));
+    let _e24 = (*sum);
+    (*sum).quadrature_gradient = (_e24.quadrature_gradient + ((amplitude * stretch) * field.quadrature_gradient));
     return;
 }
 
@@ -738,311 +730,294 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
     let _e3 = gabor_impl_takeover(x);
     power_4 = _e3;
     let _e6 = power_4;
-    gabor_impl_accumulate_3d(sum, term, sqrt(_e6));
-    let _e10 = (*sum);
-    let _e12 = power_4;
-    (*sum).removed = (_e10.removed + (_e12 * term.removed));
+    gabor_impl_accumulate_3d(sum, term, sqrt(_e6), vec3(1f));
+    let _e12 = (*sum);
+    let _e14 = power_4;
+    (*sum).removed = (_e12.removed + (_e14 * term.removed));
     return;
 }
 
-// A node's window along an axis is middle + cosine, its derivative sine: 1/2, cos(pi d) / 2 and -pi / 2 sin(pi d).
-struct GaborWindow3d {
-    middle: vec3<f32>,
-    cosine: vec3<f32>,
-    sine: vec3<f32>,
-}
-
-// Adds a node's wave, which has turned by `turns` from the node to the point. The filter, see gabor_spectrum.wgsl,
-// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F, to
-// middle + cosh x cosine + i sinh x sine / pi.
-fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, node: GaborWindow3d, wave: vec3<f32>, turns: f32, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
+// Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
+// to the point. The filter, see gabor_spectrum.wgsl, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
+// each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
     var a_5: vec2<f32>;
+    var middle: vec3<f32>;
+    var cosine_1: vec3<f32>;
+    var sine: vec3<f32>;
     var h: vec3<f32>;
     var slope_11: vec3<f32>;
+    var turned_1: vec3<f32> = vec3(0f);
     var value_10: vec2<f32>;
-    var x_15: vec3<f32>;
-    var y_10: vec3<f32>;
+    var s_6: vec3<f32>;
+    var r_2: vec3<f32>;
     var even_2: vec3<f32>;
     var odd_2: vec3<f32>;
+    var mixed_2: f32;
     var i_h: vec3<f32>;
     var i_slope: vec3<f32>;
     var real_3: vec3<f32>;
     var imaginary_3: vec3<f32>;
-    var s_6: vec3<f32>;
-    var turned_1: vec3<f32>;
 
-    let _e9 = gabor_impl_amplitude_at(word, place.animated, place.time);
-    let _e10 = gabor_impl_wave(turns);
-    let _e11 = gabor_impl_product(_e9, _e10);
-    a_5 = _e11;
-    h = (node.middle + node.cosine);
-    slope_11 = node.sine;
-    let _e19 = h;
-    let _e21 = h;
-    let _e23 = h;
-    let _e27 = a_5;
-    value_10 = ((_e19.x * (_e21.y * _e23.z)) * _e27);
+    let _e10 = gabor_impl_amplitude_at(word, place.animated, place.time);
+    let _e12 = gabor_impl_wave(wave.w);
+    let _e13 = gabor_impl_product(_e10, _e12);
+    a_5 = _e13;
+    middle = vec3<f32>(x.y, y.y, z.y);
+    cosine_1 = vec3<f32>(x.z, y.z, z.z);
+    sine = vec3<f32>(x.w, y.w, z.w);
+    let _e30 = middle;
+    let _e31 = cosine_1;
+    h = (_e30 + _e31);
+    let _e34 = sine;
+    let _e35 = h;
+    let _e37 = h;
+    slope_11 = (_e34 * (_e35.yzx * _e37.zxy));
+    let _e45 = h;
+    let _e47 = h;
+    let _e49 = h;
+    let _e53 = a_5;
+    value_10 = ((_e45.x * (_e47.y * _e49.z)) * _e53);
     if place.filtered {
         {
-            let _e32 = gabor_impl_symmetric_3d(pixel, wave);
-            x_15 = (19.739208f * _e32);
-            let _e35 = a_5;
-            let _e36 = x_15;
-            a_5 = (_e35 * exp(-(max(dot(wave, _e36), 0f))));
-            let _e43 = x_15;
-            x_15 = clamp(_e43, vec3(-3f), vec3(3f));
-            let _e50 = x_15;
-            let _e51 = x_15;
-            y_10 = (_e50 * _e51);
-            let _e55 = y_10;
-            let _e58 = y_10;
-            even_2 = (vec3(1f) + (_e55 * (vec3(0.5f) + (0.041666668f * _e58))));
-            let _e66 = x_15;
-            let _e68 = y_10;
-            let _e71 = y_10;
-            odd_2 = (_e66 * (vec3(1f) + (_e68 * (vec3(0.16666667f) + (0.008333333f * _e71)))));
-            let _e81 = even_2;
-            h = (node.middle + (_e81 * node.cosine));
-            let _e85 = even_2;
-            slope_11 = (_e85 * node.sine);
-            let _e89 = odd_2;
-            i_h = ((0.3183099f * _e89) * node.sine);
-            let _e96 = odd_2;
-            i_slope = ((-3.1415927f * _e96) * node.cosine);
-            let _e101 = h;
-            let _e103 = h;
-            let _e106 = i_h;
-            let _e108 = i_h;
-            real_3 = ((_e101.yzx * _e103.zxy) - (_e106.yzx * _e108.zxy));
-            let _e113 = h;
-            let _e115 = i_h;
-            let _e118 = i_h;
-            let _e120 = h;
-            imaginary_3 = ((_e113.yzx * _e115.zxy) + (_e118.yzx * _e120.zxy));
-            s_6 = ((node.sine.yzx * node.sine.zxy) * (node.middle + node.cosine));
-            let _e135 = h;
-            let _e137 = real_3;
-            let _e140 = i_h;
-            let _e142 = imaginary_3;
-            let _e147 = s_6;
-            let _e150 = h;
-            let _e152 = imaginary_3;
-            let _e155 = i_h;
-            let _e157 = real_3;
-            let _e162 = a_5;
-            let _e163 = gabor_impl_product(vec2<f32>((((_e135.x * _e137.x) - (_e140.x * _e142.x)) + dot(pixel.mixed, _e147)), ((_e150.x * _e152.x) + (_e155.x * _e157.x))), _e162);
-            value_10 = _e163;
-            let _e164 = slope_11;
-            let _e165 = imaginary_3;
-            let _e167 = i_slope;
-            let _e168 = real_3;
-            turned_1 = ((_e164 * _e165) + (_e167 * _e168));
-            let _e172 = slope_11;
-            let _e173 = real_3;
-            let _e175 = i_slope;
-            let _e176 = imaginary_3;
-            slope_11 = ((_e172 * _e173) - (_e175 * _e176));
-            let _e180 = (*sum);
-            let _e182 = turned_1;
-            let _e183 = a_5;
-            (*sum).gradient = (_e180.gradient + (_e182 * _e183.x));
-            let _e188 = (*sum);
-            let _e190 = turned_1;
-            let _e191 = a_5;
-            (*sum).quadrature_gradient = (_e188.quadrature_gradient - (_e190 * _e191.y));
-        }
-    } else {
-        {
-            let _e195 = slope_11;
-            let _e196 = h;
-            let _e198 = h;
-            slope_11 = (_e195 * (_e196.yzx * _e198.zxy));
+            let _e59 = gabor_impl_symmetric_3d(pixel, wave.xyz);
+            s_6 = (19.739208f * _e59);
+            let _e62 = a_5;
+            let _e64 = s_6;
+            a_5 = (_e62 * exp(-(max(dot(wave.xyz, _e64), 0f))));
+            let _e71 = s_6;
+            s_6 = clamp(_e71, vec3(-3f), vec3(3f));
+            let _e78 = s_6;
+            let _e79 = s_6;
+            r_2 = (_e78 * _e79);
+            let _e83 = r_2;
+            let _e86 = r_2;
+            even_2 = (vec3(1f) + (_e83 * (vec3(0.5f) + (0.041666668f * _e86))));
+            let _e94 = s_6;
+            let _e96 = r_2;
+            let _e99 = r_2;
+            odd_2 = (_e94 * (vec3(1f) + (_e96 * (vec3(0.16666667f) + (0.008333333f * _e99)))));
+            let _e109 = sine;
+            let _e111 = sine;
+            let _e114 = h;
+            mixed_2 = dot(pixel.mixed, ((_e109.yzx * _e111.zxy) * _e114));
+            let _e118 = middle;
+            let _e119 = even_2;
+            let _e120 = cosine_1;
+            h = (_e118 + (_e119 * _e120));
+            let _e124 = odd_2;
+            let _e126 = sine;
+            i_h = ((0.3183099f * _e124) * _e126);
+            let _e131 = odd_2;
+            let _e133 = cosine_1;
+            i_slope = ((-3.1415927f * _e131) * _e133);
+            let _e136 = h;
+            let _e138 = h;
+            let _e141 = i_h;
+            let _e143 = i_h;
+            real_3 = ((_e136.yzx * _e138.zxy) - (_e141.yzx * _e143.zxy));
+            let _e148 = h;
+            let _e150 = i_h;
+            let _e153 = i_h;
+            let _e155 = h;
+            imaginary_3 = ((_e148.yzx * _e150.zxy) + (_e153.yzx * _e155.zxy));
+            let _e160 = h;
+            let _e162 = real_3;
+            let _e165 = i_h;
+            let _e167 = imaginary_3;
+            let _e171 = mixed_2;
+            let _e173 = h;
+            let _e175 = imaginary_3;
+            let _e178 = i_h;
+            let _e180 = real_3;
+            value_10 = vec2<f32>((((_e160.x * _e162.x) - (_e165.x * _e167.x)) + _e171), ((_e173.x * _e175.x) + (_e178.x * _e180.x)));
+            let _e185 = value_10;
+            let _e186 = a_5;
+            let _e187 = gabor_impl_product(_e185, _e186);
+            value_10 = _e187;
+            let _e188 = even_2;
+            let _e189 = sine;
+            let _e191 = real_3;
+            let _e193 = i_slope;
+            let _e194 = imaginary_3;
+            slope_11 = (((_e188 * _e189) * _e191) - (_e193 * _e194));
+            let _e197 = even_2;
+            let _e198 = sine;
+            let _e200 = imaginary_3;
+            let _e202 = i_slope;
+            let _e203 = real_3;
+            turned_1 = (((_e197 * _e198) * _e200) + (_e202 * _e203));
         }
     }
-    let _e203 = (*sum);
-    let _e205 = value_10;
-    (*sum).noise = (_e203.noise + _e205.y);
-    let _e209 = (*sum);
-    let _e211 = slope_11;
-    let _e212 = a_5;
-    let _e216 = value_10;
-    (*sum).gradient = (_e209.gradient + ((_e211 * _e212.y) + ((6.2831855f * _e216.x) * wave)));
-    let _e223 = (*sum);
+    let _e207 = (*sum);
+    let _e209 = value_10;
+    (*sum).noise = (_e207.noise + _e209.y);
+    let _e213 = (*sum);
+    let _e215 = slope_11;
+    let _e216 = a_5;
+    let _e219 = turned_1;
+    let _e220 = a_5;
     let _e225 = value_10;
-    (*sum).quadrature = (_e223.quadrature + _e225.x);
-    let _e229 = (*sum);
-    let _e231 = slope_11;
-    let _e232 = a_5;
-    let _e236 = value_10;
-    (*sum).quadrature_gradient = (_e229.quadrature_gradient + ((_e231 * _e232.x) - ((6.2831855f * _e236.y) * wave)));
+    (*sum).gradient = (_e213.gradient + (((_e215 * _e216.y) + (_e219 * _e220.x)) + ((6.2831855f * _e225.x) * wave.xyz)));
+    let _e233 = (*sum);
+    let _e235 = value_10;
+    (*sum).quadrature = (_e233.quadrature + _e235.x);
+    let _e239 = (*sum);
+    let _e241 = slope_11;
+    let _e242 = a_5;
+    let _e245 = turned_1;
+    let _e246 = a_5;
+    let _e251 = value_10;
+    (*sum).quadrature_gradient = (_e239.quadrature_gradient + (((_e241 * _e242.x) - (_e245 * _e246.y)) - ((6.2831855f * _e251.y) * wave.xyz)));
     return;
 }
 
-// Which waves isotropic noise has: all, or those along a surface, with two vectors at right angles there.
+// Which waves isotropic noise has: all, or only those along a surface, in which these vectors are at right angles.
 struct GaborTangents {
     only: bool,
     along: vec3<f32>,
     across: vec3<f32>,
 }
 
-// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. Half a turn around
-// z and a quarter around the first vector make all frames, as a wave along -u is one along u.
+// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. As a wave along
+// -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
+// of a turn around it is enough for the others.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
-    var node_1: GaborWindow3d;
-    var d_3: vec3<f32>;
     var word_6: u32;
     var turn_12: vec2<f32>;
     var first_2: vec3<f32>;
     var second_1: vec3<f32>;
+    var d_3: vec3<f32>;
+    var u_1: vec4<f32>;
+    var v_4: vec4<f32>;
+    var w_3: vec4<f32>;
     var rise_2: f32;
     var level: f32;
     var spin: vec2<f32>;
-    var t_7: vec3<f32>;
-    var b_9: vec3<f32>;
-    var outward: f32;
-    var aside: f32;
-    var upward: f32;
+    var across_1: vec4<f32>;
+    var lifted: vec4<f32>;
+    var unit_3: vec4<f32>;
 
-    node_1 = GaborWindow3d(vec3<f32>(x.y, y.y, z.y), vec3<f32>(x.z, y.z, z.z), vec3<f32>(x.w, y.w, z.w));
-    d_3 = (scale * vec3<f32>(x.x, y.x, z.x));
     word_6 = (column * row.w);
-    let _e34 = word_6;
-    let _e38 = gabor_impl_half_turn((0.00000000011641532f * f32(i32(_e34))));
-    turn_12 = _e38;
-    if tangents.only {
+    let _e14 = word_6;
+    let _e18 = gabor_impl_half_turn((0.00000000011641532f * f32(i32(_e14))));
+    turn_12 = _e18;
+    let _e20 = turn_12;
+    let _e24 = turn_12;
+    first_2 = ((_e20.x * tangents.along) + (_e24.y * tangents.across));
+    let _e30 = turn_12;
+    let _e34 = turn_12;
+    second_1 = ((_e30.x * tangents.across) - (_e34.y * tangents.along));
+    d_3 = (scale * vec3<f32>(x.x, y.x, z.x));
+    let _e46 = first_2;
+    let _e47 = first_2;
+    let _e48 = d_3;
+    u_1 = vec4<f32>(_e46.x, _e46.y, _e46.z, dot(_e47, _e48));
+    let _e55 = second_1;
+    let _e56 = second_1;
+    let _e57 = d_3;
+    v_4 = vec4<f32>(_e55.x, _e55.y, _e55.z, dot(_e56, _e57));
+    let _e67 = d_3;
+    w_3 = vec4<f32>(0f, 0f, 1f, _e67.z);
+    if !(tangents.only) {
         {
-            let _e41 = turn_12;
-            let _e45 = turn_12;
-            first_2 = ((_e41.x * tangents.along) + (_e45.y * tangents.across));
-            let _e51 = turn_12;
-            let _e55 = turn_12;
-            second_1 = ((_e51.x * tangents.across) - (_e55.y * tangents.along));
-            let _e62 = node_1;
-            let _e63 = first_2;
-            let _e65 = first_2;
-            let _e66 = d_3;
-            gabor_impl_add_wave(sum, _e62, (scale * _e63), dot(_e65, _e66), place, pixel, (column * row.x));
-            let _e72 = node_1;
-            let _e73 = second_1;
-            let _e75 = second_1;
-            let _e76 = d_3;
-            gabor_impl_add_wave(sum, _e72, (scale * _e73), dot(_e75, _e76), place, pixel, (column * row.y));
-            return;
+            let _e74 = word_6;
+            rise_2 = (0.0000000004656613f * f32(i32((_e74 << 12u))));
+            let _e82 = rise_2;
+            let _e83 = rise_2;
+            level = sqrt(max((1f - (_e82 * _e83)), 0f));
+            let _e91 = word_6;
+            let _e97 = gabor_impl_half_turn((0.00000000005820766f * f32(i32((_e91 << 20u)))));
+            spin = _e97;
+            let _e99 = v_4;
+            across_1 = _e99;
+            let _e101 = level;
+            let _e102 = w_3;
+            let _e104 = rise_2;
+            let _e105 = u_1;
+            lifted = ((_e101 * _e102) - (_e104 * _e105));
+            let _e109 = level;
+            let _e110 = u_1;
+            let _e112 = rise_2;
+            let _e113 = w_3;
+            u_1 = ((_e109 * _e110) + (_e112 * _e113));
+            let _e116 = spin;
+            let _e118 = across_1;
+            let _e120 = spin;
+            let _e122 = lifted;
+            v_4 = ((_e116.x * _e118) + (_e120.y * _e122));
+            let _e125 = spin;
+            let _e127 = lifted;
+            let _e129 = spin;
+            let _e131 = across_1;
+            w_3 = ((_e125.x * _e127) - (_e129.y * _e131));
         }
+    }
+    unit_3 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
+    let _e141 = unit_3;
+    let _e142 = u_1;
+    gabor_impl_add_wave(sum, x, y, z, (_e141 * _e142), place, pixel, (column * row.x));
+    let _e148 = unit_3;
+    let _e149 = v_4;
+    gabor_impl_add_wave(sum, x, y, z, (_e148 * _e149), place, pixel, (column * row.y));
+    if !(tangents.only) {
+        let _e157 = unit_3;
+        let _e158 = w_3;
+        gabor_impl_add_wave(sum, x, y, z, (_e157 * _e158), place, pixel, (column * row.z));
+        return;
     } else {
-        {
-            let _e82 = word_6;
-            rise_2 = (0.0000000004656613f * f32(i32((_e82 << 12u))));
-            let _e90 = rise_2;
-            let _e91 = rise_2;
-            level = sqrt(max((1f - (_e90 * _e91)), 0f));
-            let _e99 = word_6;
-            let _e105 = gabor_impl_half_turn((0.00000000005820766f * f32(i32((_e99 << 20u)))));
-            spin = _e105;
-            let _e107 = turn_12;
-            let _e110 = turn_12;
-            t_7 = vec3<f32>(-(_e107.y), _e110.x, 0f);
-            let _e115 = rise_2;
-            let _e117 = turn_12;
-            let _e118 = (-(_e115) * _e117);
-            let _e119 = level;
-            b_9 = vec3<f32>(_e118.x, _e118.y, _e119);
-            let _e124 = turn_12;
-            let _e125 = d_3;
-            outward = dot(_e124, _e125.xy);
-            let _e129 = turn_12;
-            let _e131 = d_3;
-            let _e134 = turn_12;
-            let _e136 = d_3;
-            aside = ((_e129.x * _e131.y) - (_e134.y * _e136.x));
-            let _e141 = level;
-            let _e142 = d_3;
-            let _e145 = rise_2;
-            let _e146 = outward;
-            upward = ((_e141 * _e142.z) - (_e145 * _e146));
-            let _e151 = node_1;
-            let _e152 = level;
-            let _e153 = turn_12;
-            let _e154 = (_e152 * _e153);
-            let _e155 = rise_2;
-            let _e160 = level;
-            let _e161 = outward;
-            let _e163 = rise_2;
-            let _e164 = d_3;
-            gabor_impl_add_wave(sum, _e151, (scale * vec3<f32>(_e154.x, _e154.y, _e155)), ((_e160 * _e161) + (_e163 * _e164.z)), place, pixel, (column * row.x));
-            let _e172 = node_1;
-            let _e173 = spin;
-            let _e175 = t_7;
-            let _e177 = spin;
-            let _e179 = b_9;
-            let _e183 = spin;
-            let _e185 = aside;
-            let _e187 = spin;
-            let _e189 = upward;
-            gabor_impl_add_wave(sum, _e172, (scale * ((_e173.x * _e175) + (_e177.y * _e179))), ((_e183.x * _e185) + (_e187.y * _e189)), place, pixel, (column * row.y));
-            let _e196 = node_1;
-            let _e197 = spin;
-            let _e199 = b_9;
-            let _e201 = spin;
-            let _e203 = t_7;
-            let _e207 = spin;
-            let _e209 = upward;
-            let _e211 = spin;
-            let _e213 = aside;
-            gabor_impl_add_wave(sum, _e196, (scale * ((_e197.x * _e199) - (_e201.y * _e203))), ((_e207.x * _e209) - (_e211.y * _e213)), place, pixel, (column * row.z));
-            return;
-        }
+        return;
     }
 }
 
-// A node of an axis: the point's offset from it and the three parts of its window. Filtered windows fade within half a
-// deviation of their ends.
-fn gabor_impl_node(offset: f32, node: vec4<f32>, filtered: bool, variance: f32) -> vec4<f32> {
+// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) / 2;
+// and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
+fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     var offset_1: f32;
     var fade_4: f32 = 1f;
     var fall_1: f32 = 1f;
 
     offset_1 = offset;
-    let _e5 = offset_1;
-    offset_1 = (_e5 / 1.5f);
-    if filtered {
+    let _e4 = offset_1;
+    offset_1 = (_e4 / 1.5f);
+    if (variance > 0f) {
         {
-            let _e16 = offset_1;
-            fade_4 = clamp(((1f - abs(_e16)) / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
-            let _e29 = fade_4;
+            let _e17 = offset_1;
+            fade_4 = clamp(((1f - abs(_e17)) / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
             let _e30 = fade_4;
-            let _e33 = fade_4;
-            fade_4 = (_e29 * (_e30 * (3f - (2f * _e33))));
-            let _e38 = fade_4;
-            fall_1 = (_e38 * exp((-4.934802f * variance)));
+            let _e31 = fade_4;
+            let _e34 = fade_4;
+            fade_4 = (_e30 * (_e31 * (3f - (2f * _e34))));
+            let _e39 = fade_4;
+            fall_1 = (_e39 * exp((-4.934802f * variance)));
         }
     }
-    let _e44 = offset_1;
-    let _e46 = fade_4;
-    let _e48 = fall_1;
-    let _e53 = fall_1;
-    return vec4<f32>(_e44, (0.5f * _e46), (_e48 * (node.x - 0.5f)), (_e53 * node.z));
+    let _e45 = offset_1;
+    let _e47 = fade_4;
+    let _e49 = fall_1;
+    let _e54 = fall_1;
+    return vec4<f32>(_e45, (0.5f * _e47), (_e49 * (node.x - 0.5f)), (_e54 * node.z));
 }
 
-fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, filtered: bool, variance: f32) -> GaborAxis {
+fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborAxis {
     var axis_3: GaborAxis;
 
-    let _e11 = gabor_impl_axis(cell, local, period, salt, 0f, 1.5f);
-    axis_3 = _e11;
-    let _e16 = axis_3;
-    let _e23 = axis_3.node[0];
-    let _e24 = gabor_impl_node((_e16.offset + 1f), _e23, filtered, variance);
-    axis_3.node[0i] = _e24;
-    let _e28 = axis_3;
-    let _e33 = axis_3.node[1];
-    let _e34 = gabor_impl_node(_e28.offset, _e33, filtered, variance);
-    axis_3.node[1i] = _e34;
-    let _e38 = axis_3;
-    let _e45 = axis_3.node[2];
-    let _e46 = gabor_impl_node((_e38.offset - 1f), _e45, filtered, variance);
-    axis_3.node[2i] = _e46;
-    let _e47 = axis_3;
-    return _e47;
+    let _e10 = gabor_impl_axis(cell, local, period, salt, 0f, 1.5f);
+    axis_3 = _e10;
+    let _e15 = axis_3;
+    let _e22 = axis_3.node[0];
+    let _e23 = gabor_impl_node((_e15.offset + 1f), _e22, variance);
+    axis_3.node[0i] = _e23;
+    let _e27 = axis_3;
+    let _e32 = axis_3.node[1];
+    let _e33 = gabor_impl_node(_e27.offset, _e32, variance);
+    axis_3.node[1i] = _e33;
+    let _e37 = axis_3;
+    let _e44 = axis_3.node[2];
+    let _e45 = gabor_impl_node((_e37.offset - 1f), _e44, variance);
+    axis_3.node[2i] = _e45;
+    let _e46 = axis_3;
+    return _e46;
 }
 
 // The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
@@ -1071,9 +1046,10 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
 
 // The sum over 27 nodes, less its factor K.
 fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
+    var s_7: vec3<f32>;
     var x_17: GaborAxis;
     var y_12: GaborAxis;
-    var z_6: GaborAxis;
+    var z_7: GaborAxis;
     var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_7: i32 = 0i;
     var j_5: i32;
@@ -1090,120 +1066,124 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     var word_8: u32;
     var row_7: vec4<u32>;
 
-    let _e14 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, place.filtered, pixel.diagonal.x);
-    x_17 = _e14;
-    let _e27 = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), place.filtered, pixel.diagonal.y);
+    s_7 = pixel.diagonal;
+    let _e13 = s_7;
+    let _e15 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, _e13.x);
+    x_17 = _e15;
+    let _e25 = s_7;
+    let _e27 = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e25.y);
     y_12 = _e27;
-    let _e40 = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), place.filtered, pixel.diagonal.z);
-    z_6 = _e40;
+    let _e37 = s_7;
+    let _e39 = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), _e37.z);
+    z_7 = _e39;
     loop {
-        let _e53 = i_7;
-        if !((_e53 < 9i)) {
+        let _e52 = i_7;
+        if !((_e52 < 9i)) {
             break;
         }
         {
-            let _e60 = i_7;
-            j_5 = (_e60 % 3i);
-            let _e64 = j_5;
-            if (_e64 == 0i) {
-                let _e70 = y_12.node[0];
-                local_39 = _e70;
+            let _e59 = i_7;
+            j_5 = (_e59 % 3i);
+            let _e63 = j_5;
+            if (_e63 == 0i) {
+                let _e69 = y_12.node[0];
+                local_39 = _e69;
             } else {
-                let _e71 = j_5;
-                if (_e71 == 1i) {
-                    let _e77 = y_12.node[1];
-                    local_38 = _e77;
+                let _e70 = j_5;
+                if (_e70 == 1i) {
+                    let _e76 = y_12.node[1];
+                    local_38 = _e76;
                 } else {
-                    let _e81 = y_12.node[2];
-                    local_38 = _e81;
+                    let _e80 = y_12.node[2];
+                    local_38 = _e80;
                 }
-                let _e83 = local_38;
-                local_39 = _e83;
+                let _e82 = local_38;
+                local_39 = _e82;
             }
-            let _e85 = local_39;
-            y_j = _e85;
-            let _e87 = i_7;
-            if (_e87 < 3i) {
-                let _e93 = z_6.node[0];
-                local_41 = _e93;
+            let _e84 = local_39;
+            y_j = _e84;
+            let _e86 = i_7;
+            if (_e86 < 3i) {
+                let _e92 = z_7.node[0];
+                local_41 = _e92;
             } else {
-                let _e94 = i_7;
-                if (_e94 < 6i) {
-                    let _e100 = z_6.node[1];
-                    local_40 = _e100;
+                let _e93 = i_7;
+                if (_e93 < 6i) {
+                    let _e99 = z_7.node[1];
+                    local_40 = _e99;
                 } else {
-                    let _e104 = z_6.node[2];
-                    local_40 = _e104;
+                    let _e103 = z_7.node[2];
+                    local_40 = _e103;
                 }
-                let _e106 = local_40;
-                local_41 = _e106;
+                let _e105 = local_40;
+                local_41 = _e105;
             }
-            let _e108 = local_41;
-            z_k = _e108;
-            let _e110 = j_5;
-            if (_e110 == 0i) {
-                let _e116 = y_12.word[0];
-                local_43 = _e116;
+            let _e107 = local_41;
+            z_k = _e107;
+            let _e109 = j_5;
+            if (_e109 == 0i) {
+                let _e115 = y_12.word[0];
+                local_43 = _e115;
             } else {
-                let _e117 = j_5;
-                if (_e117 == 1i) {
-                    let _e123 = y_12.word[1];
-                    local_42 = _e123;
+                let _e116 = j_5;
+                if (_e116 == 1i) {
+                    let _e122 = y_12.word[1];
+                    local_42 = _e122;
                 } else {
-                    let _e127 = y_12.word[2];
-                    local_42 = _e127;
+                    let _e126 = y_12.word[2];
+                    local_42 = _e126;
                 }
-                let _e129 = local_42;
-                local_43 = _e129;
+                let _e128 = local_42;
+                local_43 = _e128;
             }
-            let _e131 = local_43;
-            let _e132 = i_7;
-            if (_e132 < 3i) {
-                let _e138 = z_6.word[0];
-                local_45 = _e138;
+            let _e130 = local_43;
+            let _e131 = i_7;
+            if (_e131 < 3i) {
+                let _e137 = z_7.word[0];
+                local_45 = _e137;
             } else {
-                let _e139 = i_7;
-                if (_e139 < 6i) {
-                    let _e145 = z_6.word[1];
-                    local_44 = _e145;
+                let _e138 = i_7;
+                if (_e138 < 6i) {
+                    let _e144 = z_7.word[1];
+                    local_44 = _e144;
                 } else {
-                    let _e149 = z_6.word[2];
-                    local_44 = _e149;
+                    let _e148 = z_7.word[2];
+                    local_44 = _e148;
                 }
-                let _e151 = local_44;
-                local_45 = _e151;
+                let _e150 = local_44;
+                local_45 = _e150;
             }
-            let _e153 = local_45;
-            word_8 = (_e131 * _e153);
-            let _e156 = word_8;
-            let _e157 = gabor_impl_row(_e156);
-            row_7 = _e157;
-            let _e163 = x_17.node[0];
-            let _e164 = y_j;
-            let _e165 = z_k;
-            let _e169 = x_17.word[0];
-            let _e170 = row_7;
-            gabor_impl_add_node((&sum_20), _e163, _e164, _e165, place, pixel, scale, tangents, _e169, _e170);
-            let _e176 = x_17.node[1];
-            let _e177 = y_j;
-            let _e178 = z_k;
-            let _e182 = x_17.word[1];
-            let _e183 = row_7;
-            gabor_impl_add_node((&sum_20), _e176, _e177, _e178, place, pixel, scale, tangents, _e182, _e183);
-            let _e189 = x_17.node[2];
-            let _e190 = y_j;
-            let _e191 = z_k;
-            let _e195 = x_17.word[2];
-            let _e196 = row_7;
-            gabor_impl_add_node((&sum_20), _e189, _e190, _e191, place, pixel, scale, tangents, _e195, _e196);
+            let _e152 = local_45;
+            word_8 = (_e130 * _e152);
+            let _e155 = word_8;
+            let _e156 = gabor_impl_row(_e155);
+            row_7 = _e156;
+            let _e162 = x_17.node[0];
+            let _e163 = y_j;
+            let _e164 = z_k;
+            let _e168 = x_17.word[0];
+            let _e169 = row_7;
+            gabor_impl_add_node((&sum_20), _e162, _e163, _e164, place, pixel, scale, tangents, _e168, _e169);
+            let _e175 = x_17.node[1];
+            let _e176 = y_j;
+            let _e177 = z_k;
+            let _e181 = x_17.word[1];
+            let _e182 = row_7;
+            gabor_impl_add_node((&sum_20), _e175, _e176, _e177, place, pixel, scale, tangents, _e181, _e182);
+            let _e188 = x_17.node[2];
+            let _e189 = y_j;
+            let _e190 = z_k;
+            let _e194 = x_17.word[2];
+            let _e195 = row_7;
+            gabor_impl_add_node((&sum_20), _e188, _e189, _e190, place, pixel, scale, tangents, _e194, _e195);
         }
         continuing {
-            let _e57 = i_7;
-            i_7 = (_e57 + 1i);
+            let _e56 = i_7;
+            i_7 = (_e56 + 1i);
         }
     }
-    let _e198 = sum_20;
-    return _e198;
+    let _e197 = sum_20;
+    return _e197;
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
@@ -1216,10 +1196,10 @@ fn gabor_impl_mean_angle(q: f32) -> f32 {
 
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
     var d_4: vec2<f32>;
-    var unit_3: vec2<f32>;
+    var unit_4: vec2<f32>;
     var mean_2: f32;
     var a_6: vec2<f32>;
-    var b_10: vec2<f32>;
+    var b_9: vec2<f32>;
     var sum_21: f32;
     var apart_1: f32;
     var q_2: vec2<f32>;
@@ -1229,25 +1209,25 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     let _e3 = gabor_impl_spread(pixel);
     d_4 = _e3;
     let _e10 = d_4;
-    unit_3 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
+    unit_4 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
     if tangents.only {
         {
             a_6 = vec2<f32>(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
-            b_10 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
-            let _e32 = unit_3;
+            b_9 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
+            let _e32 = unit_4;
             let _e33 = a_6;
             let _e34 = a_6;
-            let _e36 = b_10;
-            let _e37 = b_10;
+            let _e36 = b_9;
+            let _e37 = b_9;
             sum_21 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
-            let _e42 = unit_3;
+            let _e42 = unit_4;
             let _e43 = a_6;
             let _e44 = a_6;
-            let _e46 = b_10;
-            let _e47 = b_10;
-            let _e52 = unit_3;
+            let _e46 = b_9;
+            let _e47 = b_9;
+            let _e52 = unit_4;
             let _e53 = a_6;
-            let _e54 = b_10;
+            let _e54 = b_9;
             apart_1 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
             let _e62 = apart_1;
             let _e63 = sum_21;
@@ -1257,7 +1237,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
         }
     } else {
         {
-            let _e72 = unit_3;
+            let _e72 = unit_4;
             q_2 = (_e72 * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor)));
             let _e82 = q_2;
             let _e84 = q_2;
@@ -1286,7 +1266,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
 
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
     var frequency_20: f32;
-    var stretch_4: vec3<f32>;
+    var stretch_5: vec3<f32>;
     var local_46: f32;
     var local_47: f32;
     var local_48: f32;
@@ -1298,7 +1278,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     var sum_22: GaborField3d;
 
     frequency_20 = frequency;
-    stretch_4 = (place.radius / vec3(1.5f));
+    stretch_5 = (place.radius / vec3(1.5f));
     let _e13 = frequency_20;
     frequency_20 = min(abs(_e13), 1000000f);
     if tangents.only {
@@ -1338,9 +1318,9 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e72 = gabor_impl_transmitted_isotropic(_e70, _e71, tangents);
             amplitude_6 = (_e68 * sqrt((_e69 / _e72)));
             let _e76 = resolved_1;
-            let _e78 = stretch_4;
+            let _e78 = stretch_5;
             let _e80 = resolved_1;
-            let _e82 = stretch_4;
+            let _e82 = stretch_5;
             let _e85 = gabor_impl_covariance(GaborPixelAxes((_e76.major * _e78), (_e80.minor * _e82)));
             pixel_10 = _e85;
             let _e86 = transmitted_2;
@@ -1355,20 +1335,15 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     if (_e102 > 0f) {
         let _e106 = pixel_10;
         let _e107 = frequency_20;
-        let _e108 = stretch_4;
+        let _e108 = stretch_5;
         let _e111 = gabor_impl_salt(seed);
         let _e112 = gabor_impl_sum_isotropic(place, _e106, (vec3(_e107) / _e108), tangents, _e111);
         let _e113 = amplitude_6;
-        gabor_impl_accumulate_3d((&sum_22), _e112, _e113);
+        let _e114 = stretch_5;
+        gabor_impl_accumulate_3d((&sum_22), _e112, _e113, _e114);
     }
     let _e116 = sum_22;
-    let _e118 = stretch_4;
-    sum_22.gradient = (_e116.gradient * _e118);
-    let _e121 = sum_22;
-    let _e123 = stretch_4;
-    sum_22.quadrature_gradient = (_e121.quadrature_gradient * _e123);
-    let _e125 = sum_22;
-    return _e125;
+    return _e116;
 }
 
 fn gabor_impl_place_of_pixel(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>) -> GaborPlace3d {
