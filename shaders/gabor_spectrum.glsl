@@ -84,6 +84,26 @@ struct GaborLobes {
 //                                 float orientation_spread, uint seed)
 //     With its quadrature, as gabor_noise_complex.
 
+// ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
+
+// float gabor_noise_isotropic(vec2 p, float frequency, uint seed)
+//     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
+//     variance 1; value and gradient are normal at every place. The power is even over all directions but for what the
+//     window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+//     distributions; those of gabor_noise_spread, a sum of directions, are normal.
+
+// vec3 gabor_noise_isotropic_gradient(vec2 p, float frequency, uint seed)
+//     With its analytic gradient: (noise, d/dx, d/dy).
+
+// float gabor_noise_isotropic_tiled(vec2 p, vec2 period, float frequency, uint seed)
+//     With a period, as gabor_noise_tiled.
+
+// vec2 gabor_noise_isotropic_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, uint seed)
+//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed), with
+//     GABOR_TAPS 3, for about twice the cost. dx and dy are those of gabor_noise_filtered. Where the pixel's longest
+//     axis is at most 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4
+//     by 4 %, root mean square. What covers more has the right variance alone.
+
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
@@ -160,6 +180,10 @@ struct GaborLobes {
 //                               float orientation_spread, uint seed)
 //     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
+// GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
+//     Isotropic noise at a place, with quadrature and derivatives. The quadrature is independent of the noise at one
+//     place, but not of its gradient.
+
 #if GABOR_TAPS == 3
 // The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
@@ -179,6 +203,10 @@ struct GaborFootprint {
 //     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
 //     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
 //     GABOR_RADIUS apart.
+
+// GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
+//                                           out float removed)
+//     The same of isotropic noise.
 
 // ====================================================================================================================
 // Private implementation
@@ -307,6 +335,12 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance) {
     float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
     float exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
     return exp(-clamp(exponent, 0.0, 80.0)) * inversesqrt(d);
+}
+
+// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), as the root of a rational function.
+float gabor_impl_mean_angle(float q) {
+    return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
+                / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
@@ -689,6 +723,150 @@ void gabor_impl_filtered_space(ivec3 cell, vec3 local, ivec3 period, bool animat
 }
 #endif
 
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
+//
+// Node c sends out waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
+//     n(p) = K / sqrt(3) Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
+// Given the directions, n is normal with variance 1. So is its gradient, of the constant covariance
+// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), for sum_m u_cm u_cm^T = 3/2; value and gradient are
+// independent. As none of this depends on the directions, both are normal without knowing them.
+
+// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
+uvec4 gabor_impl_row(uint word) {
+    uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
+    uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    uint fourth = (third ^ (third >> 15u)) * 0xd35a2d97u;
+    return uvec4((first >> 8u) | 0x800001u, (second >> 8u) | 0x800001u, (third >> 8u) | 0x800001u,
+                 (fourth >> 8u) | 0x800001u);
+}
+
+// The windows of a node along both axes and their derivatives; filtered they are middle + cosine and sine.
+struct GaborWindows {
+    vec2 value;
+    vec2 slope;
+    vec2 middle;
+    vec2 cosine;
+    vec2 sine;
+};
+
+// A filter of that covariance, and what it leaves of the windows' own waves.
+struct GaborFilter {
+    bool used;
+    vec3 covariance;
+    vec2 fall;
+};
+
+// Adds a node's wave: `a` is its amplitude, turned by the wave from the node to the point. The filter multiplies it by
+// exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
+void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter pixel, vec2 a, vec2 wave) {
+    vec2 value = node.value.x * node.value.y * a;
+    vec2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
+#if GABOR_TAPS == 3
+    if (pixel.used) {
+        vec2 x = 19.739209 * gabor_impl_symmetric(pixel.covariance, wave);
+        a *= exp(-max(dot(wave, x), 0.0));
+        x = clamp(x, -3.0, 3.0); // of a wave that is left
+        vec2 y = x * x;
+        vec2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
+        vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;
+        vec2 h_x = vec2(real.x, imaginary.x), h_y = vec2(real.y, imaginary.y);
+        value = gabor_impl_product(gabor_impl_product(h_x, h_y)
+                                   + vec2(pixel.covariance.z * node.sine.x * node.sine.y, 0.0), a);
+        real = even * node.sine;
+        imaginary = -3.1415927 * odd * node.cosine;
+        slope_x = gabor_impl_product(gabor_impl_product(vec2(real.x, imaginary.x), h_y), a);
+        slope_y = gabor_impl_product(gabor_impl_product(h_x, vec2(real.y, imaginary.y)), a);
+    }
+#endif
+    vec2 turned = 6.2831853 * vec2(-value.y, value.x);
+    sum.value += value;
+    sum.slope_x += slope_x + wave.x * turned;
+    sum.slope_y += slope_y + wave.y * turned;
+}
+
+// Adds a node's three waves, at `d` node spacings from it. The third's phase is the difference of the others'.
+void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows node, GaborFilter pixel, vec2 d,
+                         float frequency, uvec4 words) {
+    if (pixel.used) { // windows fade within half a deviation of their ends
+        vec2 fade = clamp((1.0 - abs(d) / GABOR_RADIUS) / clamp(0.5 * sqrt(pixel.covariance.xy), 0.001, 0.05), 0.0, 1.0);
+        fade *= fade * (3.0 - 2.0 * fade);
+        node.middle = 0.5 * fade;
+        node.cosine = fade * pixel.fall * (node.value - 0.5);
+        node.sine = fade * pixel.fall * node.slope;
+    }
+    d *= frequency / place.radius;
+    vec2 u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // a twelfth of a turn either way
+    vec2 v = 0.5 * u + 0.8660254 * vec2(-u.y, u.x);
+    vec2 first = gabor_impl_wave(dot(u, d)), second = gabor_impl_wave(dot(v, d));
+    vec2 third = gabor_impl_product(second, vec2(first.x, -first.y));
+    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
+    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
+    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
+    gabor_impl_add_wave_2d(sum, node, pixel, first, frequency * u);
+    gabor_impl_add_wave_2d(sum, node, pixel, second, frequency * v);
+    gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
+}
+
+// The sum over all nodes, less its factor. Its loops stay loops: unrolled by hand it took four times as long on lavapipe.
+GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, uint seed) {
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  place.radius.y);
+    vec2 stretch = place.radius / GABOR_RADIUS;
+    frequency = min(abs(frequency), 1.0e6);
+    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    for (int j = 0; j < GABOR_TAPS; ++j) {
+        uvec4 row = gabor_impl_row(y.word[j]);
+        for (int i = 0; i < GABOR_TAPS; ++i) {
+            GaborWindows node;
+            node.value = vec2(x.node[i].x, y.node[j].x);
+            node.slope = stretch * vec2(x.node[i].z, y.node[j].z);
+            vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1));
+            gabor_impl_add_star(sum, place, node, pixel, d, frequency, x.word[i] * row);
+        }
+    }
+    return sum;
+}
+
+GaborField gabor_impl_scaled_field(GaborField field, float scale) {
+    return GaborField(scale * field.value, scale * field.slope_x, scale * field.slope_y);
+}
+
+#define GABOR_IMPL_STAR (0.57735027 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
+GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
+    GaborFilter none = GaborFilter(false, vec3(0.0), vec2(1.0));
+    return gabor_impl_scaled_field(gabor_impl_sum_isotropic_2d(place, frequency, none, seed), GABOR_IMPL_STAR);
+}
+
+#if GABOR_TAPS == 3
+// The share of its variance that isotropic noise keeps: the mean of gabor_impl_transmitted over all directions.
+float gabor_impl_transmitted_isotropic_2d(float frequency, vec3 covariance) {
+    float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
+    float unit = 39.478418 / d * min(frequency * frequency, 1.0e12);
+    float apart = length(vec2(covariance.x - covariance.y, 2.0 * covariance.z));
+    float smaller = area + max(0.5 * (covariance.x + covariance.y - apart), 0.0);
+    return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * inversesqrt(d);
+}
+
+GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
+                                          out float removed) {
+    float kept = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
+    removed = 1.0 - kept;
+    if (!(kept > 1.0e-10)) {
+        removed = 1.0;
+        return GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    }
+    vec3 s = footprint.covariance; // windows have room for a deviation of 0.2
+    s *= 0.04 / max(0.5 * (s.x + s.y + length(vec2(s.x - s.y, 2.0 * s.z))), 0.04);
+    GaborFilter pixel = GaborFilter(true, s, exp(-4.934802 * s.xy));
+    return gabor_impl_scaled_field(gabor_impl_sum_isotropic_2d(place, frequency, pixel, seed),
+                                   GABOR_IMPL_STAR * sqrt(kept / gabor_impl_transmitted_isotropic_2d(frequency, s)));
+}
+#endif
+
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
@@ -727,6 +905,20 @@ vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, floa
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
+float gabor_noise_isotropic(vec2 p, float frequency, uint seed) {
+    return gabor_field_isotropic(gabor_place(ivec2(0), p * GABOR_RADIUS), frequency, seed).value.y;
+}
+
+vec3 gabor_noise_isotropic_gradient(vec2 p, float frequency, uint seed) {
+    GaborField field = gabor_field_isotropic(gabor_place(ivec2(0), p * GABOR_RADIUS), frequency, seed);
+    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+float gabor_noise_isotropic_tiled(vec2 p, vec2 period, float frequency, uint seed) {
+    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
+    return gabor_field_isotropic(place, frequency, seed).value.y;
+}
+
 #if GABOR_TAPS == 3
 GaborFootprint gabor_footprint(vec2 dx, vec2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
@@ -762,6 +954,13 @@ vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, fl
 vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed) {
     vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
     return vec2(field.x, field.w);
+}
+
+vec2 gabor_noise_isotropic_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, uint seed) {
+    float removed;
+    GaborField field = gabor_field_isotropic_filtered(gabor_place(ivec2(0), p * GABOR_RADIUS), frequency, gabor_footprint(dx, dy),
+                                                      seed, removed);
+    return vec2(field.value.y, removed);
 }
 
 vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,

@@ -363,16 +363,6 @@ GABOR_INLINE GaborAxis gabor_impl_nodes(int cell, float local, int period, std::
     return axis;
 }
 
-// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
-GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
-    std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;
-    std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-    std::uint32_t fourth = (third ^ (third >> 15u)) * 0xd35a2d97u;
-    return gabor_uvec4((first >> 8u) | 0x800001u, (second >> 8u) | 0x800001u, (third >> 8u) | 0x800001u,
-                 (fourth >> 8u) | 0x800001u);
-}
-
 // The sum over 27 nodes, less its factor K.
 GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, gabor_vec3 scale, GaborTangents tangents,
                                       std::uint32_t salt) {
@@ -396,14 +386,8 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
-// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the angles of a
-// plane, the mean of exp(-q cos^2) is exp(-q / 2) I_0(q / 2), here as the root of a rational function. Over the sphere it
-// is nearly the mean of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
-GABOR_INLINE float gabor_impl_mean_angle(float q) {
-    return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
-                / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
-}
-
+// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the sphere its
+// mean is nearly that of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;

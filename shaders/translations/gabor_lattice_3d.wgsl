@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 865632b057513d06
+// Digest of the GLSL and of this file: 5cf9b87b2db652f7
 // Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -23,40 +23,40 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 }
 
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var period_10: vec3<f32>;
+    var period_11: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_28: GaborPlace3d;
+    var place_33: GaborPlace3d;
 
-    period_10 = period;
-    let _e6 = period_10;
-    period_10 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
-    let _e12 = period_10;
+    period_11 = period;
+    let _e6 = period_11;
+    period_11 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
+    let _e12 = period_11;
     nodes_1 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
-    let _e28 = period_10;
-    let _e31 = period_10;
+    let _e28 = period_11;
+    let _e31 = period_11;
     let _e34 = nodes_1;
-    let _e35 = period_10;
+    let _e35 = period_11;
     let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_28 = _e38;
+    place_33 = _e38;
     let _e41 = nodes_1;
-    let _e42 = period_10;
-    place_28.radius = (_e41 / _e42);
+    let _e42 = period_11;
+    place_33.radius = (_e41 / _e42);
     let _e45 = nodes_1;
-    place_28.period = vec3<i32>(_e45);
-    let _e47 = place_28;
+    place_33.period = vec3<i32>(_e45);
+    let _e47 = place_33;
     let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
     return _e48.noise;
 }
 
 // As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_29: GaborPlace3d;
+    var place_34: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_29 = _e12;
-    place_29.animated = true;
-    place_29.time = time;
-    let _e17 = place_29;
+    place_34 = _e12;
+    place_34.animated = true;
+    place_34.time = time;
+    let _e17 = place_34;
     let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
     return _e18.noise;
 }
@@ -73,26 +73,26 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 }
 
 fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_12: GaborField3d;
+    var field_15: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_12 = _e12;
-    let _e14 = field_12;
-    let _e16 = field_12;
+    field_15 = _e12;
+    let _e14 = field_15;
+    let _e16 = field_15;
     return vec2<f32>(_e14.quadrature, _e16.noise);
 }
 
 // (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
 // along the normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var field_11: GaborField3d;
+    var field_14: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_11 = _e12;
-    let _e14 = field_11;
-    let _e16 = field_11;
+    field_14 = _e12;
+    let _e14 = field_14;
+    let _e16 = field_14;
     return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
@@ -101,13 +101,13 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 // whole one. Continuous in p, dx and dy. On GPUs 1.4 times gabor_noise_3d up to steps of 0.18, with 27 nodes; from
 // 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_13: GaborField3d;
+    var field_16: GaborField3d;
 
     let _e6 = gabor_impl_place_of_pixel(p, dx, dy);
     let _e7 = gabor_field_3d(_e6, frequency, direction, seed);
-    field_13 = _e7;
-    let _e9 = field_13;
-    let _e11 = field_13;
+    field_16 = _e7;
+    let _e9 = field_16;
+    let _e11 = field_16;
     return vec2<f32>(_e9.noise, _e11.removed);
 }
 
@@ -123,13 +123,13 @@ fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
 
 // (noise, d/dx, d/dy, d/dz), per kernel radius.
 fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
-    var field_14: GaborField3d;
+    var field_17: GaborField3d;
 
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
-    field_14 = _e11;
-    let _e13 = field_14;
-    let _e15 = field_14;
+    field_17 = _e11;
+    let _e13 = field_17;
+    let _e15 = field_17;
     return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
 }
 
@@ -137,13 +137,13 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
 // 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
 // mean square. Beyond, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
-    var field_15: GaborField3d;
+    var field_18: GaborField3d;
 
     let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
     let _e6 = gabor_isotropic_3d(_e5, frequency, seed);
-    field_15 = _e6;
-    let _e8 = field_15;
-    let _e10 = field_15;
+    field_18 = _e6;
+    let _e8 = field_18;
+    let _e10 = field_18;
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
@@ -195,40 +195,40 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
 
 // The noises above at a place. All other functions call these.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var stretch_4: vec3<f32>;
-    var wave_21: vec3<f32>;
-    var salt_10: u32;
+    var stretch_5: vec3<f32>;
+    var wave_22: vec3<f32>;
+    var salt_11: u32;
     var amplitude_5: f32 = 1f;
     var transmitted_1: f32 = 1f;
     var wide_1: f32 = 0f;
-    var pixel_5: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
+    var pixel_9: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
     var whole: GaborPixelAxes;
     var resolved: GaborPixelAxes;
     var variance_1: vec3<f32>;
-    var sum_15: GaborField3d;
+    var sum_18: GaborField3d;
     var noise_4: vec4<f32>;
     var quadrature_1: vec4<f32>;
 
-    stretch_4 = (place.radius / vec3(1.5f));
+    stretch_5 = (place.radius / vec3(1.5f));
     let _e15 = gabor_impl_unit(direction);
-    let _e17 = stretch_4;
-    wave_21 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
+    let _e17 = stretch_5;
+    wave_22 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
     let _e20 = gabor_impl_salt(seed);
-    salt_10 = _e20;
+    salt_11 = _e20;
     if place.filtered {
         {
-            let _e35 = stretch_4;
+            let _e35 = stretch_5;
             let _e36 = gabor_impl_pixel(place, _e35);
             whole = _e36;
             let _e38 = whole;
             let _e40 = gabor_impl_resolved(_e38, 1f);
             resolved = _e40;
-            let _e42 = wave_21;
+            let _e42 = wave_22;
             let _e43 = whole;
             let _e44 = gabor_impl_transmitted_3d(_e42, _e43);
             transmitted_1 = _e44;
             let _e45 = transmitted_1;
-            let _e46 = wave_21;
+            let _e46 = wave_22;
             let _e47 = resolved;
             let _e48 = gabor_impl_transmitted_3d(_e46, _e47);
             amplitude_5 = sqrt((_e45 / _e48));
@@ -238,8 +238,8 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
             }
             let _e56 = resolved;
             let _e57 = gabor_impl_covariance(_e56);
-            pixel_5 = _e57;
-            let _e58 = pixel_5;
+            pixel_9 = _e57;
+            let _e58 = pixel_9;
             variance_1 = _e58.diagonal;
             let _e62 = variance_1;
             let _e64 = variance_1;
@@ -248,30 +248,30 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
         }
     }
     let _e84 = transmitted_1;
-    sum_15 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e84));
+    sum_18 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e84));
     let _e88 = transmitted_1;
     if (_e88 == 0f) {
-        let _e91 = sum_15;
+        let _e91 = sum_18;
         return _e91;
     }
     let _e92 = wide_1;
     if (_e92 < 1f) {
-        let _e96 = wave_21;
-        let _e97 = pixel_5;
-        let _e98 = salt_10;
+        let _e96 = wave_22;
+        let _e97 = pixel_9;
+        let _e98 = salt_11;
         let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
         let _e101 = wide_1;
         let _e103 = amplitude_5;
-        let _e105 = stretch_4;
-        gabor_impl_accumulate_3d((&sum_15), _e99, ((1f - _e101) * _e103), _e105);
+        let _e105 = stretch_5;
+        gabor_impl_accumulate_3d((&sum_18), _e99, ((1f - _e101) * _e103), _e105);
     }
     let _e107 = wide_1;
     if (_e107 > 0f) {
         {
-            let _e117 = wave_21;
-            let _e118 = pixel_5;
+            let _e117 = wave_22;
+            let _e118 = pixel_9;
             let _e119 = wide_1;
-            let _e122 = salt_10;
+            let _e122 = salt_11;
             gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
             let _e128 = noise_4;
             let _e130 = noise_4;
@@ -279,11 +279,11 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
             let _e134 = quadrature_1;
             let _e138 = wide_1;
             let _e139 = amplitude_5;
-            let _e141 = stretch_4;
-            gabor_impl_accumulate_3d((&sum_15), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
+            let _e141 = stretch_5;
+            gabor_impl_accumulate_3d((&sum_18), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
         }
     }
-    let _e143 = sum_15;
+    let _e143 = sum_18;
     return _e143;
 }
 
@@ -295,15 +295,15 @@ fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborFi
 fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_32: vec3<f32>;
+    var local_34: vec3<f32>;
     var other: vec3<f32>;
     var flat_length: f32;
-    var sum_17: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_33: i32;
-    var i_6: i32;
-    var local_34: i32;
-    var local_35: vec3<f32>;
-    var local_36: f32;
+    var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_35: i32;
+    var i_7: i32;
+    var local_36: i32;
+    var local_37: vec3<f32>;
+    var local_38: f32;
 
     normal_1 = normal;
     direction_3 = direction;
@@ -316,11 +316,11 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_32 = vec3<f32>(0f, 0f, 1f);
+        local_34 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_32 = vec3<f32>(1f, 0f, 0f);
+        local_34 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_32;
+    let _e26 = local_34;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -337,66 +337,66 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     flat_length = dot(_e43, _e44);
     let _e56 = flat_length;
     if (_e56 > 0.0625f) {
-        local_33 = 0i;
+        local_35 = 0i;
     } else {
-        local_33 = 1i;
+        local_35 = 1i;
     }
-    let _e62 = local_33;
-    i_6 = _e62;
+    let _e62 = local_35;
+    i_7 = _e62;
     loop {
-        let _e64 = i_6;
+        let _e64 = i_7;
         let _e65 = flat_length;
         if (_e65 < 0.25f) {
-            local_34 = 2i;
+            local_36 = 2i;
         } else {
-            local_34 = 1i;
+            local_36 = 1i;
         }
-        let _e71 = local_34;
+        let _e71 = local_36;
         if !((_e64 < _e71)) {
             break;
         }
-        let _e78 = i_6;
+        let _e78 = i_7;
         if (_e78 == 0i) {
             let _e81 = direction_3;
-            local_35 = _e81;
+            local_37 = _e81;
         } else {
             let _e82 = other;
-            local_35 = _e82;
+            local_37 = _e82;
         }
-        let _e84 = local_35;
-        let _e85 = i_6;
+        let _e84 = local_37;
+        let _e85 = i_7;
         let _e86 = gabor_lobe_seed(seed, _e85);
         let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
-        let _e88 = i_6;
+        let _e88 = i_7;
         if (_e88 == 0i) {
             let _e93 = flat_length;
-            local_36 = smoothstep(0.0625f, 0.25f, _e93);
+            local_38 = smoothstep(0.0625f, 0.25f, _e93);
         } else {
             let _e99 = flat_length;
-            local_36 = smoothstep(-0.25f, -0.0625f, -(_e99));
+            local_38 = smoothstep(-0.25f, -0.0625f, -(_e99));
         }
-        let _e103 = local_36;
-        gabor_impl_add_term((&sum_17), _e87, _e103);
+        let _e103 = local_38;
+        gabor_impl_add_term((&sum_20), _e87, _e103);
         continuing {
-            let _e74 = i_6;
-            i_6 = (_e74 + 1i);
+            let _e74 = i_7;
+            i_7 = (_e74 + 1i);
         }
     }
-    let _e105 = sum_17;
+    let _e105 = sum_20;
     return _e105;
 }
 
 fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
     var aside: f32;
-    var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_49: i32;
-    var i_8: i32;
-    var local_50: i32;
-    var local_51: vec3<f32>;
+    var sum_26: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_51: i32;
+    var i_9: i32;
+    var local_52: i32;
+    var local_53: vec3<f32>;
     var along_1: vec3<f32>;
     var term_1: GaborField3d;
-    var local_52: f32;
+    var local_54: f32;
 
     normal_3 = normal;
     let _e5 = normal_3;
@@ -407,60 +407,60 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
     aside = dot(_e7.xy, _e9.xy);
     let _e22 = aside;
     if (_e22 > 0.25f) {
-        local_49 = 0i;
+        local_51 = 0i;
     } else {
-        local_49 = 1i;
+        local_51 = 1i;
     }
-    let _e28 = local_49;
-    i_8 = _e28;
+    let _e28 = local_51;
+    i_9 = _e28;
     loop {
-        let _e30 = i_8;
+        let _e30 = i_9;
         let _e31 = aside;
         if (_e31 < 0.5f) {
-            local_50 = 2i;
+            local_52 = 2i;
         } else {
-            local_50 = 1i;
+            local_52 = 1i;
         }
-        let _e37 = local_50;
+        let _e37 = local_52;
         if !((_e30 < _e37)) {
             break;
         }
         {
-            let _e43 = i_8;
+            let _e43 = i_9;
             if (_e43 == 0i) {
-                local_51 = vec3<f32>(0f, 0f, 1f);
+                local_53 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_51 = vec3<f32>(1f, 0f, 0f);
+                local_53 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e55 = local_51;
+            let _e55 = local_53;
             let _e56 = normal_3;
             let _e58 = gabor_impl_unit(cross(_e55, _e56));
             along_1 = _e58;
             let _e61 = along_1;
             let _e62 = normal_3;
             let _e63 = along_1;
-            let _e66 = i_8;
+            let _e66 = i_9;
             let _e67 = gabor_lobe_seed(seed, _e66);
             let _e68 = gabor_impl_isotropic(place, frequency, GaborTangents(true, _e61, cross(_e62, _e63)), _e67);
             term_1 = _e68;
             let _e71 = term_1;
-            let _e72 = i_8;
+            let _e72 = i_9;
             if (_e72 == 0i) {
                 let _e77 = aside;
-                local_52 = smoothstep(0.25f, 0.5f, _e77);
+                local_54 = smoothstep(0.25f, 0.5f, _e77);
             } else {
                 let _e83 = aside;
-                local_52 = smoothstep(-0.5f, -0.25f, -(_e83));
+                local_54 = smoothstep(-0.5f, -0.25f, -(_e83));
             }
-            let _e87 = local_52;
-            gabor_impl_add_term((&sum_23), _e71, _e87);
+            let _e87 = local_54;
+            gabor_impl_add_term((&sum_26), _e71, _e87);
         }
         continuing {
-            let _e40 = i_8;
-            i_8 = (_e40 + 1i);
+            let _e40 = i_9;
+            i_9 = (_e40 + 1i);
         }
     }
-    let _e89 = sum_23;
+    let _e89 = sum_26;
     return _e89;
 }
 
@@ -470,42 +470,42 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 
 // A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
 fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
-    var v_3: vec3<f32>;
+    var v_4: vec3<f32>;
 
-    v_3 = v;
-    let _e2 = v_3;
-    v_3 = clamp(_e2, vec3(-1000000000000000f), vec3(1000000000000000f));
-    let _e9 = v_3;
-    let _e10 = v_3;
-    let _e11 = v_3;
+    v_4 = v;
+    let _e2 = v_4;
+    v_4 = clamp(_e2, vec3(-1000000000000000f), vec3(1000000000000000f));
+    let _e9 = v_4;
+    let _e10 = v_4;
+    let _e11 = v_4;
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
 // Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
 // filter adds mixed derivatives, with its covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
-    var y_8: GaborAxis;
-    var j_4: i32 = 0i;
+    var y_10: GaborAxis;
+    var j_5: i32 = 0i;
     var slice_3: vec4<f32>;
     var slope_10: vec4<f32>;
 
-    y_8 = y;
+    y_10 = y;
     loop {
-        let _e11 = j_4;
+        let _e11 = j_5;
         if !((_e11 < 3i)) {
             break;
         }
-        let _e18 = j_4;
-        let _e21 = j_4;
-        let _e24 = y_8.word[_e21];
+        let _e18 = j_5;
+        let _e21 = j_5;
+        let _e24 = y_10.word[_e21];
         let _e27 = gabor_impl_slice_word(_e24, z.word[k]);
-        y_8.word[_e18] = _e27;
+        y_10.word[_e18] = _e27;
         continuing {
-            let _e15 = j_4;
-            j_4 = (_e15 + 1i);
+            let _e15 = j_5;
+            j_5 = (_e15 + 1i);
         }
     }
-    let _e30 = y_8;
+    let _e30 = y_10;
     gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_10));
     let _e38 = slice_3;
     gabor_impl_add(sum, _e38, z.node[k].xy);
@@ -533,38 +533,38 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
 // The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
 // derivative of a wave is 2 pi i F times it.
 fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
-    var x_13: GaborAxis;
-    var y_9: GaborAxis;
+    var x_15: GaborAxis;
+    var y_11: GaborAxis;
     var z_4: GaborAxis;
-    var local_30: f32;
-    var local_31: f32;
+    var local_32: f32;
+    var local_33: f32;
     var turn_10: vec2<f32>;
     var blurred_4: vec3<f32>;
-    var sum_13: vec4<f32> = vec4(0f);
+    var sum_16: vec4<f32> = vec4(0f);
     var slopes_1: vec4<f32> = vec4(0f);
 
     let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    x_13 = _e15;
+    x_15 = _e15;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    y_9 = _e30;
+    y_11 = _e30;
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
     z_4 = _e45;
     if false {
-        local_30 = 1f;
+        local_32 = 1f;
     } else {
-        local_30 = 1.125f;
+        local_32 = 1.125f;
     }
-    let _e56 = local_30;
+    let _e56 = local_32;
     if false {
-        local_31 = 1f;
+        local_33 = 1f;
     } else {
-        local_31 = 1.125f;
+        local_33 = 1.125f;
     }
-    let _e68 = local_31;
-    let _e71 = x_13;
-    let _e73 = x_13;
-    let _e76 = y_9;
-    let _e78 = y_9;
+    let _e68 = local_33;
+    let _e71 = x_15;
+    let _e73 = x_15;
+    let _e76 = y_11;
+    let _e78 = y_11;
     let _e82 = z_4;
     let _e84 = z_4;
     let _e88 = gabor_impl_wave((((_e71.turns * _e73.offset) + (_e76.turns * _e78.offset)) + (_e82.turns * _e84.offset)));
@@ -574,9 +574,9 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
             let _e92 = gabor_impl_symmetric_3d(pixel, wave);
             blurred_4 = _e92;
             let _e97 = blurred_4;
-            gabor_impl_filter((&x_13), pixel.diagonal.x, _e97.x);
+            gabor_impl_filter((&x_15), pixel.diagonal.x, _e97.x);
             let _e103 = blurred_4;
-            gabor_impl_filter((&y_9), pixel.diagonal.y, _e103.y);
+            gabor_impl_filter((&y_11), pixel.diagonal.y, _e103.y);
             let _e109 = blurred_4;
             gabor_impl_filter((&z_4), pixel.diagonal.z, _e109.z);
             let _e112 = turn_10;
@@ -584,25 +584,25 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
             turn_10 = (_e112 * exp((-19.739208f * max(dot(wave, _e115), 0f))));
         }
     }
-    let _e130 = x_13;
-    let _e131 = y_9;
+    let _e130 = x_15;
+    let _e131 = y_11;
     let _e132 = z_4;
-    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
-    let _e139 = x_13;
-    let _e140 = y_9;
+    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
+    let _e139 = x_15;
+    let _e140 = y_11;
     let _e141 = z_4;
-    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
-    let _e148 = x_13;
-    let _e149 = y_9;
+    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
+    let _e148 = x_15;
+    let _e149 = y_11;
     let _e150 = z_4;
-    gabor_impl_add_slice((&sum_13), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
-    let _e155 = sum_13;
+    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
+    let _e155 = sum_16;
     let _e157 = turn_10;
     let _e158 = gabor_impl_product(_e155.xy, _e157);
-    let _e159 = sum_13;
+    let _e159 = sum_16;
     let _e161 = turn_10;
     let _e162 = gabor_impl_product(_e159.zw, _e161);
-    sum_13 = vec4<f32>(_e158.x, _e158.y, _e162.x, _e162.y);
+    sum_16 = vec4<f32>(_e158.x, _e158.y, _e162.x, _e162.y);
     let _e168 = slopes_1;
     let _e170 = turn_10;
     let _e171 = gabor_impl_product(_e168.xy, _e170);
@@ -610,16 +610,16 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     let _e174 = turn_10;
     let _e175 = gabor_impl_product(_e172.zw, _e174);
     slopes_1 = vec4<f32>(_e171.x, _e171.y, _e175.x, _e175.y);
-    let _e181 = sum_13;
-    let _e183 = sum_13;
+    let _e181 = sum_16;
+    let _e183 = sum_16;
     let _e185 = slopes_1;
     let _e187 = slopes_1;
-    let _e191 = sum_13;
-    let _e196 = sum_13;
-    let _e198 = sum_13;
+    let _e191 = sum_16;
+    let _e196 = sum_16;
+    let _e198 = sum_16;
     let _e200 = slopes_1;
     let _e202 = slopes_1;
-    let _e206 = sum_13;
+    let _e206 = sum_16;
     return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
 }
 
@@ -644,20 +644,20 @@ struct GaborPixelAxes {
 }
 
 fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
-    var dx_8: vec3<f32>;
-    var dy_8: vec3<f32>;
+    var dx_9: vec3<f32>;
+    var dy_9: vec3<f32>;
     var twice_1: vec2<f32>;
     var cosine: f32;
     var turn_11: vec2<f32>;
 
-    dx_8 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
-    dy_8 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
-    let _e20 = dx_8;
-    let _e21 = dx_8;
-    let _e23 = dy_8;
-    let _e24 = dy_8;
-    let _e28 = dx_8;
-    let _e29 = dy_8;
+    dx_9 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
+    dy_9 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
+    let _e20 = dx_9;
+    let _e21 = dx_9;
+    let _e23 = dy_9;
+    let _e24 = dy_9;
+    let _e28 = dx_9;
+    let _e29 = dy_9;
     twice_1 = vec2<f32>((dot(_e20, _e21) - dot(_e23, _e24)), (2f * dot(_e28, _e29)));
     let _e34 = twice_1;
     let _e36 = twice_1;
@@ -670,13 +670,13 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
         turn_11.y = -(_e61.y);
     }
     let _e64 = turn_11;
-    let _e66 = dx_8;
+    let _e66 = dx_9;
     let _e68 = turn_11;
-    let _e70 = dy_8;
+    let _e70 = dy_9;
     let _e73 = turn_11;
-    let _e75 = dy_8;
+    let _e75 = dy_9;
     let _e77 = turn_11;
-    let _e79 = dx_8;
+    let _e79 = dx_9;
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
@@ -709,17 +709,17 @@ fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
 
 // The share of its variance that a lobe keeps.
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
-    var d_2: vec2<f32>;
+    var d_6: vec2<f32>;
     var k_2: vec2<f32>;
 
     let _e2 = gabor_impl_spread(pixel);
-    d_2 = _e2;
+    d_6 = _e2;
     k_2 = vec2<f32>(dot(wave, pixel.major), dot(wave, pixel.minor));
     let _e11 = k_2;
     let _e12 = k_2;
-    let _e15 = d_2;
-    let _e24 = d_2;
-    let _e26 = d_2;
+    let _e15 = d_6;
+    let _e24 = d_6;
+    let _e26 = d_6;
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
@@ -741,28 +741,28 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
 // to the point. The filter, see gabor_spectrum.wgsl, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
 // each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
-    var a_5: vec2<f32>;
+    var a_7: vec2<f32>;
     var middle: vec3<f32>;
     var cosine_1: vec3<f32>;
     var sine: vec3<f32>;
     var h: vec3<f32>;
     var slope_11: vec3<f32>;
-    var turned_1: vec3<f32> = vec3(0f);
-    var value_10: vec2<f32>;
-    var s_6: vec3<f32>;
+    var turned_2: vec3<f32> = vec3(0f);
+    var value_11: vec2<f32>;
+    var s_7: vec3<f32>;
     var r_2: vec3<f32>;
-    var even_2: vec3<f32>;
-    var odd_2: vec3<f32>;
+    var even_3: vec3<f32>;
+    var odd_3: vec3<f32>;
     var mixed_2: f32;
     var i_h: vec3<f32>;
     var i_slope: vec3<f32>;
-    var real_3: vec3<f32>;
-    var imaginary_3: vec3<f32>;
+    var real_4: vec3<f32>;
+    var imaginary_4: vec3<f32>;
 
     let _e10 = gabor_impl_amplitude_at(word, place.animated, place.time);
     let _e12 = gabor_impl_wave(wave.w);
     let _e13 = gabor_impl_product(_e10, _e12);
-    a_5 = _e13;
+    a_7 = _e13;
     middle = vec3<f32>(x.y, y.y, z.y);
     cosine_1 = vec3<f32>(x.z, y.z, z.z);
     sine = vec3<f32>(x.w, y.w, z.w);
@@ -776,98 +776,98 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     let _e45 = h;
     let _e47 = h;
     let _e49 = h;
-    let _e53 = a_5;
-    value_10 = ((_e45.x * (_e47.y * _e49.z)) * _e53);
+    let _e53 = a_7;
+    value_11 = ((_e45.x * (_e47.y * _e49.z)) * _e53);
     if place.filtered {
         {
             let _e59 = gabor_impl_symmetric_3d(pixel, wave.xyz);
-            s_6 = (19.739208f * _e59);
-            let _e62 = a_5;
-            let _e64 = s_6;
-            a_5 = (_e62 * exp(-(max(dot(wave.xyz, _e64), 0f))));
-            let _e71 = s_6;
-            s_6 = clamp(_e71, vec3(-3f), vec3(3f));
-            let _e78 = s_6;
-            let _e79 = s_6;
+            s_7 = (19.739208f * _e59);
+            let _e62 = a_7;
+            let _e64 = s_7;
+            a_7 = (_e62 * exp(-(max(dot(wave.xyz, _e64), 0f))));
+            let _e71 = s_7;
+            s_7 = clamp(_e71, vec3(-3f), vec3(3f));
+            let _e78 = s_7;
+            let _e79 = s_7;
             r_2 = (_e78 * _e79);
             let _e83 = r_2;
             let _e86 = r_2;
-            even_2 = (vec3(1f) + (_e83 * (vec3(0.5f) + (0.041666668f * _e86))));
-            let _e94 = s_6;
+            even_3 = (vec3(1f) + (_e83 * (vec3(0.5f) + (0.041666668f * _e86))));
+            let _e94 = s_7;
             let _e96 = r_2;
             let _e99 = r_2;
-            odd_2 = (_e94 * (vec3(1f) + (_e96 * (vec3(0.16666667f) + (0.008333333f * _e99)))));
+            odd_3 = (_e94 * (vec3(1f) + (_e96 * (vec3(0.16666667f) + (0.008333333f * _e99)))));
             let _e109 = sine;
             let _e111 = sine;
             let _e114 = h;
             mixed_2 = dot(pixel.mixed, ((_e109.yzx * _e111.zxy) * _e114));
             let _e118 = middle;
-            let _e119 = even_2;
+            let _e119 = even_3;
             let _e120 = cosine_1;
             h = (_e118 + (_e119 * _e120));
-            let _e124 = odd_2;
+            let _e124 = odd_3;
             let _e126 = sine;
             i_h = ((0.3183099f * _e124) * _e126);
-            let _e131 = odd_2;
+            let _e131 = odd_3;
             let _e133 = cosine_1;
             i_slope = ((-3.1415927f * _e131) * _e133);
             let _e136 = h;
             let _e138 = h;
             let _e141 = i_h;
             let _e143 = i_h;
-            real_3 = ((_e136.yzx * _e138.zxy) - (_e141.yzx * _e143.zxy));
+            real_4 = ((_e136.yzx * _e138.zxy) - (_e141.yzx * _e143.zxy));
             let _e148 = h;
             let _e150 = i_h;
             let _e153 = i_h;
             let _e155 = h;
-            imaginary_3 = ((_e148.yzx * _e150.zxy) + (_e153.yzx * _e155.zxy));
+            imaginary_4 = ((_e148.yzx * _e150.zxy) + (_e153.yzx * _e155.zxy));
             let _e160 = h;
-            let _e162 = real_3;
+            let _e162 = real_4;
             let _e165 = i_h;
-            let _e167 = imaginary_3;
+            let _e167 = imaginary_4;
             let _e171 = mixed_2;
             let _e173 = h;
-            let _e175 = imaginary_3;
+            let _e175 = imaginary_4;
             let _e178 = i_h;
-            let _e180 = real_3;
-            value_10 = vec2<f32>((((_e160.x * _e162.x) - (_e165.x * _e167.x)) + _e171), ((_e173.x * _e175.x) + (_e178.x * _e180.x)));
-            let _e185 = value_10;
-            let _e186 = a_5;
+            let _e180 = real_4;
+            value_11 = vec2<f32>((((_e160.x * _e162.x) - (_e165.x * _e167.x)) + _e171), ((_e173.x * _e175.x) + (_e178.x * _e180.x)));
+            let _e185 = value_11;
+            let _e186 = a_7;
             let _e187 = gabor_impl_product(_e185, _e186);
-            value_10 = _e187;
-            let _e188 = even_2;
+            value_11 = _e187;
+            let _e188 = even_3;
             let _e189 = sine;
-            let _e191 = real_3;
+            let _e191 = real_4;
             let _e193 = i_slope;
-            let _e194 = imaginary_3;
+            let _e194 = imaginary_4;
             slope_11 = (((_e188 * _e189) * _e191) - (_e193 * _e194));
-            let _e197 = even_2;
+            let _e197 = even_3;
             let _e198 = sine;
-            let _e200 = imaginary_3;
+            let _e200 = imaginary_4;
             let _e202 = i_slope;
-            let _e203 = real_3;
-            turned_1 = (((_e197 * _e198) * _e200) + (_e202 * _e203));
+            let _e203 = real_4;
+            turned_2 = (((_e197 * _e198) * _e200) + (_e202 * _e203));
         }
     }
     let _e207 = (*sum);
-    let _e209 = value_10;
+    let _e209 = value_11;
     (*sum).noise = (_e207.noise + _e209.y);
     let _e213 = (*sum);
     let _e215 = slope_11;
-    let _e216 = a_5;
-    let _e219 = turned_1;
-    let _e220 = a_5;
-    let _e225 = value_10;
+    let _e216 = a_7;
+    let _e219 = turned_2;
+    let _e220 = a_7;
+    let _e225 = value_11;
     (*sum).gradient = (_e213.gradient + (((_e215 * _e216.y) + (_e219 * _e220.x)) + ((6.2831855f * _e225.x) * wave.xyz)));
     let _e233 = (*sum);
-    let _e235 = value_10;
+    let _e235 = value_11;
     (*sum).quadrature = (_e233.quadrature + _e235.x);
     let _e239 = (*sum);
     let _e241 = slope_11;
-    let _e242 = a_5;
-    let _e245 = turned_1;
-    let _e246 = a_5;
-    let _e251 = value_10;
+    let _e242 = a_7;
+    let _e245 = turned_2;
+    let _e246 = a_7;
+    let _e251 = value_11;
     (*sum).quadrature_gradient = (_e239.quadrature_gradient + (((_e241 * _e242.x) - (_e245 * _e246.y)) - ((6.2831855f * _e251.y) * wave.xyz)));
     return;
 }
@@ -883,69 +883,69 @@ struct GaborTangents {
 // -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
 // of a turn around it is enough for the others.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
-    var word_6: u32;
+    var word_7: u32;
     var turn_12: vec2<f32>;
-    var first_2: vec3<f32>;
-    var second_1: vec3<f32>;
-    var d_3: vec3<f32>;
-    var u_1: vec4<f32>;
-    var v_4: vec4<f32>;
+    var first_4: vec3<f32>;
+    var second_3: vec3<f32>;
+    var d_7: vec3<f32>;
+    var u_2: vec4<f32>;
+    var v_5: vec4<f32>;
     var w_3: vec4<f32>;
     var rise_2: f32;
     var level: f32;
     var spin: vec2<f32>;
     var across_1: vec4<f32>;
     var lifted: vec4<f32>;
-    var unit_3: vec4<f32>;
+    var unit_4: vec4<f32>;
 
-    word_6 = (column * row.w);
-    let _e14 = word_6;
+    word_7 = (column * row.w);
+    let _e14 = word_7;
     let _e18 = gabor_impl_half_turn((0.00000000011641532f * f32(i32(_e14))));
     turn_12 = _e18;
     let _e20 = turn_12;
     let _e24 = turn_12;
-    first_2 = ((_e20.x * tangents.along) + (_e24.y * tangents.across));
+    first_4 = ((_e20.x * tangents.along) + (_e24.y * tangents.across));
     let _e30 = turn_12;
     let _e34 = turn_12;
-    second_1 = ((_e30.x * tangents.across) - (_e34.y * tangents.along));
-    d_3 = (scale * vec3<f32>(x.x, y.x, z.x));
-    let _e46 = first_2;
-    let _e47 = first_2;
-    let _e48 = d_3;
-    u_1 = vec4<f32>(_e46.x, _e46.y, _e46.z, dot(_e47, _e48));
-    let _e55 = second_1;
-    let _e56 = second_1;
-    let _e57 = d_3;
-    v_4 = vec4<f32>(_e55.x, _e55.y, _e55.z, dot(_e56, _e57));
-    let _e67 = d_3;
+    second_3 = ((_e30.x * tangents.across) - (_e34.y * tangents.along));
+    d_7 = (scale * vec3<f32>(x.x, y.x, z.x));
+    let _e46 = first_4;
+    let _e47 = first_4;
+    let _e48 = d_7;
+    u_2 = vec4<f32>(_e46.x, _e46.y, _e46.z, dot(_e47, _e48));
+    let _e55 = second_3;
+    let _e56 = second_3;
+    let _e57 = d_7;
+    v_5 = vec4<f32>(_e55.x, _e55.y, _e55.z, dot(_e56, _e57));
+    let _e67 = d_7;
     w_3 = vec4<f32>(0f, 0f, 1f, _e67.z);
     if !(tangents.only) {
         {
-            let _e74 = word_6;
+            let _e74 = word_7;
             rise_2 = (0.0000000004656613f * f32(i32((_e74 << 12u))));
             let _e82 = rise_2;
             let _e83 = rise_2;
             level = sqrt(max((1f - (_e82 * _e83)), 0f));
-            let _e91 = word_6;
+            let _e91 = word_7;
             let _e97 = gabor_impl_half_turn((0.00000000005820766f * f32(i32((_e91 << 20u)))));
             spin = _e97;
-            let _e99 = v_4;
+            let _e99 = v_5;
             across_1 = _e99;
             let _e101 = level;
             let _e102 = w_3;
             let _e104 = rise_2;
-            let _e105 = u_1;
+            let _e105 = u_2;
             lifted = ((_e101 * _e102) - (_e104 * _e105));
             let _e109 = level;
-            let _e110 = u_1;
+            let _e110 = u_2;
             let _e112 = rise_2;
             let _e113 = w_3;
-            u_1 = ((_e109 * _e110) + (_e112 * _e113));
+            u_2 = ((_e109 * _e110) + (_e112 * _e113));
             let _e116 = spin;
             let _e118 = across_1;
             let _e120 = spin;
             let _e122 = lifted;
-            v_4 = ((_e116.x * _e118) + (_e120.y * _e122));
+            v_5 = ((_e116.x * _e118) + (_e120.y * _e122));
             let _e125 = spin;
             let _e127 = lifted;
             let _e129 = spin;
@@ -953,15 +953,15 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
             w_3 = ((_e125.x * _e127) - (_e129.y * _e131));
         }
     }
-    unit_3 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
-    let _e141 = unit_3;
-    let _e142 = u_1;
+    unit_4 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
+    let _e141 = unit_4;
+    let _e142 = u_2;
     gabor_impl_add_wave(sum, x, y, z, (_e141 * _e142), place, pixel, (column * row.x));
-    let _e148 = unit_3;
-    let _e149 = v_4;
+    let _e148 = unit_4;
+    let _e149 = v_5;
     gabor_impl_add_wave(sum, x, y, z, (_e148 * _e149), place, pixel, (column * row.y));
     if !(tangents.only) {
-        let _e157 = unit_3;
+        let _e157 = unit_4;
         let _e158 = w_3;
         gabor_impl_add_wave(sum, x, y, z, (_e157 * _e158), place, pixel, (column * row.z));
         return;
@@ -974,7 +974,7 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
 // and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
 fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     var offset_1: f32;
-    var fade_4: f32 = 1f;
+    var fade_5: f32 = 1f;
     var fall_1: f32 = 1f;
 
     offset_1 = offset;
@@ -983,17 +983,17 @@ fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     if (variance > 0f) {
         {
             let _e17 = offset_1;
-            fade_4 = clamp(((1f - abs(_e17)) / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
-            let _e30 = fade_4;
-            let _e31 = fade_4;
-            let _e34 = fade_4;
-            fade_4 = (_e30 * (_e31 * (3f - (2f * _e34))));
-            let _e39 = fade_4;
+            fade_5 = clamp(((1f - abs(_e17)) / clamp((0.5f * sqrt(variance)), 0.001f, 0.05f)), 0f, 1f);
+            let _e30 = fade_5;
+            let _e31 = fade_5;
+            let _e34 = fade_5;
+            fade_5 = (_e30 * (_e31 * (3f - (2f * _e34))));
+            let _e39 = fade_5;
             fall_1 = (_e39 * exp((-4.934802f * variance)));
         }
     }
     let _e45 = offset_1;
-    let _e47 = fade_4;
+    let _e47 = fade_5;
     let _e49 = fall_1;
     let _e54 = fall_1;
     return vec4<f32>(_e45, (0.5f * _e47), (_e49 * (node.x - 0.5f)), (_e54 * node.z));
@@ -1020,231 +1020,202 @@ fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32
     return _e46;
 }
 
-// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
-fn gabor_impl_row(word: u32) -> vec4<u32> {
-    var first_3: u32;
-    var second_2: u32;
-    var third_1: u32;
-    var fourth: u32;
-
-    first_3 = ((word ^ (word >> 15u)) * 3545902487u);
-    let _e7 = first_3;
-    let _e8 = first_3;
-    second_2 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
-    let _e15 = second_2;
-    let _e16 = second_2;
-    third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
-    let _e23 = third_1;
-    let _e24 = third_1;
-    fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-    let _e31 = first_3;
-    let _e36 = second_2;
-    let _e41 = third_1;
-    let _e46 = fourth;
-    return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
-}
-
 // The sum over 27 nodes, less its factor K.
 fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
-    var s_7: vec3<f32>;
-    var x_17: GaborAxis;
-    var y_12: GaborAxis;
+    var s_8: vec3<f32>;
+    var x_19: GaborAxis;
+    var y_14: GaborAxis;
     var z_7: GaborAxis;
-    var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var i_7: i32 = 0i;
-    var j_5: i32;
-    var local_38: vec4<f32>;
-    var local_39: vec4<f32>;
-    var y_j: vec4<f32>;
+    var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var i_8: i32 = 0i;
+    var j_6: i32;
     var local_40: vec4<f32>;
     var local_41: vec4<f32>;
+    var y_j: vec4<f32>;
+    var local_42: vec4<f32>;
+    var local_43: vec4<f32>;
     var z_k: vec4<f32>;
-    var local_42: u32;
-    var local_43: u32;
     var local_44: u32;
     var local_45: u32;
+    var local_46: u32;
+    var local_47: u32;
     var word_8: u32;
-    var row_7: vec4<u32>;
+    var row_8: vec4<u32>;
 
-    s_7 = pixel.diagonal;
-    let _e13 = s_7;
+    s_8 = pixel.diagonal;
+    let _e13 = s_8;
     let _e15 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, _e13.x);
-    x_17 = _e15;
-    let _e25 = s_7;
+    x_19 = _e15;
+    let _e25 = s_8;
     let _e27 = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e25.y);
-    y_12 = _e27;
-    let _e37 = s_7;
+    y_14 = _e27;
+    let _e37 = s_8;
     let _e39 = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), _e37.z);
     z_7 = _e39;
     loop {
-        let _e52 = i_7;
+        let _e52 = i_8;
         if !((_e52 < 9i)) {
             break;
         }
         {
-            let _e59 = i_7;
-            j_5 = (_e59 % 3i);
-            let _e63 = j_5;
+            let _e59 = i_8;
+            j_6 = (_e59 % 3i);
+            let _e63 = j_6;
             if (_e63 == 0i) {
-                let _e69 = y_12.node[0];
-                local_39 = _e69;
+                let _e69 = y_14.node[0];
+                local_41 = _e69;
             } else {
-                let _e70 = j_5;
+                let _e70 = j_6;
                 if (_e70 == 1i) {
-                    let _e76 = y_12.node[1];
-                    local_38 = _e76;
+                    let _e76 = y_14.node[1];
+                    local_40 = _e76;
                 } else {
-                    let _e80 = y_12.node[2];
-                    local_38 = _e80;
+                    let _e80 = y_14.node[2];
+                    local_40 = _e80;
                 }
-                let _e82 = local_38;
-                local_39 = _e82;
+                let _e82 = local_40;
+                local_41 = _e82;
             }
-            let _e84 = local_39;
+            let _e84 = local_41;
             y_j = _e84;
-            let _e86 = i_7;
+            let _e86 = i_8;
             if (_e86 < 3i) {
                 let _e92 = z_7.node[0];
-                local_41 = _e92;
+                local_43 = _e92;
             } else {
-                let _e93 = i_7;
+                let _e93 = i_8;
                 if (_e93 < 6i) {
                     let _e99 = z_7.node[1];
-                    local_40 = _e99;
+                    local_42 = _e99;
                 } else {
                     let _e103 = z_7.node[2];
-                    local_40 = _e103;
+                    local_42 = _e103;
                 }
-                let _e105 = local_40;
-                local_41 = _e105;
+                let _e105 = local_42;
+                local_43 = _e105;
             }
-            let _e107 = local_41;
+            let _e107 = local_43;
             z_k = _e107;
-            let _e109 = j_5;
+            let _e109 = j_6;
             if (_e109 == 0i) {
-                let _e115 = y_12.word[0];
-                local_43 = _e115;
+                let _e115 = y_14.word[0];
+                local_45 = _e115;
             } else {
-                let _e116 = j_5;
+                let _e116 = j_6;
                 if (_e116 == 1i) {
-                    let _e122 = y_12.word[1];
-                    local_42 = _e122;
+                    let _e122 = y_14.word[1];
+                    local_44 = _e122;
                 } else {
-                    let _e126 = y_12.word[2];
-                    local_42 = _e126;
+                    let _e126 = y_14.word[2];
+                    local_44 = _e126;
                 }
-                let _e128 = local_42;
-                local_43 = _e128;
+                let _e128 = local_44;
+                local_45 = _e128;
             }
-            let _e130 = local_43;
-            let _e131 = i_7;
+            let _e130 = local_45;
+            let _e131 = i_8;
             if (_e131 < 3i) {
                 let _e137 = z_7.word[0];
-                local_45 = _e137;
+                local_47 = _e137;
             } else {
-                let _e138 = i_7;
+                let _e138 = i_8;
                 if (_e138 < 6i) {
                     let _e144 = z_7.word[1];
-                    local_44 = _e144;
+                    local_46 = _e144;
                 } else {
                     let _e148 = z_7.word[2];
-                    local_44 = _e148;
+                    local_46 = _e148;
                 }
-                let _e150 = local_44;
-                local_45 = _e150;
+                let _e150 = local_46;
+                local_47 = _e150;
             }
-            let _e152 = local_45;
+            let _e152 = local_47;
             word_8 = (_e130 * _e152);
             let _e155 = word_8;
             let _e156 = gabor_impl_row(_e155);
-            row_7 = _e156;
-            let _e162 = x_17.node[0];
+            row_8 = _e156;
+            let _e162 = x_19.node[0];
             let _e163 = y_j;
             let _e164 = z_k;
-            let _e168 = x_17.word[0];
-            let _e169 = row_7;
-            gabor_impl_add_node((&sum_20), _e162, _e163, _e164, place, pixel, scale, tangents, _e168, _e169);
-            let _e175 = x_17.node[1];
+            let _e168 = x_19.word[0];
+            let _e169 = row_8;
+            gabor_impl_add_node((&sum_23), _e162, _e163, _e164, place, pixel, scale, tangents, _e168, _e169);
+            let _e175 = x_19.node[1];
             let _e176 = y_j;
             let _e177 = z_k;
-            let _e181 = x_17.word[1];
-            let _e182 = row_7;
-            gabor_impl_add_node((&sum_20), _e175, _e176, _e177, place, pixel, scale, tangents, _e181, _e182);
-            let _e188 = x_17.node[2];
+            let _e181 = x_19.word[1];
+            let _e182 = row_8;
+            gabor_impl_add_node((&sum_23), _e175, _e176, _e177, place, pixel, scale, tangents, _e181, _e182);
+            let _e188 = x_19.node[2];
             let _e189 = y_j;
             let _e190 = z_k;
-            let _e194 = x_17.word[2];
-            let _e195 = row_7;
-            gabor_impl_add_node((&sum_20), _e188, _e189, _e190, place, pixel, scale, tangents, _e194, _e195);
+            let _e194 = x_19.word[2];
+            let _e195 = row_8;
+            gabor_impl_add_node((&sum_23), _e188, _e189, _e190, place, pixel, scale, tangents, _e194, _e195);
         }
         continuing {
-            let _e56 = i_7;
-            i_7 = (_e56 + 1i);
+            let _e56 = i_8;
+            i_8 = (_e56 + 1i);
         }
     }
-    let _e197 = sum_20;
+    let _e197 = sum_23;
     return _e197;
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
-// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the angles of a
-// plane, the mean of exp(-q cos^2) is exp(-q / 2) I_0(q / 2), here as the root of a rational function. Over the sphere it
-// is nearly the mean of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
-fn gabor_impl_mean_angle(q: f32) -> f32 {
-    return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
-}
-
+// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the sphere its
+// mean is nearly that of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
-    var d_4: vec2<f32>;
-    var unit_4: vec2<f32>;
+    var d_8: vec2<f32>;
+    var unit_5: vec2<f32>;
     var mean_2: f32;
-    var a_6: vec2<f32>;
+    var a_8: vec2<f32>;
     var b_9: vec2<f32>;
-    var sum_21: f32;
-    var apart_1: f32;
+    var sum_24: f32;
+    var apart_2: f32;
     var q_2: vec2<f32>;
     var larger_1: f32;
-    var smaller_1: f32;
+    var smaller_2: f32;
 
     let _e3 = gabor_impl_spread(pixel);
-    d_4 = _e3;
-    let _e10 = d_4;
-    unit_4 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
+    d_8 = _e3;
+    let _e10 = d_8;
+    unit_5 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
     if tangents.only {
         {
-            a_6 = vec2<f32>(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
+            a_8 = vec2<f32>(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
             b_9 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
-            let _e32 = unit_4;
-            let _e33 = a_6;
-            let _e34 = a_6;
+            let _e32 = unit_5;
+            let _e33 = a_8;
+            let _e34 = a_8;
             let _e36 = b_9;
             let _e37 = b_9;
-            sum_21 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
-            let _e42 = unit_4;
-            let _e43 = a_6;
-            let _e44 = a_6;
+            sum_24 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
+            let _e42 = unit_5;
+            let _e43 = a_8;
+            let _e44 = a_8;
             let _e46 = b_9;
             let _e47 = b_9;
-            let _e52 = unit_4;
-            let _e53 = a_6;
+            let _e52 = unit_5;
+            let _e53 = a_8;
             let _e54 = b_9;
-            apart_1 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
-            let _e62 = apart_1;
-            let _e63 = sum_21;
-            let _e69 = apart_1;
+            apart_2 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
+            let _e62 = apart_2;
+            let _e63 = sum_24;
+            let _e69 = apart_2;
             let _e70 = gabor_impl_mean_angle(_e69);
             mean_2 = (exp(min((0.5f * (_e62 - _e63)), 0f)) * _e70);
         }
     } else {
         {
-            let _e72 = unit_4;
+            let _e72 = unit_5;
             q_2 = (_e72 * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor)));
             let _e82 = q_2;
             let _e84 = q_2;
             larger_1 = max(_e82.x, _e84.y);
             let _e88 = q_2;
             let _e90 = q_2;
-            smaller_1 = min(_e88.x, _e90.y);
+            smaller_2 = min(_e88.x, _e90.y);
             let _e95 = larger_1;
             let _e98 = larger_1;
             let _e104 = larger_1;
@@ -1252,53 +1223,53 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
             let _e109 = larger_1;
             mean_2 = sqrt(((1f + (_e95 * (0.31500545f + (0.08868891f * _e98)))) / (1f + (_e104 * (0.9816721f + (_e106 * (0.42128292f + (0.11292425f * _e109))))))));
             let _e118 = mean_2;
-            let _e119 = smaller_1;
+            let _e119 = smaller_2;
             let _e124 = larger_1;
             let _e130 = gabor_impl_mean_angle((_e119 * (1f - (1f / (3f + (0.8f * _e124))))));
             mean_2 = (_e118 * _e130);
         }
     }
     let _e132 = mean_2;
-    let _e133 = d_4;
-    let _e135 = d_4;
+    let _e133 = d_8;
+    let _e135 = d_8;
     return (_e132 * inverseSqrt((_e133.x * _e135.y)));
 }
 
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
-    var frequency_20: f32;
-    var stretch_5: vec3<f32>;
-    var local_46: f32;
-    var local_47: f32;
+    var frequency_30: f32;
+    var stretch_6: vec3<f32>;
     var local_48: f32;
+    var local_49: f32;
+    var local_50: f32;
     var amplitude_6: f32;
     var transmitted_2: f32 = 1f;
-    var pixel_10: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
+    var pixel_14: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
     var whole_1: GaborPixelAxes;
     var resolved_1: GaborPixelAxes;
-    var sum_22: GaborField3d;
+    var sum_25: GaborField3d;
 
-    frequency_20 = frequency;
-    stretch_5 = (place.radius / vec3(1.5f));
-    let _e13 = frequency_20;
-    frequency_20 = min(abs(_e13), 1000000f);
+    frequency_30 = frequency;
+    stretch_6 = (place.radius / vec3(1.5f));
+    let _e13 = frequency_30;
+    frequency_30 = min(abs(_e13), 1000000f);
     if tangents.only {
-        local_46 = 2f;
+        local_48 = 2f;
     } else {
-        local_46 = 3f;
+        local_48 = 3f;
     }
-    let _e21 = local_46;
+    let _e21 = local_48;
     if false {
-        local_47 = 1f;
+        local_49 = 1f;
     } else {
-        local_47 = 1.125f;
+        local_49 = 1.125f;
     }
-    let _e31 = local_47;
+    let _e31 = local_49;
     if false {
-        local_48 = 1f;
+        local_50 = 1f;
     } else {
-        local_48 = 1.125f;
+        local_50 = 1.125f;
     }
-    let _e44 = local_48;
+    let _e44 = local_50;
     amplitude_6 = (inverseSqrt((_e21 * _e31)) / (1459955300000000000000000000f * _e44));
     if place.filtered {
         {
@@ -1307,22 +1278,22 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e61 = whole_1;
             let _e63 = gabor_impl_resolved(_e61, 0.5f);
             resolved_1 = _e63;
-            let _e65 = frequency_20;
+            let _e65 = frequency_30;
             let _e66 = whole_1;
             let _e67 = gabor_impl_transmitted_isotropic(_e65, _e66, tangents);
             transmitted_2 = _e67;
             let _e68 = amplitude_6;
             let _e69 = transmitted_2;
-            let _e70 = frequency_20;
+            let _e70 = frequency_30;
             let _e71 = resolved_1;
             let _e72 = gabor_impl_transmitted_isotropic(_e70, _e71, tangents);
             amplitude_6 = (_e68 * sqrt((_e69 / _e72)));
             let _e76 = resolved_1;
-            let _e78 = stretch_5;
+            let _e78 = stretch_6;
             let _e80 = resolved_1;
-            let _e82 = stretch_5;
+            let _e82 = stretch_6;
             let _e85 = gabor_impl_covariance(GaborPixelAxes((_e76.major * _e78), (_e80.minor * _e82)));
-            pixel_10 = _e85;
+            pixel_14 = _e85;
             let _e86 = transmitted_2;
             if !((_e86 > 0.0000000001f)) {
                 transmitted_2 = 0f;
@@ -1330,19 +1301,19 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
         }
     }
     let _e98 = transmitted_2;
-    sum_22 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e98));
+    sum_25 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e98));
     let _e102 = transmitted_2;
     if (_e102 > 0f) {
-        let _e106 = pixel_10;
-        let _e107 = frequency_20;
-        let _e108 = stretch_5;
+        let _e106 = pixel_14;
+        let _e107 = frequency_30;
+        let _e108 = stretch_6;
         let _e111 = gabor_impl_salt(seed);
         let _e112 = gabor_impl_sum_isotropic(place, _e106, (vec3(_e107) / _e108), tangents, _e111);
         let _e113 = amplitude_6;
-        let _e114 = stretch_5;
-        gabor_impl_accumulate_3d((&sum_22), _e112, _e113, _e114);
+        let _e114 = stretch_6;
+        gabor_impl_accumulate_3d((&sum_25), _e112, _e113, _e114);
     }
-    let _e116 = sum_22;
+    let _e116 = sum_25;
     return _e116;
 }
 

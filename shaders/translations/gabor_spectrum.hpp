@@ -85,6 +85,26 @@ struct GaborLobes {
 //                                 float orientation_spread, uint seed)
 //     With its quadrature, as gabor_noise_complex.
 
+// ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
+
+// float gabor_noise_isotropic(vec2 p, float frequency, uint seed)
+//     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
+//     variance 1; value and gradient are normal at every place. The power is even over all directions but for what the
+//     window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+//     distributions; those of gabor_noise_spread, a sum of directions, are normal.
+
+// vec3 gabor_noise_isotropic_gradient(vec2 p, float frequency, uint seed)
+//     With its analytic gradient: (noise, d/dx, d/dy).
+
+// float gabor_noise_isotropic_tiled(vec2 p, vec2 period, float frequency, uint seed)
+//     With a period, as gabor_noise_tiled.
+
+// vec2 gabor_noise_isotropic_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, uint seed)
+//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed), with
+//     GABOR_TAPS 3, for about twice the cost. dx and dy are those of gabor_noise_filtered. Where the pixel's longest
+//     axis is at most 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4
+//     by 4 %, root mean square. What covers more has the right variance alone.
+
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
@@ -161,6 +181,10 @@ struct GaborLobes {
 //                               float orientation_spread, uint seed)
 //     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
+// GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
+//     Isotropic noise at a place, with quadrature and derivatives. The quadrature is independent of the noise at one
+//     place, but not of its gradient.
+
 #if GABOR_TAPS == 3
 // The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
@@ -180,6 +204,10 @@ struct GaborFootprint {
 //     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
 //     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
 //     GABOR_RADIUS apart.
+
+// GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
+//                                           out float removed)
+//     The same of isotropic noise.
 
 // ====================================================================================================================
 // Private implementation
@@ -308,6 +336,12 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
     float exponent = 39.478418f / d * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
     return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
+}
+
+// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), as the root of a rational function.
+GABOR_INLINE float gabor_impl_mean_angle(float q) {
+    return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
+                / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
@@ -690,6 +724,150 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
 }
 #endif
 
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
+//
+// Node c sends out waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
+//     n(p) = K / sqrt(3) Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
+// Given the directions, n is normal with variance 1. So is its gradient, of the constant covariance
+// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), for sum_m u_cm u_cm^T = 3/2; value and gradient are
+// independent. As none of this depends on the directions, both are normal without knowing them.
+
+// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
+GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
+    std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;
+    std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    std::uint32_t fourth = (third ^ (third >> 15u)) * 0xd35a2d97u;
+    return gabor_uvec4((first >> 8u) | 0x800001u, (second >> 8u) | 0x800001u, (third >> 8u) | 0x800001u,
+                 (fourth >> 8u) | 0x800001u);
+}
+
+// The windows of a node along both axes and their derivatives; filtered they are middle + cosine and sine.
+struct GaborWindows {
+    gabor_vec2 value;
+    gabor_vec2 slope;
+    gabor_vec2 middle;
+    gabor_vec2 cosine;
+    gabor_vec2 sine;
+};
+
+// A filter of that covariance, and what it leaves of the windows' own waves.
+struct GaborFilter {
+    bool used;
+    gabor_vec3 covariance;
+    gabor_vec2 fall;
+};
+
+// Adds a node's wave: `a` is its amplitude, turned by the wave from the node to the point. The filter multiplies it by
+// exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
+GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, GaborFilter pixel, gabor_vec2 a, gabor_vec2 wave) {
+    gabor_vec2 value = node.value.x * node.value.y * a;
+    gabor_vec2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
+#if GABOR_TAPS == 3
+    if (pixel.used) {
+        gabor_vec2 x = 19.739209f * gabor_impl_symmetric(pixel.covariance, wave);
+        a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
+        x = gabor_cpp_clamp(x, -3.0f, 3.0f); // of a wave that is left
+        gabor_vec2 y = x * x;
+        gabor_vec2 even = 1.0f + y * (0.5f + 0.041666667f * y), odd = x * (1.0f + y * (0.16666667f + 0.0083333333f * y));
+        gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine;
+        gabor_vec2 h_x = gabor_vec2(real.x, imaginary.x), h_y = gabor_vec2(real.y, imaginary.y);
+        value = gabor_impl_product(gabor_impl_product(h_x, h_y)
+                                   + gabor_vec2(pixel.covariance.z * node.sine.x * node.sine.y, 0.0f), a);
+        real = even * node.sine;
+        imaginary = -3.1415927f * odd * node.cosine;
+        slope_x = gabor_impl_product(gabor_impl_product(gabor_vec2(real.x, imaginary.x), h_y), a);
+        slope_y = gabor_impl_product(gabor_impl_product(h_x, gabor_vec2(real.y, imaginary.y)), a);
+    }
+#endif
+    gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
+    sum.value += value;
+    sum.slope_x += slope_x + wave.x * turned;
+    sum.slope_y += slope_y + wave.y * turned;
+}
+
+// Adds a node's three waves, at `d` node spacings from it. The third's phase is the difference of the others'.
+GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWindows node, GaborFilter pixel, gabor_vec2 d,
+                         float frequency, gabor_uvec4 words) {
+    if (pixel.used) { // windows fade within half a deviation of their ends
+        gabor_vec2 fade = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d) / GABOR_RADIUS) / gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(pixel.covariance.xy()), 0.001f, 0.05f), 0.0f, 1.0f);
+        fade *= fade * (3.0f - 2.0f * fade);
+        node.middle = 0.5f * fade;
+        node.cosine = fade * pixel.fall * (node.value - 0.5f);
+        node.sine = fade * pixel.fall * node.slope;
+    }
+    d *= frequency / place.radius;
+    gabor_vec2 u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // a twelfth of a turn either way
+    gabor_vec2 v = 0.5f * u + 0.8660254f * gabor_vec2(-u.y, u.x);
+    gabor_vec2 first = gabor_impl_wave(gabor_cpp_dot(u, d)), second = gabor_impl_wave(gabor_cpp_dot(v, d));
+    gabor_vec2 third = gabor_impl_product(second, gabor_vec2(first.x, -first.y));
+    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
+    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
+    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
+    gabor_impl_add_wave_2d(sum, node, pixel, first, frequency * u);
+    gabor_impl_add_wave_2d(sum, node, pixel, second, frequency * v);
+    gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
+}
+
+// The sum over all nodes, less its factor. Its loops stay loops: unrolled by hand it took four times as long on lavapipe.
+GABOR_INLINE GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, std::uint32_t seed) {
+    std::uint32_t salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                                  place.radius.y);
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
+    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    for (int j = 0; j < GABOR_TAPS; ++j) {
+        gabor_uvec4 row = gabor_impl_row(y.word[j]);
+        for (int i = 0; i < GABOR_TAPS; ++i) {
+            GaborWindows node;
+            node.value = gabor_vec2(x.node[i].x, y.node[j].x);
+            node.slope = stretch * gabor_vec2(x.node[i].z, y.node[j].z);
+            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
+            gabor_impl_add_star(sum, place, node, pixel, d, frequency, x.word[i] * row);
+        }
+    }
+    return sum;
+}
+
+GABOR_INLINE GaborField gabor_impl_scaled_field(GaborField field, float scale) {
+    return GaborField{scale * field.value, scale * field.slope_x, scale * field.slope_y};
+}
+
+#define GABOR_IMPL_STAR (0.57735027f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
+GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency, std::uint32_t seed) {
+    GaborFilter none = GaborFilter{false, gabor_vec3(0.0f), gabor_vec2(1.0f)};
+    return gabor_impl_scaled_field(gabor_impl_sum_isotropic_2d(place, frequency, none, seed), GABOR_IMPL_STAR);
+}
+
+#if GABOR_TAPS == 3
+// The share of its variance that isotropic noise keeps: the mean of gabor_impl_transmitted over all directions.
+GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_vec3 covariance) {
+    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
+    float unit = 39.478418f / d * gabor_cpp_min(frequency * frequency, 1.0e12f);
+    float apart = gabor_cpp_length(gabor_vec2(covariance.x - covariance.y, 2.0f * covariance.z));
+    float smaller = area + gabor_cpp_max(0.5f * (covariance.x + covariance.y - apart), 0.0f);
+    return gabor_cpp_exp(-gabor_cpp_clamp(unit * smaller, 0.0f, 80.0f)) * gabor_impl_mean_angle(gabor_cpp_min(unit * apart, 1.0e8f)) * gabor_cpp_inversesqrt(d);
+}
+
+GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, std::uint32_t seed,
+                                          float& removed) {
+    float kept = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
+    removed = 1.0f - kept;
+    if (!(kept > 1.0e-10f)) {
+        removed = 1.0f;
+        return GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    }
+    gabor_vec3 s = footprint.covariance; // windows have room for a deviation of 0.2
+    s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
+    GaborFilter pixel = GaborFilter{true, s, gabor_cpp_exp(-4.934802f * s.xy())};
+    return gabor_impl_scaled_field(gabor_impl_sum_isotropic_2d(place, frequency, pixel, seed),
+                                   GABOR_IMPL_STAR * gabor_cpp_sqrt(kept / gabor_impl_transmitted_isotropic_2d(frequency, s)));
+}
+#endif
+
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
@@ -728,6 +906,20 @@ GABOR_INLINE gabor_vec2 gabor_noise_spread_complex(gabor_vec2 p, float frequency
     return gabor_field_spread(place, frequency, orientation, frequency_spread, orientation_spread, seed).value;
 }
 
+GABOR_INLINE float gabor_noise_isotropic(gabor_vec2 p, float frequency, std::uint32_t seed) {
+    return gabor_field_isotropic(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), frequency, seed).value.y;
+}
+
+GABOR_INLINE gabor_vec3 gabor_noise_isotropic_gradient(gabor_vec2 p, float frequency, std::uint32_t seed) {
+    GaborField field = gabor_field_isotropic(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), frequency, seed);
+    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+}
+
+GABOR_INLINE float gabor_noise_isotropic_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, std::uint32_t seed) {
+    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f));
+    return gabor_field_isotropic(place, frequency, seed).value.y;
+}
+
 #if GABOR_TAPS == 3
 GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: no wave is left
@@ -763,6 +955,13 @@ GABOR_INLINE gabor_vec4 gabor_noise_filtered_gradient(gabor_vec2 p, gabor_vec2 d
 GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
     gabor_vec4 field = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
     return gabor_vec2(field.x, field.w);
+}
+
+GABOR_INLINE gabor_vec2 gabor_noise_isotropic_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, std::uint32_t seed) {
+    float removed;
+    GaborField field = gabor_field_isotropic_filtered(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), frequency, gabor_footprint(dx, dy),
+                                                      seed, removed);
+    return gabor_vec2(field.value.y, removed);
 }
 
 GABOR_INLINE gabor_vec4 gabor_noise_four_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed,

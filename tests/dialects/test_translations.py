@@ -33,6 +33,8 @@ CALLS = {  # by function, a column of the matrix in docs/engines.md
     "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)": "animated",
     "gabor_noise_four(p, 4.0, 0.7854, 7u).z": "four",
     "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)": "spread",
+    "gabor_noise_isotropic(p, 2.0, 7u)": "isotropic",
+    "gabor_noise_isotropic_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).x": "isotropic",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
     "gabor_noise_lobes(p, six(), 7u)": "lobes",  # more than there are by default: the macro is alive
     "gabor_noise_direction(p, 7u)": "direction map",

@@ -209,4 +209,47 @@ Lattice::Field Lattice::field(const LatticePlace& place, const Waves& waves, std
     return sum;
 }
 
+Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed) {
+    const auto nearest_x = static_cast<std::int64_t>(std::floor(place.local_x + 0.5));
+    const auto nearest_y = static_cast<std::int64_t>(std::floor(place.local_y + 0.5));
+    Lattice::Field sum;
+    for (std::int64_t j = nearest_y - 1; j <= nearest_y + 1; ++j) {
+        std::array<std::uint32_t, 4> row{}; // of three amplitudes and the angle
+        std::uint32_t mixed = lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
+        for (std::uint32_t& word : row) {
+            mixed = next_word(mixed);
+            word = mixed >> 8 | 0x800001u;
+        }
+        const double y = place.local_y - static_cast<double>(j);
+        const LatticeWindow along = lattice_window(3, y / 1.5);
+        for (std::int64_t i = nearest_x - 1; i <= nearest_x + 1; ++i) {
+            const std::uint32_t column =
+                lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed);
+            const double x = place.local_x - static_cast<double>(i);
+            const LatticeWindow across = lattice_window(3, x / 1.5);
+            const double first = pi / 6 * static_cast<std::int32_t>(column * row[3]) / 0x1p31;
+            for (std::size_t m = 0; m < 3; ++m) {
+                const double angle = first + pi / 3 * static_cast<double>(m);
+                const double wave_x = std::abs(frequency) * std::cos(angle);
+                const double wave_y = std::abs(frequency) * std::sin(angle);
+                const std::uint32_t word = column * row[m];
+                const Complex wave =
+                    (place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word)) *
+                    std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
+                const Complex kernel = across.value * along.value * wave;
+                sum.value += kernel;
+                sum.slope_x += across.slope * place.radius_x / 1.5 * along.value * wave +
+                               Complex(0, 2 * pi * wave_x) * kernel;
+                sum.slope_y += across.value * along.slope * place.radius_y / 1.5 * wave +
+                               Complex(0, 2 * pi * wave_y) * kernel;
+            }
+        }
+    }
+    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(3) * std::sqrt(3.0));
+    sum.value *= scale;
+    sum.slope_x *= scale;
+    sum.slope_y *= scale;
+    return sum;
+}
+
 } // namespace gabor::noise

@@ -83,9 +83,10 @@ SPECTRA = """
     for (int i = 0; i < GABOR_LOBES; ++i)
         lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
     lobes.count = GABOR_LOBES;
+    noise += gabor_noise_isotropic_tiled(p, vec2(5.0, 7.5), 4.0, 7u) + gabor_noise_isotropic_gradient(p, 4.0, 7u).y;
     noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u) + gabor_noise_lobes(p, lobes, 7u);
 #if GABOR_TAPS == 3
-    noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u), vec2(1.0));
+    noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u) + gabor_noise_isotropic_filtered(p, p, p.yx, 4.0, 7u), vec2(1.0));
 #endif
 """
 USE_MORE = {

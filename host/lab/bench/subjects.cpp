@@ -52,7 +52,7 @@ void add_drop_in(std::vector<Subject>& all) {
         all.back().measure_cvm = true;
     }
     for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        const Function last = recipe->is_lattice() ? Function::filtered : Function::animated;
+        const Function last = recipe->is_lattice() ? Function::isotropic : Function::animated;
         for (auto i = static_cast<std::uint32_t>(Function::gradient); i <= static_cast<std::uint32_t>(last);
              ++i)
             all.push_back(drop_in(*recipe, static_cast<Function>(i)));
@@ -68,8 +68,8 @@ void add_space(std::vector<Subject>& all) {
 } // namespace
 
 Subject drop_in(const noise::Recipe& recipe, Function function) {
-    constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",   "_animated",
-                               "_four", "_spread",   "_lobes, 3",           "_filtered"};
+    constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",    "_animated",
+                               "_four", "_spread",   "_lobes, 3",           "_filtered", "_isotropic"};
     const auto number = static_cast<std::uint32_t>(function);
     return {fmt::format("gabor_noise{}, {}", names.at(number), recipe.name),
             static_cast<double>(noise::visited_impulses(recipe)),

@@ -42,7 +42,8 @@ enum class Function : std::uint32_t {
     four,
     spread,
     three_lobes,
-    filtered
+    filtered,
+    isotropic
 };
 
 /// The drop-in of a recipe, which the subject refers to.

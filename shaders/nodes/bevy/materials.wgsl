@@ -174,31 +174,31 @@ struct GaborPixel {
 // Two independent noises, the parts of a complex one, and the removed share of their variance.
 //   density  kernels per unit along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var place_17: GaborPlace;
+    var place_22: GaborPlace;
     var kernel_8: GaborKernel;
-    var removed_4: f32;
-    var footprint_3: GaborFootprint;
-    var value_10: vec2<f32>;
+    var removed_6: f32;
+    var footprint_4: GaborFootprint;
+    var value_11: vec2<f32>;
 
     let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_17 = _e14;
+    place_22 = _e14;
     let _e16 = gabor_kernel(frequency, orientation);
     kernel_8 = _e16;
     if !(pixel.filtered) {
-        let _e20 = place_17;
+        let _e20 = place_22;
         let _e21 = kernel_8;
         let _e22 = gabor_field(_e20, _e21, seed);
         return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
     }
     let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
-    footprint_3 = _e33;
-    let _e35 = place_17;
+    footprint_4 = _e33;
+    let _e35 = place_22;
     let _e36 = kernel_8;
-    let _e37 = footprint_3;
-    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_4));
-    value_10 = _e40.value;
-    let _e43 = value_10;
-    let _e44 = removed_4;
+    let _e37 = footprint_4;
+    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_6));
+    value_11 = _e40.value;
+    let _e43 = value_11;
+    let _e44 = removed_6;
     return vec3<f32>(_e43.x, _e43.y, _e44);
 }
 
@@ -211,28 +211,28 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 // A sum of spots, each octave half as large with `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_3: vec2<f32>;
-    var sum_12: vec3<f32> = vec3(0f);
+    var sum_15: vec3<f32> = vec3(0f);
     var power_4: f32 = 0f;
     var amplitude_4: f32 = 1f;
-    var i_6: i32 = 0i;
+    var i_7: i32 = 0i;
 
     density_3 = density;
     loop {
-        let _e15 = i_6;
+        let _e15 = i_7;
         if !((_e15 < count)) {
             break;
         }
         {
-            let _e21 = sum_12;
+            let _e21 = sum_15;
             let _e22 = amplitude_4;
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
             let _e25 = amplitude_4;
             let _e28 = density_3;
-            let _e29 = i_6;
+            let _e29 = i_7;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_12 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
+            sum_15 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
             let _e34 = power_4;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
@@ -243,11 +243,11 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             density_3 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_6;
-            i_6 = (_e18 + 1i);
+            let _e18 = i_7;
+            i_7 = (_e18 + 1i);
         }
     }
-    let _e44 = sum_12;
+    let _e44 = sum_15;
     let _e45 = power_4;
     let _e47 = vec2(sqrt(_e45));
     let _e48 = power_4;
@@ -256,22 +256,22 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // Moves the place by two noises, and its steps accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_18: GaborPlace;
-    var field_10: GaborField;
+    var place_23: GaborPlace;
+    var field_13: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_18 = _e13;
-    let _e15 = place_18;
+    place_23 = _e13;
+    let _e15 = place_23;
     let _e18 = gabor_kernel(0f, 0f);
     let _e19 = gabor_field(_e15, _e18, seed);
-    field_10 = _e19;
-    let _e23 = field_10;
+    field_13 = _e19;
+    let _e23 = field_13;
     along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_10;
+    let _e29 = field_13;
     along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_10;
+    let _e34 = field_13;
     let _e41 = along_x;
     let _e46 = along_y;
     let _e52 = along_x;
@@ -297,12 +297,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_12: f32;
+    var x_14: f32;
 
-    x_12 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_12;
-    let _e20 = x_12;
-    let _e22 = x_12;
+    x_14 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_14;
+    let _e20 = x_14;
+    let _e22 = x_14;
     return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
 }
 
@@ -422,21 +422,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_29: f32;
+    var local_31: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_2: bool;
+    var first_4: bool;
     var top: f32;
-    var local_30: vec3<f32>;
+    var local_32: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_31: vec3<f32>;
+    var local_33: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
-    var kept: f32;
+    var kept_1: f32;
     var light: f32;
-    var local_32: f32;
+    var local_34: f32;
     var share_2: f32;
     var colour_2: vec3<f32>;
 
@@ -476,11 +476,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e76 = thread;
     let _e78 = thread;
     if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_29 = -1f;
+        local_31 = -1f;
     } else {
-        local_29 = 1f;
+        local_31 = 1f;
     }
-    let _e89 = local_29;
+    let _e89 = local_31;
     parity = _e89;
     let _e93 = upright;
     let _e95 = level;
@@ -498,29 +498,29 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
     let _e151 = crest;
     let _e153 = crest;
-    first_2 = (_e151.x > _e153.y);
+    first_4 = (_e151.x > _e153.y);
     let _e157 = crest;
     let _e159 = crest;
     top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_2;
+    let _e166 = first_4;
     if _e166 {
         let _e167 = upright;
-        local_30 = _e167;
+        local_32 = _e167;
     } else {
         let _e168 = level;
-        local_30 = _e168;
+        local_32 = _e168;
     }
-    let _e170 = local_30;
+    let _e170 = local_32;
     tone_1 = _e170;
-    let _e172 = first_2;
+    let _e172 = first_4;
     if _e172 {
         let _e173 = upright_fibre;
-        local_31 = _e173;
+        local_33 = _e173;
     } else {
         let _e174 = level_fibre;
-        local_31 = _e174;
+        local_33 = _e174;
     }
-    let _e176 = local_31;
+    let _e176 = local_33;
     fibre_1 = _e176;
     let _e178 = count_1;
     let _e179 = count_1;
@@ -531,18 +531,18 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     steps = ((_e178 * _e179) * ((_e181.dx * _e183.dx) + (_e186.dy * _e188.dy)));
     let _e195 = steps;
     let _e197 = steps;
-    kept = exp(-(min((2.5f * (_e195.x + _e197.y)), 40f)));
+    kept_1 = exp(-(min((2.5f * (_e195.x + _e197.y)), 40f)));
     let _e210 = top;
-    let _e212 = kept;
+    let _e212 = kept_1;
     light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_2;
+    let _e216 = first_4;
     if _e216 {
-        local_32 = 1f;
+        local_34 = 1f;
     } else {
-        local_32 = 0f;
+        local_34 = 0f;
     }
-    let _e220 = local_32;
-    let _e221 = kept;
+    let _e220 = local_34;
+    let _e221 = kept_1;
     share_2 = mix(0.5f, _e220, _e221);
     let _e232 = share_2;
     let _e237 = light;
@@ -557,7 +557,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     colour_2 = (_e241 * (_e247 * _e253));
     let _e256 = colour_2;
     let _e259 = top;
-    let _e260 = kept;
+    let _e260 = kept_1;
     let _e264 = fibre_1;
     let _e268 = count_1;
     let _e272 = gabor_impl_material(_e256, (((0.3f * mix(0.146f, _e259, _e260)) + (0.035f * _e264.y)) / _e268), 0.85f, 0f);
@@ -572,11 +572,11 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var fine: vec3<f32>;
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
-    var a_5: vec2<f32>;
+    var a_7: vec2<f32>;
     var b_9: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
-    var kept_1: f32;
+    var kept_2: f32;
     var blur: f32;
     var pebble: f32;
     var colour_3: vec3<f32>;
@@ -610,13 +610,13 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
     let _e62 = one;
     let _e64 = powers;
-    a_5 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
+    a_7 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
     let _e71 = other;
     let _e73 = powers;
     b_9 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
-    let _e80 = a_5;
+    let _e80 = a_7;
     let _e82 = b_9;
-    let _e85 = a_5;
+    let _e85 = a_7;
     let _e86 = b_9;
     let _e87 = gabor_impl_product(_e85, _e86);
     cells = ((_e80.x + _e82.x) + _e87.x);
@@ -627,14 +627,14 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     shares = (_e91 / (_e92 + (2.5f * vec2<f32>(_e94.z, _e96.z))));
     let _e103 = shares;
     let _e105 = shares;
-    kept_1 = sqrt((_e103.x * _e105.y));
-    let _e111 = kept_1;
+    kept_2 = sqrt((_e103.x * _e105.y));
+    let _e111 = kept_2;
     blur = (1f - _e111);
     let _e117 = blur;
     let _e121 = blur;
     let _e123 = cells;
     let _e125 = fine;
-    let _e130 = kept_1;
+    let _e130 = kept_2;
     pebble = mix(0.806f, smoothstep((-1.45f - _e117), (-0.55f + _e121), (_e123 + (0.1f * _e125.y))), _e130);
     let _e141 = pebble;
     colour_3 = mix(vec3<f32>(0.04f, 0.014f, 0.007f), vec3<f32>(0.2f, 0.068f, 0.026f), vec3(_e141));
@@ -647,7 +647,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e157 = gabor_impl_tone(_e152.x, _e154.z, 0.08f);
     colour_3 = (_e145 * (_e151 * _e157));
     let _e164 = cells;
-    let _e166 = kept_1;
+    let _e166 = kept_2;
     dome = mix(0.236f, smoothstep(-1f, 3f, _e164), _e166);
     let _e169 = colour_3;
     let _e171 = pebble;
@@ -818,63 +818,63 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_8: f32 = 0f;
+    var removed_10: f32 = 0f;
     var power_5: f32 = 0f;
-    var i_7: i32 = 0i;
+    var i_8: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_19: vec3<f32>;
+    var wave_20: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
 
     loop {
-        let _e12 = i_7;
+        let _e12 = i_8;
         if !((_e12 < 14i)) {
             break;
         }
         {
-            let _e21 = i_7;
+            let _e21 = i_8;
             waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e30 = i_7;
+            let _e30 = i_8;
             angle_1 = (0.3f + (1.1f * fract(((0.618034f * f32(_e30)) + 0.1f))));
             let _e39 = waves;
             let _e44 = angle_1;
-            let _e45 = i_7;
+            let _e45 = i_8;
             let _e46 = gabor_lobe_seed(seed, _e45);
             let _e47 = gabor_impl_layer(pixel, vec2((_e39 / 2.2f)), 2.2f, _e44, _e46);
-            wave_19 = _e47;
+            wave_20 = _e47;
             let _e50 = waves;
             amplitude_6 = (0.018f / pow(_e50, 1.3f));
             let _e55 = height_3;
             let _e56 = amplitude_6;
-            let _e57 = wave_19;
-            let _e60 = wave_19;
-            let _e62 = wave_19;
-            let _e65 = wave_19;
-            let _e67 = wave_19;
+            let _e57 = wave_20;
+            let _e60 = wave_20;
+            let _e62 = wave_20;
+            let _e65 = wave_20;
+            let _e67 = wave_20;
             height_3 = (_e55 + (_e56 * (_e57.x + (0.2f * ((_e60.x * _e62.x) - (_e65.y * _e67.y))))));
             let _e75 = crest_1;
             let _e76 = amplitude_6;
-            let _e77 = wave_19;
+            let _e77 = wave_20;
             crest_1 = (_e75 + (_e76 * _e77.x));
-            let _e81 = removed_8;
+            let _e81 = removed_10;
             let _e82 = amplitude_6;
             let _e83 = amplitude_6;
-            let _e85 = wave_19;
-            removed_8 = (_e81 + ((_e82 * _e83) * _e85.z));
+            let _e85 = wave_20;
+            removed_10 = (_e81 + ((_e82 * _e83) * _e85.z));
             let _e89 = power_5;
             let _e90 = amplitude_6;
             let _e91 = amplitude_6;
             power_5 = (_e89 + (_e90 * _e91));
         }
         continuing {
-            let _e16 = i_7;
-            i_7 = (_e16 + 1i);
+            let _e16 = i_8;
+            i_8 = (_e16 + 1i);
         }
     }
     let _e94 = crest_1;
     let _e95 = power_5;
-    let _e98 = removed_8;
+    let _e98 = removed_10;
     let _e99 = power_5;
     let _e103 = gabor_impl_above((_e94 * inverseSqrt(_e95)), (_e98 / _e99), 0.5f, 1f);
     light_1 = _e103;
@@ -887,21 +887,21 @@ fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_4: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_8: i32 = 0i;
+    var i_9: i32 = 0i;
     var fine_1: f32;
     var streak: vec3<f32>;
 
     loop {
-        let _e9 = i_8;
+        let _e9 = i_9;
         if !((_e9 < 5i)) {
             break;
         }
         {
-            let _e16 = i_8;
+            let _e16 = i_9;
             fine_1 = exp2(f32(_e16));
             let _e22 = fine_1;
             let _e26 = fine_1;
-            let _e29 = i_8;
+            let _e29 = i_9;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
             streak = _e31;
@@ -914,8 +914,8 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
         }
         continuing {
-            let _e13 = i_8;
-            i_8 = (_e13 + 1i);
+            let _e13 = i_9;
+            i_9 = (_e13 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -930,32 +930,32 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
-    var i_9: i32 = 0i;
+    var i_10: i32 = 0i;
     var size: f32;
-    var turned_1: GaborPixel;
+    var turned_2: GaborPixel;
     var noise_7: vec3<f32>;
     var scratch: f32;
     var colour_6: vec3<f32>;
 
     loop {
-        let _e8 = i_9;
+        let _e8 = i_10;
         if !((_e8 < 14i)) {
             break;
         }
         {
-            let _e17 = i_9;
+            let _e17 = i_10;
             size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_9;
+            let _e24 = i_10;
             let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
-            turned_1 = _e28;
-            let _e30 = turned_1;
-            let _e38 = i_9;
+            turned_2 = _e28;
+            let _e30 = turned_2;
+            let _e38 = i_10;
             let _e40 = gabor_lobe_seed(seed, (2i * _e38));
             let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
-            turned_1 = _e41;
-            let _e42 = turned_1;
+            turned_2 = _e41;
+            let _e42 = turned_2;
             let _e46 = size;
-            let _e50 = i_9;
+            let _e50 = i_10;
             let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
             let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
             noise_7 = _e55;
@@ -976,8 +976,8 @@ fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
             height_5 = (_e84 - ((0.0025f * _e86) * _e88));
         }
         continuing {
-            let _e12 = i_9;
-            i_9 = (_e12 + 1i);
+            let _e12 = i_10;
+            i_10 = (_e12 + 1i);
         }
     }
     let _e99 = whole;
@@ -1128,16 +1128,16 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
     var turn_11: f32;
-    var first_3: bool;
-    var local_33: vec3<f32>;
+    var first_5: bool;
+    var local_35: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_34: vec2<f32>;
+    var local_36: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_35: f32;
+    var local_37: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_1: vec2<f32>;
-    var kept_2: f32;
+    var kept_3: f32;
     var bulge: f32;
     var colour_9: vec3<f32>;
 
@@ -1165,35 +1165,35 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     let _e49 = tow;
     turn_11 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
     let _e60 = turn_11;
-    first_3 = (_e60 < 1.5f);
-    let _e64 = first_3;
+    first_5 = (_e60 < 1.5f);
+    let _e64 = first_5;
     if _e64 {
         let _e65 = upright_1;
-        local_33 = _e65;
+        local_35 = _e65;
     } else {
         let _e66 = level_1;
-        local_33 = _e66;
+        local_35 = _e66;
     }
-    let _e68 = local_33;
+    let _e68 = local_35;
     fibre_2 = _e68;
-    let _e70 = first_3;
+    let _e70 = first_5;
     if _e70 {
         let _e71 = within_2;
-        local_34 = _e71.yx;
+        local_36 = _e71.yx;
     } else {
         let _e73 = within_2;
-        local_34 = _e73;
+        local_36 = _e73;
     }
-    let _e75 = local_34;
+    let _e75 = local_36;
     along_across = _e75;
     let _e78 = along_across;
     let _e81 = turn_11;
     if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_35 = 0f;
+        local_37 = 0f;
     } else {
-        local_35 = 1f;
+        local_37 = 1f;
     }
-    let _e91 = local_35;
+    let _e91 = local_37;
     along_1 = (0.5f * (_e78.x + _e91));
     let _e96 = along_across;
     across_1 = ((2f * _e96.y) - 1f);
@@ -1206,13 +1206,13 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     steps_1 = ((_e102 * _e103) * ((_e105.dx * _e107.dx) + (_e110.dy * _e112.dy)));
     let _e119 = steps_1;
     let _e121 = steps_1;
-    kept_2 = exp(-(min((2.5f * (_e119.x + _e121.y)), 40f)));
+    kept_3 = exp(-(min((2.5f * (_e119.x + _e121.y)), 40f)));
     let _e132 = along_1;
     let _e136 = across_1;
     let _e137 = across_1;
     let _e139 = across_1;
     let _e141 = across_1;
-    let _e145 = kept_2;
+    let _e145 = kept_3;
     bulge = mix(0.51f, (sin((3.1415927f * _e132)) * (1f - (((_e136 * _e137) * _e139) * _e141))), _e145);
     let _e154 = bulge;
     let _e158 = fibre_2;

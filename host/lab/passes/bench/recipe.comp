@@ -40,6 +40,8 @@ float value(vec2 p, uint instance) {
     case 8:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
         return filtered.x + filtered.y;
+    case 9:
+        return gabor_noise_isotropic(p, frequency, instance);
 #endif
     default:
         return gabor_noise(p, frequency, orientation, instance);
