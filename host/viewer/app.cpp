@@ -9,34 +9,40 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <utility>
 
 namespace gabor::viewer {
 
 namespace {
 
-constexpr double moving_budget =
-    0.022; // seconds of a frame for the noise, in which there must be time for the rest
+constexpr double moving_budget = 0.022; // seconds per frame for drawing the noise
 constexpr double resting_budget = 0.030;
 constexpr double sampling_budget = 0.004; // while time plays
-constexpr double rest = 0.3;              // seconds without a change, after which it is measured
-
+constexpr double rest = 0.3;              // seconds without a change before measuring
 constexpr std::uint32_t most_samples = 1 << 21;
-constexpr double waking_interval = 0.25; // seconds, at least, while nothing happens
-constexpr float panel_width = 26;        // in heights of the font
+constexpr double waking_interval = 0.25; // seconds between frames while nothing happens
+constexpr double saving_interval = 2;    // seconds between saves of the session
+constexpr float panel_width = 26;        // in font heights
+
+volatile std::sig_atomic_t received_signal = 0;
+
+extern "C" void note_signal(int signal) {
+    received_signal = signal;
+}
+
+bool is_running(int process) {
+    return process > 0 && ::kill(process, 0) == 0;
+}
 
 void drop(GLFWwindow* window, int count, const char** paths) {
     Session& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
     if (count > 0 && !session.question)
         open_file(session, paths[0]);
-}
-
-// The values of a material have none.
-bool has_law(const Drawing& drawing) {
-    return !render::has_material(drawing.request);
 }
 
 Placement placement(const Options& options, const Settings& settings) {
@@ -78,28 +84,54 @@ App::App(const Options& options)
 
 App::~App() {
     device_.state().device.waitIdle();
-    if (remember_)
-        save_settings({window_.placement(), session_.panels, session_.ui_scale, to_json(session_.document()),
-                       session_.preset_path, session_.export_target.path, session_.recent});
+    save_session();
 }
 
-// The last session, but for what the command line says.
 void App::restore(const Options& options) {
     session_.panels = settings_.panels;
     session_.ui_scale = options.ui_scale.value_or(settings_.ui_scale);
     session_.recent = settings_.recent;
+    const auto restore_document = [this](bool as_saved) {
+        attempt(session_, [&] {
+            Document last = document_from_json(settings_.document);
+            render::load_paint(last.request.paint); // throws if it is missing
+            last.path = settings_.preset_path;
+            session_.history = History(last);
+            if (as_saved)
+                session_.saved = last;
+            session_.export_target.path = settings_.export_path;
+        });
+    };
+    const bool lost = settings_.unsaved_by != 0 && !is_running(settings_.unsaved_by);
     if (!options.preset.empty())
-        return open_preset(session_, options.preset);
-    if (options.document || settings_.document.empty())
+        open_preset(session_, options.preset);
+    else if (!options.document && !settings_.document.empty() && !lost)
+        restore_document(true);
+    if (lost) {
+        offering_ = true;
+        const auto answered = [=, this](bool restored) {
+            offering_ = false;
+            if (restored)
+                restore_document(false);
+        };
+        session_.question = Question{"gabor-viewer ended before its changes were saved.",
+                                     {{"Restore them", [=] { answered(true); }, 'R'},
+                                      {"Discard them", [=] { answered(false); }, 'D'}}};
+    }
+}
+
+void App::save_session() {
+    if (!remember_ || (offering_ && session_.question)) // what is on offer must stay
         return;
-    attempt(session_, [&] {
-        const Document last = document_from_json(settings_.document);
-        render::load_paint(last.request.paint); // it must still be there
-        session_.history = History(last);
-        session_.kept = last;
-        session_.preset_path = settings_.preset_path;
-        session_.export_target.path = settings_.export_path;
-    });
+    Document document = session_.document();
+    if (session_.playing)
+        document.request.time = 0; // or each moment would be another session
+    const bool unsaved = session_.closing != Closing::now && is_changed(session_);
+    Settings settings{window_.placement(), session_.panels,         session_.ui_scale,
+                      to_json(document),   document.path,           session_.export_target.path,
+                      session_.recent,     unsaved ? ::getpid() : 0};
+    if (settings != settings_)
+        save_settings(settings_ = std::move(settings));
 }
 
 Document App::shown() const {
@@ -140,40 +172,39 @@ bool App::refine(Extent window) {
         picture_measured_ = false;
     }
     const bool rested = glfwGetTime() - changed_ >= rest && !session_.exporter.running();
-    if (has_law(wanted)) {
+    if (!render::has_material(wanted.request)) {
         measure(wanted, rested || session_.playing);
         more |= !picture_measured_ || samples_ < most_samples;
     } else if (std::exchange(measured_, {})) {
-        measuring_.reset();
+        session_.measurer.reset();
     }
-    session_.measured = measuring_.measured();
-    return more || !measuring_.idle();
+    return more || !session_.measurer.idle();
 }
 
-// While the view stands still: the spectrum of what it shows, and the statistics of the values, of more of
-// them with every frame.
+// While the view stands still, measures the spectrum of what it shows, and the statistics of more values in
+// each frame.
 void App::measure(const Drawing& drawing, bool rested) {
     const render::Request values = value_request(drawing);
     if (measured_ != values) {
         measured_ = values;
         samples_ = 0;
         picture_measured_ = false;
-        measuring_.reset();
+        session_.measurer.reset();
     }
-    if (!rested || !measuring_.idle())
+    if (!rested || !session_.measurer.idle())
         return;
     if (canvas_.fine() && !picture_measured_) {
         picture_measured_ = true;
         if (render::is_flat(drawing.request.view) && !drawing.request.colour)
-            measuring_.add_picture(canvas_.pixels(), static_cast<int>(canvas_.channels().size()),
-                                   canvas_.grid(), drawing.request.scale * shown().camera.zoom);
+            session_.measurer.add_picture(canvas_.pixels(), static_cast<int>(canvas_.channels().size()),
+                                          canvas_.grid(), drawing.request.scale * shown().camera.zoom);
     } else if ((canvas_.fine() || session_.playing) && samples_ < most_samples) {
         const std::span<const float> sampled =
             sampler_.sample(values, draws_++, session_.playing ? sampling_budget : resting_budget);
         const bool covered = render::in_space(values);
         const int channels = covered ? 2 : 1;
         samples_ += static_cast<std::uint32_t>(sampled.size()) / static_cast<std::uint32_t>(channels);
-        measuring_.add_samples(sampled, channels, covered ? channels - 1 : -1);
+        session_.measurer.add_samples(sampled, channels, covered ? channels - 1 : -1);
     }
 }
 
@@ -201,7 +232,7 @@ void App::panels() {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
-    // Tab goes from one field to the next only while one is edited: else it is a shortcut.
+    // Tab moves between fields only while one is edited; else it is a shortcut.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     struct Section {
         const char* title;
@@ -227,10 +258,6 @@ void App::panels() {
     ImGui::End();
 }
 
-bool App::fine() const {
-    return canvas_.fine();
-}
-
 void App::paint(vk::CommandBuffer commands, const Area& view) {
     if (session_.gallery)
         return paint_presets(commands, view);
@@ -240,15 +267,14 @@ void App::paint(vk::CommandBuffer commands, const Area& view) {
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
-// Where the noise has the picture, pixel by pixel.
+// The photograph lies where the noise has its picture, pixel by pixel.
 void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     if (photograph_ != session_.fitter.photograph()) {
         photograph_ = session_.fitter.photograph();
         photograph_pixels_ = render::upload(device_, photograph_->pixels);
     }
     const Document& document = session_.document();
-    const double scale =
-        document.request.scale * document.camera.zoom; // pixels of the window per kernel radius
+    const double scale = document.request.scale * document.camera.zoom; // window pixels per kernel radius
     const auto corner = [&](const Coordinate& middle, int first, int pixels) {
         return static_cast<float>(first + pixels / 2.0 -
                                   (static_cast<double>(middle.whole) + middle.part) * scale);
@@ -331,9 +357,9 @@ bool App::frame(const FrameHook& hook) {
     }
     handle_input(session_, view_width(), io.DisplaySize.y);
     panels();
-    dialog_window(session_); // after all others: a modal window must not be the first to appear
+    dialog_window(session_); // last: a modal window must not appear first
     question_window(session_);
-    go_on_fitting(session_);
+    poll_fitter(session_);
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.commit();
     gui_.end();
@@ -341,9 +367,13 @@ bool App::frame(const FrameHook& hook) {
     window_.set_full_screen(session_.full_screen);
     if (window_.take_close_request() && session_.closing == Closing::no)
         session_.closing = Closing::asked;
-    go_on_closing(session_);
-    if (session_.closing == Closing::now)
+    continue_closing(session_);
+    if (session_.closing == Closing::now || received_signal)
         return false;
+    if (glfwGetTime() - saved_at_ >= saving_interval) {
+        saved_at_ = glfwGetTime();
+        save_session();
+    }
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
@@ -360,7 +390,9 @@ bool App::frame(const FrameHook& hook) {
     return true;
 }
 
-void App::run(const FrameHook& hook) {
+int App::run(const FrameHook& hook) {
+    for (const int signal : {SIGINT, SIGTERM})
+        std::signal(signal, note_signal);
     do {
         const bool wanted = busy_ || hook || session_.playing || session_.metered ||
                             session_.exporter.running() || session_.fitter.running();
@@ -372,10 +404,11 @@ void App::run(const FrameHook& hook) {
             const double before = glfwGetTime();
             glfwWaitEventsTimeout(waking_interval);
             if (glfwGetTime() - before < 0.9 * waking_interval)
-                last_input_ = glfwGetTime(); // something has happened
+                last_input_ = glfwGetTime(); // an event came
         }
         session_.meter.read(glfwGetTime());
     } while (frame(hook));
+    return received_signal;
 }
 
 } // namespace gabor::viewer

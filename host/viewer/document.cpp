@@ -10,13 +10,12 @@ namespace {
 
 constexpr std::size_t most_steps = 1000;
 
-// The document but for what moves by itself or by looking around.
-Document without_viewpoint(Document document) {
-    document.camera = {};
-    document.request.time = 0;
-    if (auto* body = std::get_if<render::Body>(&document.request.view))
+// The document without what changes by looking around or by itself.
+Document without_viewpoint(const Document& document) {
+    Document content = content_of(document);
+    if (auto* body = std::get_if<render::Body>(&content.request.view))
         *body = {body->shape, body->solid};
-    return document;
+    return content;
 }
 
 } // namespace
@@ -24,11 +23,11 @@ Document without_viewpoint(Document document) {
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
     render::Request& request = document.request;
     if (name == "paint")
-        render::load_paint(std::get<std::string>(value)); // it must be there
+        render::load_paint(std::get<std::string>(value)); // throws if it is missing
     const bool was_noise = !render::has_material(request);
     render::set(request, name, value);
     if (name == "material" &&
-        was_noise != !render::has_material(request)) // four by four units make a picture
+        was_noise != !render::has_material(request)) // a picture shows four by four units
         request.scale = was_noise ? std::max(2.0, std::min(request.width, request.height) / 4.0)
                                   : render::Request().scale;
     if (name == "view") {
@@ -42,7 +41,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
 
 render::Request with_output(render::Request request, Output output) {
     if (render::has_material(request))
-        return request; // which has all its channels
+        return request; // always has all channels
     if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;
         render::drop_conflicting(request, "gradient");
@@ -63,6 +62,14 @@ Document document_of(const render::Request& request) {
     return document;
 }
 
+Document content_of(Document document) {
+    document.camera = {};
+    document.request.time = 0;
+    document.path.clear();
+    document.origin.clear();
+    return document;
+}
+
 void History::commit() {
     if (without_viewpoint(now) == without_viewpoint(steps_[at_])) {
         steps_[at_] = now;
@@ -73,6 +80,17 @@ void History::commit() {
     if (steps_.size() > most_steps)
         steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
+}
+
+void History::saved_as(const std::string& path) {
+    const auto take_file = [before = now.path, &path](Document& document) {
+        if (document.path == before) {
+            document.path = path;
+            document.origin = std::filesystem::absolute(path);
+        }
+    };
+    std::ranges::for_each(steps_, take_file);
+    take_file(now);
 }
 
 void History::undo() {

@@ -3,6 +3,8 @@
 #include "render/camera.hpp"
 #include "render/parameters.hpp"
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace gabor::viewer {
@@ -18,15 +20,18 @@ enum class Look { lit, colour, height, normal, roughness, metalness };
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
 
-/// All that decides what the window shows, but for the panels. A plain value: undo keeps copies.
+/// Everything that decides what the window shows, except its panels. A plain value: undo keeps copies.
 struct Document {
     render::Request request;
     Camera camera;
     Output output = Output::value;
     Look look = Look::lit;
-    bool directx_normals = false; ///< normal maps have green for down, as DirectX, and not for up, as OpenGL
-    int colours = 0;              ///< colour map, as in shaders/viewer/colours.glsl
-    float contrast = 2;           ///< standard deviations from the mean to the ends
+    bool directx_normals = false;    ///< green points down in normal maps; in OpenGL's it points up
+    int colours = 0;                 ///< colour map, as in shaders/viewer/colours.glsl
+    float contrast = 2;              ///< standard deviations from the mean to the ends of the colour map
+    std::string path = "noise.json"; ///< where it is saved
+    std::filesystem::path origin;    ///< the file it was read from or saved to, absolute; empty for none
+    std::string photograph;          ///< the one that its noise was fitted to; empty for none
 
     bool operator==(const Document&) const = default;
 };
@@ -34,23 +39,28 @@ struct Document {
 /// A document with the request's picture in the middle of the view.
 Document document_of(const render::Request& request);
 
-/// Puts in a parameter, and back to default what cannot stand beside it. Another view begins where the camera
-/// is by default, and filtered where it has a distance. Throws RequestError where that value cannot be.
+/// The document without its camera, time and file: undo has no step for those, and closing asks about none.
+Document content_of(Document document);
+
+/// Sets a parameter and resets those that conflict with it. A new view starts with its default camera, and
+/// filtered if it shows the distance. Throws RequestError for a value that is not accepted.
 void set_parameter(Document& document, std::string_view name, const render::Value& value);
 
-/// The request with the channels that an output is made of, beside its own.
+/// Adds the channels that an output needs.
 render::Request with_output(render::Request request, Output output);
 
-/// What undo and redo go through. What is edited is `now`; `commit` makes a step of what has changed since
-/// the last one.
+/// Undo and redo. Edit `now`, then `commit` a step.
 class History {
   public:
     explicit History(Document document) : now(std::move(document)), steps_{now} {}
 
     Document now;
 
-    /// Call while nothing is being dragged. Where the camera stands is no step of its own, nor is the time.
+    /// Makes a step of what has changed since the last one. Call while nothing is being dragged. Moving the
+    /// camera and playing time add no step.
     void commit();
+    /// Notes that `now` was saved. Earlier steps with its path belong to the same file.
+    void saved_as(const std::string& path);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
     void undo();

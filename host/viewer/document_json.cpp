@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace gabor::viewer {
 
@@ -16,14 +17,9 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 7> outputs{"value",    "gradient", "phase", "intensity",
-                                                  "variance", "phasor",   "lit"};
-constexpr std::array<std::string_view, 6> looks{"lit",    "colour",    "height",
-                                                "normal", "roughness", "metalness"};
 constexpr std::array<std::string_view, 2> normal_maps{"OpenGL", "DirectX"};
-constexpr std::array<std::string_view, 5> colours{"grey", "viridis", "cool to warm", "ember", "sea"};
 
-// Which of these names stands at `key`.
+// The number of the name at `key`.
 template <typename Names>
 std::size_t index_of(const json& object, const char* key, const Names& names) {
     const json& value = object.at(key);
@@ -48,14 +44,14 @@ Camera camera_of(const json& object) {
 }
 
 void read_view(const json& view, Document& document) {
-    if (view.contains("output"))
-        document.output = static_cast<Output>(index_of(view, "output", outputs));
-    if (view.contains("look"))
-        document.look = static_cast<Look>(index_of(view, "look", looks));
-    if (view.contains("normals"))
-        document.directx_normals = index_of(view, "normals", normal_maps) == 1;
-    if (view.contains("colours"))
-        document.colours = static_cast<int>(index_of(view, "colours", colours));
+    const auto choice = [&](const char* key, const auto& names, auto& number) {
+        if (view.contains(key))
+            number = static_cast<std::remove_reference_t<decltype(number)>>(index_of(view, key, names));
+    };
+    choice("output", output_names, document.output);
+    choice("look", look_names, document.look);
+    choice("normals", normal_maps, document.directx_normals);
+    choice("colours", colour_names, document.colours);
     if (view.contains("contrast"))
         document.contrast = std::clamp(view["contrast"].get<float>(), least_contrast, most_contrast);
     if (view.contains("camera"))
@@ -64,44 +60,26 @@ void read_view(const json& view, Document& document) {
 
 } // namespace
 
-std::span<const std::string_view> output_names() {
-    return outputs;
-}
-
-std::span<const std::string_view> look_names() {
-    return looks;
-}
-
-std::span<const std::string_view> colour_names() {
-    return colours;
-}
-
 std::string to_json(const Document& document) {
     ordered_json object = ordered_json::parse(render::to_json(document.request));
-    object["viewer"] = {{"output", outputs.at(static_cast<std::size_t>(document.output))},
-                        {"look", looks.at(static_cast<std::size_t>(document.look))},
+    object["viewer"] = {{"output", output_names.at(static_cast<std::size_t>(document.output))},
+                        {"look", look_names.at(static_cast<std::size_t>(document.look))},
                         {"normals", normal_maps.at(document.directx_normals)},
-                        {"colours", colours.at(static_cast<std::size_t>(document.colours))},
+                        {"colours", colour_names.at(static_cast<std::size_t>(document.colours))},
                         {"contrast", document.contrast},
                         {"camera", json_of(document.camera)}};
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 Document document_from_json(std::string_view text, const Document& defaults) {
-    Document document = document_of(render::from_json(text));
-    document.output = defaults.output;
-    document.look = defaults.look;
-    document.directx_normals = defaults.directx_normals;
-    document.colours = defaults.colours;
-    document.contrast = defaults.contrast;
+    Document document = defaults;
+    document.request = render::from_json(text);
+    document.camera = render::default_camera(document.request);
     const json object = json::parse(text);
-    if (!object.contains("viewer"))
-        return document;
     try {
-        read_view(object["viewer"], document);
+        if (object.contains("viewer"))
+            with_prefix("viewer: ", [&] { read_view(object["viewer"], document); });
     } catch (const json::exception& error) {
-        throw RequestError(fmt::format("viewer: {}", error.what()));
-    } catch (const RequestError& error) {
         throw RequestError(fmt::format("viewer: {}", error.what()));
     }
     return document;

@@ -2,21 +2,25 @@
 
 #include "viewer/document.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 
 namespace gabor::viewer {
 
-/// A document as one JSON object: the request's parameters, as gabor render takes them, and under `viewer`
-/// how the window shows them, which gabor render passes over.
+/// Writes a document as one JSON object: the request's parameters, as gabor render reads them, and under
+/// `viewer` how the window shows them, which gabor render ignores.
 std::string to_json(const Document& document);
 
-/// The way back. What is not there is as in `defaults`. Throws RequestError, saying what is accepted.
+/// Reads such an object; what it lacks is as in `defaults`. Throws RequestError, saying what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
-/// The names of outputs, of looks and of colour maps, in the order of their numbers.
-std::span<const std::string_view> output_names();
-std::span<const std::string_view> look_names();
-std::span<const std::string_view> colour_names();
+/// Names in the order of Output, Look and the colour maps.
+inline constexpr std::array<std::string_view, 7> output_names{"value",    "gradient", "phase", "intensity",
+                                                              "variance", "phasor",   "lit"};
+inline constexpr std::array<std::string_view, 6> look_names{"lit",    "colour",    "height",
+                                                            "normal", "roughness", "metalness"};
+inline constexpr std::array<std::string_view, 5> colour_names{"grey", "viridis", "cool to warm", "ember",
+                                                              "sea"};
 
 } // namespace gabor::viewer

@@ -1,75 +1,62 @@
 #pragma once
 
 #include "render/file.hpp"
+#include "viewer/background.hpp"
 #include "viewer/document.hpp"
 #include "viewer/file_stamp.hpp"
 
-#include <atomic>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace gabor::viewer {
 
-/// What a document is exported as: one picture, the frames of its animation, or a mip-mapped texture.
+/// What a document is exported as: a picture, the frames of its animation, or a mip-mapped texture.
 enum class ExportAs { picture, frames, texture };
 
-/// Where an export goes, and what it is.
+/// Where an export goes and in what form.
 struct ExportTarget {
-    std::string path = "noise.exr"; ///< of frames NAME.exr for NAME.0001.exr and on
+    std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
     ExportAs as = ExportAs::picture;
-    bool png = true; ///< beside each EXR; a texture has none
+    bool png = true; ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
-    bool half = false; ///< a texture of 16-bit floats
+    bool half = false; ///< 16-bit floats in a texture
 };
 
-/// The files that it writes.
+/// The files that an export writes.
 std::vector<render::Files> files_of(const ExportTarget& target);
 
-/// The request of the document's export.
+/// The request that an export renders.
 render::Request exported(const Document& document, ExportAs as);
 
-/// Renders files in the background, on a thread and a logical device of its own, as `gabor render` does.
+/// Renders files in the background on a logical device of its own, as `gabor render` does.
 class Exporter {
   public:
     /// `selector`: as for vulkan::Device.
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
-    ~Exporter();
 
-    /// The pictures of a document: the channels that its output is made of, and in PNGs what it shows of
-    /// them. Throws RequestError where the request or a path will not do. Not while `running`.
+    /// Starts an export: the EXR has the channels of the document's output, the PNG looks like the window.
+    /// Throws RequestError for a bad request or path. Call only when nothing is running.
     void start(const Document& document, const ExportTarget& target);
-    void cancel() { cancelled_ = true; }
+    void cancel() { work_.cancel(); }
 
-    bool running() const { return running_; }
-    double progress() const; ///< from 0 to 1
-    /// What came of the last one: a line to show, empty at first.
-    std::string result() const { return running_ ? std::string() : result_; }
-    /// Whether the last one ended with an error.
-    bool failed() const { return !running_ && failed_; }
-    /// The files of the last one, by their absolute paths; none while it runs.
+    bool running() const { return work_.running(); }
+    double progress() const { return work_.progress(); } ///< from 0 to 1
+    /// A line about the last export; empty while one runs and before the first.
+    std::string result() const;
+    bool failed() const { return !running() && !work_.error().empty(); }
+    /// Files that the last export wrote, by absolute path; none while it runs.
     std::map<std::filesystem::path, FileStamp> written() const {
-        return running_ ? decltype(written_)() : written_;
+        return running() ? decltype(written_)() : written_;
     }
 
   private:
-    struct Work {
-        Document document;
-        ExportTarget target;
-        render::Request request;
-    };
-    std::string run(const Work& work); ///< the line to show
+    void run(const Document& document, const ExportTarget& target, const render::Request& request);
 
     std::string selector_;
-    std::thread thread_;
-    std::atomic<bool> running_ = false;
-    std::atomic<bool> cancelled_ = false;
-    std::atomic<std::uint64_t> done_ = 0;
-    std::uint64_t total_ = 1;
-    std::string result_; ///< this and what follows belong to the thread while it runs
-    bool failed_ = false;
+    std::string result_;
     std::map<std::filesystem::path, FileStamp> written_;
+    Background work_; ///< writes the two above
 };
 
 } // namespace gabor::viewer

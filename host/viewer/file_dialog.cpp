@@ -22,7 +22,7 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
     session.dialog = std::move(dialog);
 }
 
-// Files with these endings, photographs, and EXRs, which may be either.
+// Lists these files, photographs, and EXRs, which may be either.
 void ask_to_open(Session& session, const char* title, std::vector<std::string> endings,
                  const std::filesystem::path& beside) {
     endings.emplace_back(".exr");
@@ -36,7 +36,7 @@ void ask_to_open(Session& session, const char* title, std::vector<std::string> e
         beside);
 }
 
-// Reads the folder anew. One that cannot be read is empty, and a line says so.
+// Reads the folder. One that cannot be read is shown empty, with a message.
 void list(Session& session, FileDialog& dialog) {
     dialog.listed = dialog.folder;
     dialog.folders.clear();
@@ -58,10 +58,10 @@ void list(Session& session, FileDialog& dialog) {
     std::ranges::sort(dialog.files);
 }
 
-// What was chosen in the lists by a click, and whether by two.
+// What was clicked in a list.
 struct Choice {
     std::string name;
-    bool twice = false;
+    bool twice = false; ///< double-clicked
 };
 
 Choice contents(const FileDialog& dialog) {
@@ -90,12 +90,12 @@ Choice recent_files(const Session& session, const FileDialog& dialog) {
 } // namespace
 
 void ask_for_file(Session& session) {
-    ask_to_open(session, "Open", {".json"}, session.preset_path);
+    ask_to_open(session, "Open", {".json"}, session.document().path);
 }
 
 void ask_for_photograph(Session& session) {
     ask_to_open(session, "Fit a noise to a photograph", {},
-                session.fitter.path().empty() ? session.preset_path : session.fitter.path());
+                session.fitter.path().empty() ? session.document().path : session.fitter.path());
 }
 
 void ask_for_paint(Session& session) {
@@ -107,7 +107,7 @@ void ask_for_paint(Session& session) {
              [&session](const std::string& path) {
                  attempt(session, [&] { set_parameter(session.document(), "paint", path); });
              }},
-        session.preset_path);
+        session.document().path);
 }
 
 void ask_where_to_save(Session& session) {
@@ -115,13 +115,13 @@ void ask_where_to_save(Session& session) {
         {.title = "Save the parameters",
          .action = "Save",
          .endings = {".json"},
-         .name = std::filesystem::path(session.preset_path).filename().string(),
+         .name = std::filesystem::path(session.document().path).filename().string(),
          .take =
              [&session](const std::string& path) {
-                 session.preset_path = path;
+                 session.document().path = path;
                  save_preset(session);
              }},
-        session.preset_path);
+        session.document().path);
 }
 
 void ask_where_to_export(Session& session) {
@@ -178,7 +178,7 @@ void dialog_window(Session& session) {
     Choice choice = contents(dialog);
     ImGui::EndChild();
     if (recent) {
-        ImGui::TextUnformatted("Of late");
+        ImGui::TextUnformatted("Recent");
         ImGui::BeginChild("recent", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
         if (Choice late = recent_files(session, dialog); !late.name.empty())
             choice = std::move(late);
@@ -191,7 +191,7 @@ void dialog_window(Session& session) {
     const float buttons = 8 * em;
     ImGui::SetNextItemWidth(-buttons * 2 - 2 * ImGui::GetStyle().ItemSpacing.x);
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (entered) // for the next name, where this is a folder's
+    if (entered) // ready for the next name after entering a folder
         ImGui::SetKeyboardFocusHere(-1);
     ImGui::SameLine();
     const bool taken = ImGui::Button(dialog.action.c_str(), {buttons, 0});

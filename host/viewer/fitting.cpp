@@ -22,8 +22,6 @@ constexpr int largest_shown = 2048; // pixels
 
 static_assert(Fitter::most_lobes == fit::most_lobes);
 
-struct FitCancelled {};
-
 Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
     const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
     const auto [width, height, channels, alpha] = reader->format();
@@ -49,12 +47,12 @@ Photograph read_photograph(const std::string& path, const fit::Advance& advance)
     return photograph;
 }
 
-// A name for the function after the file's.
+// A GLSL name made from the file's.
 std::string glsl_name(const std::string& path) {
     std::string name = "texture_" + std::filesystem::path(path).stem().string();
     std::ranges::replace_if(
         name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    for (std::size_t at = 0; (at = name.find("__")) != std::string::npos;) // GLSL keeps those for itself
+    for (std::size_t at = 0; (at = name.find("__")) != std::string::npos;) // reserved in GLSL
         name.erase(at, 1);
     return name;
 }
@@ -64,19 +62,13 @@ std::vector<std::string> lines_of(const fit::Exemplar& exemplar, const fit::Fitt
         fmt::format("{} lobes; spectrum within {:.3f}, autocorrelation within {:.3f}", fitted.waves.size(),
                     fitted.error.l1, fitted.error.autocorrelation)};
     if (exemplar.structure > fit::Structure::limit)
-        lines.emplace_back("The photograph has edges or things in it that no noise can have: they are lost");
+        lines.emplace_back("The photograph has edges or objects, which no noise can reproduce");
     if (exemplar.alpha)
         lines.emplace_back("Its alpha channel is ignored");
     return lines;
 }
 
 } // namespace
-
-Fitter::~Fitter() {
-    cancelled_ = true;
-    if (thread_.joinable())
-        thread_.join();
-}
 
 void Fitter::open(const std::string& path) {
     wanted_ = {path, most_lobes};
@@ -89,23 +81,20 @@ void Fitter::close() {
     photograph_.reset();
 }
 
-void Fitter::go_on() {
-    if (thread_.joinable()) {
-        cancelled_ = wanted_ != begun_;
-        if (!done_)
-            return;
-        thread_.join();
-        thread_ = {};
-        if (wanted_.path == begun_.path) {
-            photograph_ = read_;
-            const bool ended = result_ || failure_;
-            fitted_ = std::exchange(result_, {});
-            error_ = std::exchange(failure_, {});
-            if (error_ && !exemplar_)
-                close();
-            if (!ended)
-                begun_ = {}; // cancelled for a number of lobes that is not wanted any more
-        }
+void Fitter::poll() {
+    if (work_.running()) {
+        if (wanted_ != begun_)
+            work_.cancel();
+        return;
+    }
+    if (std::exchange(busy_, false) && wanted_.path == begun_.path) {
+        photograph_ = read_;
+        fitted_ = std::exchange(result_, {});
+        error_ = work_.error();
+        if (work_.was_cancelled())
+            begun_ = {}; // for a number of lobes that is wanted again
+        else if (!error_.empty() && !exemplar_)
+            close();
     }
     if (wanted_ == begun_ || wanted_.path.empty())
         return;
@@ -115,44 +104,28 @@ void Fitter::go_on() {
     }
     begun_ = wanted_;
     result_.reset();
-    failure_.reset();
-    done_ = cancelled_ = false;
-    progress_ = 0;
-    thread_ = std::thread([this, wanted = wanted_] {
-        work(wanted);
-        done_ = true;
-    });
+    busy_ = true;
+    work_.start([this, wanted = wanted_] { work(wanted); });
 }
 
 void Fitter::work(const Wanted& wanted) {
     const auto part = [this](double from, double to) {
-        return [this, from, to](double share) {
-            if (cancelled_)
-                throw FitCancelled();
-            progress_ = from + (to - from) * share;
-        };
+        return [this, from, to](double share) { work_.advance(from + (to - from) * share); };
     };
-    try {
-        if (!exemplar_) {
-            Photograph photograph = read_photograph(wanted.path, part(0, 0.1));
-            auto exemplar = std::make_shared<fit::Exemplar>(fit::read_exemplar(wanted.path, part(0.1, 0.4)));
-            if (exemplar->channels == 1) // as the noise of a grey one is shown, of mean 0 and variance 1
-                for (float& value : photograph.pixels)
-                    value =
-                        render::unorm(static_cast<float>((static_cast<double>(value) - exemplar->mean[0]) /
+    if (!exemplar_) {
+        Photograph photograph = read_photograph(wanted.path, part(0, 0.1));
+        auto exemplar = std::make_shared<fit::Exemplar>(fit::read_exemplar(wanted.path, part(0.1, 0.4)));
+        if (exemplar->channels == 1) // shown like its noise, with mean 0 and variance 1
+            for (float& value : photograph.pixels)
+                value = render::unorm(static_cast<float>((double{value} - exemplar->mean[0]) /
                                                          std::abs(exemplar->components(0, 0))));
-            read_ = std::make_shared<Photograph>(std::move(photograph));
-            exemplar_ = std::move(exemplar);
-        }
-        const fit::FittedNoise fitted = fit::fit(*exemplar_, wanted.lobes, part(0.4, 1));
-        result_ = FittedPreset{fit::request_of(*exemplar_, fitted),
-                               fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, fitted),
-                               lines_of(*exemplar_, fitted)};
-    } catch (const FitCancelled&) {
-        // for something else
-    } catch (const std::exception& error) {
-        failure_ = error.what();
+        read_ = std::make_shared<Photograph>(std::move(photograph));
+        exemplar_ = std::move(exemplar);
     }
+    const fit::FittedNoise fitted = fit::fit(*exemplar_, wanted.lobes, part(0.4, 1));
+    result_ = FittedPreset{fit::request_of(*exemplar_, fitted),
+                           fit::glsl_of(glsl_name(wanted.path), wanted.path, *exemplar_, fitted),
+                           lines_of(*exemplar_, fitted)};
 }
 
 } // namespace gabor::viewer

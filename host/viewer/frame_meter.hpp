@@ -1,33 +1,41 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
+#include <utility>
 
 namespace gabor::viewer {
 
-/// How fast frames follow each other, and how long the window takes to show what was done in it. Times in
-/// seconds.
+/// Measures the frame rate and how long input takes to reach the screen. Times are in seconds.
 class FrameMeter {
   public:
     struct Figures {
-        double rate = 0; ///< frames per second
-        /// The longest from input to the end of the drawing that shows it. Input waits for the next time that
-        /// the window reads any, and may have come just after the last.
-        double latency = 0;
+        double rate = 0;    ///< frames per second
+        double latency = 0; ///< the longest time from an input, just missed by one frame, to its picture
     };
 
-    /// The window has read its input.
-    void read(double now);
-    /// What it came to has been drawn.
-    void drawn(double now);
-    /// Of the last second; none before two frames have been drawn.
-    std::optional<Figures> figures() const;
+    /// Call when the window has read its input.
+    void read(double now) { read_before_ = std::exchange(last_read_, now); }
+    /// Call when the frame with that input has been drawn.
+    void drawn(double now) {
+        if (!read_before_)
+            return;
+        frames_.emplace_back(now, now - *read_before_);
+        while (frames_.front().first < now - 1)
+            frames_.pop_front();
+    }
+    /// Figures of the last second; none before the second frame.
+    std::optional<Figures> figures() const {
+        if (frames_.size() < 2)
+            return {};
+        return Figures{static_cast<double>(frames_.size() - 1) /
+                           (frames_.back().first - frames_.front().first),
+                       std::ranges::max(frames_, {}, &Frame::second).second};
+    }
 
   private:
-    struct Frame {
-        double drawn;
-        double latency;
-    };
+    using Frame = std::pair<double, double>; ///< when it was drawn, and its latency
 
     std::optional<double> last_read_;
     std::optional<double> read_before_;

@@ -4,6 +4,7 @@
 #include "viewer/photograph.hpp"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -26,24 +27,24 @@ double within(std::string_view parameter, double value) {
     return std::clamp(value, range.low, range.high);
 }
 
-// What is under a point stays under it. The point in pixels from the middle of the view.
+// Zooms about a point, given in pixels from the middle of the view.
 void zoom(Session& session, double factor, double x, double y) {
     if (session.tiling)
-        return notify(session, "Tiles have a scale of their own");
+        return notify(session, "Tiles set their own scale");
     Document& document = session.document();
     render::Request& request = document.request;
     if (auto* body = std::get_if<render::Body>(&request.view)) {
         body->zoom = within("zoom", body->zoom * factor);
         return;
     }
-    // Only the view: the picture, and what is exported, keep their scale.
+    // Only the view zooms: the picture and its exports keep their scale.
     const double before = request.scale * document.camera.zoom;
     const double scale = within("scale", before * factor);
     document.camera = document.camera.moved(x / before - x / scale, y / before - y / scale);
     document.camera.zoom = scale / request.scale;
 }
 
-// Moves a plane with the pointer, and turns a body.
+// Moves a plane with the pointer, or turns a body.
 void drag(Session& session, double x, double y) {
     Document& document = session.document();
     if (auto* body = std::get_if<render::Body>(&document.request.view)) {
@@ -57,16 +58,26 @@ void drag(Session& session, double x, double y) {
     }
 }
 
-// The value after this one in a choice of the table.
-void next_choice(Document& document, std::string_view name) {
-    const std::vector<std::string_view> all = render::choices(render::parameter(name));
-    const auto now = std::get<std::string>(*render::parameter(name).get(document.request));
-    const auto found = std::ranges::find(all, now);
-    const bool last = found == all.end() || found + 1 == all.end();
-    set_parameter(document, name, std::string(last ? all.front() : *(found + 1)));
+// Sets a choice of the table to the next value that keeps material and paint.
+void next_choice(Session& session, std::string_view name) {
+    const render::Parameter& parameter = render::parameter(name);
+    const std::vector<std::string_view> all = render::choices(parameter);
+    const render::Request& now = session.document().request;
+    auto at = static_cast<std::size_t>(std::ranges::find(all, std::get<std::string>(*parameter.get(now))) -
+                                       all.begin());
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        at = at + 1 < all.size() ? at + 1 : 0; // a recipe may be none of the list
+        Document next = session.document();
+        set_parameter(next, name, std::string(all[at]));
+        if (next.request.material == now.material && next.request.paint == now.paint) {
+            session.document() = next;
+            return;
+        }
+    }
+    notify(session, fmt::format("No other {} keeps the material and the paint", name));
 }
 
-// Says why where it has none.
+// Says why a control has no effect.
 bool has_effect(Session& session, std::string_view control) {
     const std::string_view dead = disabled_reason(session.document(), control);
     if (!dead.empty())
@@ -81,21 +92,20 @@ bool pressed(int key) {
 struct Shortcut {
     const char* name;
     const char* effect;
-    int key = 0; ///< with `control`, or by itself; 0 for what is handled elsewhere
+    int key = 0; ///< 0 for what is handled elsewhere
     bool control = false;
     void (*act)(Session&) = nullptr;
 };
 
 constexpr std::array shortcuts{
-    Shortcut{"drag", "move the plane, endlessly, or turn the body"},
+    Shortcut{"drag", "move the plane or turn the body"},
     Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
-    Shortcut{"arrows, + and -", "the same from the keyboard"},
-    Shortcut{"double click, Home", "back to the view that gabor render shows", GLFW_KEY_HOME, false,
-             reset_camera},
+    Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
+    Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, false, reset_camera},
     Shortcut{"1 to 7",
-             "show value, gradient, phase, intensity, variance, phasor, lit; of a material its looks"},
-    Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s.document(), "view"); }},
-    Shortcut{"F", "filtering on and off", GLFW_KEY_F, false,
+             "show value, gradient, phase, intensity, variance, phasor or lit; for a material, its looks"},
+    Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s, "view"); }},
+    Shortcut{"F", "filter on and off", GLFW_KEY_F, false,
              [](Session& s) {
                  if (has_effect(s, "filter"))
                      set_parameter(s.document(), "filter", !s.document().request.filter);
@@ -104,12 +114,12 @@ constexpr std::array shortcuts{
              [](Session& s) {
                  if (has_effect(s, "colours"))
                      s.document().colours =
-                         (s.document().colours + 1) % static_cast<int>(colour_names().size());
+                         (s.document().colours + 1) % static_cast<int>(colour_names.size());
              }},
     Shortcut{"R", "the next recipe", GLFW_KEY_R, false,
              [](Session& s) {
                  if (has_effect(s, "recipe"))
-                     next_choice(s.document(), "recipe");
+                     next_choice(s, "recipe");
              }},
     Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
     Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB, false,
@@ -117,7 +127,7 @@ constexpr std::array shortcuts{
                  if (s.fitter.photograph())
                      s.photograph_beside = !s.photograph_beside;
              }},
-    Shortcut{"T", "a tileable picture two by two, where seams would show", GLFW_KEY_T, false,
+    Shortcut{"T", "a tileable picture two by two, to look for seams", GLFW_KEY_T, false,
              [](Session& s) {
                  if (has_effect(s, "tiles"))
                      s.tiles = !s.tiles;
@@ -137,16 +147,16 @@ constexpr std::array shortcuts{
     Shortcut{"Ctrl C", "copy the GLSL of this view", GLFW_KEY_C, true, copy_glsl},
     Shortcut{"Ctrl E", "export EXR and PNG", GLFW_KEY_E, true, start_export},
     Shortcut{"H", "hide and show the panels", GLFW_KEY_H, false, [](Session& s) { s.panels = !s.panels; }},
-    Shortcut{"F11", "fill the screen, and back"},
+    Shortcut{"F11", "full screen"},
     Shortcut{"F1", "this page"},
     Shortcut{"Ctrl Q", "quit", GLFW_KEY_Q, true, [](Session& s) { s.closing = Closing::asked; }},
 };
 
-// Those that repeat while they are held, and those of a row of keys.
+// Keys that repeat while held, and the row of digits.
 void held_keys(Session& session) {
     Document& document = session.document();
     const bool material = render::has_material(document.request);
-    const auto shown = static_cast<int>((material ? look_names() : output_names()).size());
+    const auto shown = static_cast<int>(material ? look_names.size() : output_names.size());
     for (int i = 0; i < shown; ++i)
         if (pressed(GLFW_KEY_1 + i)) {
             if (material)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace gabor::viewer {
 
@@ -18,7 +20,7 @@ std::vector<float> first_channel(std::span<const float> values, int channels, in
     return result;
 }
 
-// The half plane that the periodogram has, as a whole plane with frequency 0 in the middle.
+// Mirrors the half plane of the periodogram into a whole plane with frequency 0 in the middle.
 std::optional<MeasuredSpectrum> spectrum_of(std::span<const float> values, Extent extent, double scale) {
     if (!statistics::segment_side(extent.width, extent.height))
         return {};
@@ -55,101 +57,55 @@ std::optional<MeasuredSpectrum> spectrum_of(std::span<const float> values, Exten
     return result;
 }
 
-} // namespace
-
-MeasuringThread::MeasuringThread() : thread_([this] { work(); }) {}
-
-MeasuringThread::~MeasuringThread() {
-    {
-        const std::lock_guard lock(mutex_);
-        ending_ = true;
-        tasks_.clear();
-    }
-    wake_.notify_one();
-    thread_.join();
-}
-
-void MeasuringThread::reset() {
-    const std::lock_guard lock(mutex_);
-    ++generation_;
-    tasks_.clear();
-    // The spectrum stays in view until there is another.
-    std::optional<MeasuredSpectrum> spectrum = std::move(measured_.spectrum);
-    measured_ = {};
-    measured_.spectrum = std::move(spectrum);
-    gaussianity_ = statistics::Gaussianity();
-}
-
-void MeasuringThread::post(Task task) {
-    {
-        const std::lock_guard lock(mutex_);
-        task.generation = generation_;
-        tasks_.push_back(std::move(task));
-    }
-    wake_.notify_one();
-}
-
-void MeasuringThread::add_samples(std::span<const float> values, int channels, int coverage) {
-    post({0, first_channel(values, channels, coverage), {}, 1});
-}
-
-void MeasuringThread::add_picture(std::span<const float> values, int channels, Extent extent, double scale) {
-    post({0, first_channel(values, channels), extent, scale});
-}
-
-Measurements MeasuringThread::measured() const {
-    const std::lock_guard lock(mutex_);
-    return measured_;
-}
-
-bool MeasuringThread::idle() const {
-    const std::lock_guard lock(mutex_);
-    return tasks_.empty() && !busy_;
-}
-
-void MeasuringThread::work() {
-    std::unique_lock lock(mutex_);
-    while (true) {
-        wake_.wait(lock, [this] { return ending_ || !tasks_.empty(); });
-        if (ending_)
-            return;
-        const Task task = std::move(tasks_.front());
-        tasks_.pop_front();
-        busy_ = true;
-        lock.unlock();
-        measure(task);
-        lock.lock();
-        busy_ = false;
-    }
-}
-
-void MeasuringThread::measure(const Task& task) {
-    if (task.extent.width > 0) {
-        std::optional<MeasuredSpectrum> spectrum = spectrum_of(task.values, task.extent, task.scale);
-        const std::lock_guard lock(mutex_);
-        if (task.generation == generation_)
-            measured_.spectrum = std::move(spectrum);
-        return;
-    }
-    statistics::Moments moments;
-    statistics::Gaussianity gaussianity;
-    std::array<std::uint64_t, histogram_bars> histogram{};
-    for (const float value : task.values) {
+Measurements statistics_of(const std::vector<float>& values) {
+    Measurements part;
+    for (const float value : values) {
         if (!std::isfinite(value))
             continue;
-        moments.add(value);
-        gaussianity.add(value);
+        part.moments.add(value);
+        part.gaussianity.add(value);
         const double bar = (value / histogram_end + 1) * histogram_bars / 2;
         if (bar >= 0 && bar < histogram_bars)
-            ++histogram[static_cast<std::size_t>(bar)];
+            ++part.histogram[static_cast<std::size_t>(bar)];
     }
-    const std::lock_guard lock(mutex_);
-    if (task.generation != generation_)
-        return;
-    measured_.moments.merge(moments);
-    gaussianity_.merge(gaussianity);
-    measured_.cvm = gaussianity_.index();
-    std::ranges::transform(measured_.histogram, histogram, measured_.histogram.begin(), std::plus());
+    return part;
+}
+
+} // namespace
+
+void Measurer::reset() {
+    std::optional<MeasuredSpectrum> spectrum = std::move(measured_.spectrum);
+    measured_ = Measurements();
+    measured_.spectrum = std::move(spectrum);
+    pending_ = false;
+}
+
+void Measurer::add_samples(std::span<const float> values, int channels, int coverage) {
+    pending_ = true;
+    work_.start([this, kept = first_channel(values, channels, coverage)] { part_ = statistics_of(kept); });
+}
+
+void Measurer::add_picture(std::span<const float> values, int channels, Extent extent, double scale) {
+    pending_ = true;
+    work_.start([=, this, kept = first_channel(values, channels)] {
+        part_ = Measurements();
+        part_.spectrum = spectrum_of(kept, extent, scale);
+    });
+}
+
+bool Measurer::idle() {
+    if (work_.running())
+        return false;
+    if (std::exchange(pending_, false)) {
+        measured_.moments.merge(part_.moments);
+        measured_.gaussianity.merge(part_.gaussianity);
+        measured_.cvm = measured_.gaussianity.index();
+        std::ranges::transform(measured_.histogram, part_.histogram, measured_.histogram.begin(),
+                               std::plus());
+        if (part_.spectrum)
+            measured_.spectrum = std::move(part_.spectrum);
+    }
+    return true;
 }
 
 } // namespace gabor::viewer

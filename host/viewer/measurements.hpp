@@ -2,22 +2,19 @@
 
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
+#include "viewer/background.hpp"
 #include "viewer/extent.hpp"
 
 #include <array>
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
-#include <mutex>
 #include <optional>
 #include <span>
-#include <thread>
 #include <vector>
 
 namespace gabor::viewer {
 
 /// The power spectrum of the picture in the window: `side` x `side` cells of `step` x `step` cycles per
-/// kernel radius, frequency 0 at the corner where the four middle ones meet.
+/// kernel radius. Frequency 0 is in the middle, where four cells meet.
 struct MeasuredSpectrum {
     int side = 0;
     double step = 0;
@@ -27,51 +24,35 @@ struct MeasuredSpectrum {
 constexpr int histogram_bars = 64;
 constexpr double histogram_end = 4; ///< standard deviations
 
-/// What is known of one noise so far.
+/// What has been measured of one noise so far.
 struct Measurements {
     statistics::Moments moments; ///< of values at random points of independent instances
-    statistics::Estimate cvm;    ///< of the same
+    statistics::Gaussianity gaussianity;
+    statistics::Estimate cvm; ///< the index of `gaussianity`
     std::array<std::uint64_t, histogram_bars> histogram{};
     std::optional<MeasuredSpectrum> spectrum;
 };
 
-/// Measures on a thread of its own what the window shows.
-class MeasuringThread {
+/// Measures in the background what the window shows.
+class Measurer {
   public:
-    MeasuringThread();
-    ~MeasuringThread();
-
-    /// Forgets what is known but for the spectrum, and what is still in the queue.
+    /// Forgets everything but the spectrum, which stays in view until there is another.
     void reset();
-    /// `coverage`: the channel that tells with 0 which values are none; -1 where all are.
+    /// Adds values of a noise, one in `channels`, except where the channel `coverage`, unless it is -1, is 0.
+    /// Call this and the next only when idle.
     void add_samples(std::span<const float> values, int channels, int coverage);
-    /// The pixels of a flat picture. `scale`: pixels per kernel radius.
+    /// Replaces the spectrum by that of a flat picture. `scale`: pixels per kernel radius.
     void add_picture(std::span<const float> values, int channels, Extent extent, double scale);
 
-    Measurements measured() const;
-    bool idle() const;
+    /// Collects the last result: true once nothing is under way.
+    bool idle();
+    const Measurements& measured() const { return measured_; }
 
   private:
-    struct Task {
-        std::uint64_t generation;
-        std::vector<float> values;
-        Extent extent; ///< of a picture; 0 x 0 for samples
-        double scale = 1;
-    };
-
-    void post(Task task);
-    void work();
-    void measure(const Task& task);
-
-    mutable std::mutex mutex_;
-    std::condition_variable wake_;
-    std::deque<Task> tasks_;
-    bool busy_ = false;
-    bool ending_ = false;
-    std::uint64_t generation_ = 0; ///< how often it was reset
     Measurements measured_;
-    statistics::Gaussianity gaussianity_;
-    std::thread thread_;
+    Measurements part_;    ///< belongs to the thread while it runs
+    bool pending_ = false; ///< `part_` is to be added to what is known
+    Background work_;
 };
 
 } // namespace gabor::viewer

@@ -14,7 +14,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// The values' histogram, and the normal curve that it should follow.
+// Draws the histogram of values, and the normal distribution.
 void histogram(const Measurements& measured) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetTextLineHeight()};
@@ -66,24 +66,24 @@ std::string samples(std::uint64_t count) {
 } // namespace
 
 void measurements_panel(Session& session) {
-    const Measurements& measured = session.measured;
+    const Measurements& measured = session.measurer.measured();
     histogram(measured);
     if (!ImGui::BeginTable("measured", 2))
         return;
     const statistics::Moments& moments = measured.moments;
     const bool known = moments.count() > 0;
-    row("mean", "Exactly 0 but for chance", known ? fmt::format("{:+.4f}", moments.mean()) : "-");
-    row("variance", "Exactly 1 but for chance", known ? fmt::format("{:.4f}", moments.variance()) : "-");
+    row("mean", "0 in theory", known ? fmt::format("{:+.4f}", moments.mean()) : "-");
+    row("variance", "1 in theory", known ? fmt::format("{:.4f}", moments.variance()) : "-");
     const statistics::Estimate& cvm = measured.cvm;
     row("cvm",
         "Distance from a normal distribution: the Cramer-von Mises index at 2^18 samples, with its 95 % "
-        "interval. Below 0.5 nobody sees it.",
+        "interval. Below 0.5 it is invisible.",
         known ? fmt::format("{:.2f} +-{:.2f}", cvm.value, (cvm.high - cvm.low) / 2) : "-");
     row("samples", "Values measured so far, at random points of independent instances",
         samples(moments.count()));
     ImGui::EndTable();
     ImGui::Checkbox("frame rate and latency", &session.metered);
-    tooltip("M: in the view, while the window draws without a rest");
+    tooltip("M: show them in the view; the window then draws without pause");
 }
 
 } // namespace gabor::viewer

@@ -17,30 +17,23 @@ namespace gabor::viewer {
 
 namespace {
 
-// What a row of the table is called, and what it says.
-std::string label_of(const render::Parameter& parameter) {
-    std::string label(parameter.name);
-    std::ranges::replace(label, '_', ' ');
-    return label;
-}
-
 std::string help_of(const render::Parameter& parameter) {
     return parameter.unit.empty() ? std::string(parameter.help)
                                   : fmt::format("{} ({})", parameter.help, parameter.unit);
 }
 
-// What the parameter is in a view like this one, where nobody has set it.
+// The default of a parameter in a view like this one.
 double default_of(const render::Parameter& parameter, const render::Request& request) {
     render::Request fresh;
     render::set(fresh, "view", *render::parameter("view").get(request));
     return std::get<double>(*parameter.get(fresh));
 }
 
-// A control by the kind of its parameter, and the value that it was given just now.
+// Draws a control by the kind of its parameter, and returns the value if it was changed.
 std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
                                   const render::Request& request) {
     using Kind = render::Parameter::Kind;
-    const std::string label = label_of(parameter);
+    const std::string label = label_of(parameter.name);
     switch (parameter.kind) {
     case Kind::flag: {
         bool on = std::get<bool>(value);
@@ -88,7 +81,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     return {};
 }
 
-// The control of a parameter, where the view and the lobes have it.
+// The control of a parameter, if the request has it.
 void control(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
     const render::Request& request = session.document().request;
@@ -107,7 +100,7 @@ void recipe_ingredients(render::Request& request) {
     bool changed = slider("impulses N", recipe.impulses, 1, noise::most_impulses, "%d");
     tooltip("Impulses per cell");
     changed |= slider("radius R", recipe.radius, 1.0f, noise::largest_radius, "%.2f cells");
-    tooltip("Cells per kernel radius: (ceil(2 R) + 1)^2 N impulses are visited for each pixel");
+    tooltip("Cells per kernel radius: each pixel visits (ceil(2 R) + 1)^2 N impulses");
     changed |= slider("floor A", recipe.weight_floor, 0.0f, 1.0f, "%.3f");
     tooltip("A weight's magnitude is A or 1, equally likely");
     int power = static_cast<int>(std::lround(std::log2(recipe.phases)));
@@ -117,70 +110,58 @@ void recipe_ingredients(render::Request& request) {
         recipe.phases = 1 << std::clamp(power, 1, 8);
         changed = true;
     }
-    tooltip(
-        "Phases that impulses have, evenly spread over a turn; with 2 each kernel integrates to exactly 0");
+    tooltip("Phases of the impulses, evenly spread over a turn; with 2 each kernel integrates to exactly 0");
     changed |= ImGui::DragFloat3("window", recipe.window.data(), 0.01f, -10, 10, "%.2f");
     tooltip("c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2");
     if (changed && noise::acceptable(recipe))
         request.recipe = noise::find_recipe(noise::to_string(recipe));
 }
 
-// Parameters that have a place of their own, here and in spectrum_panel.cpp. All others stand beside the
-// export.
-constexpr std::array<std::string_view, 19> placed{"material",
-                                                  "recipe",
-                                                  "scale",
-                                                  "seed",
-                                                  "paint",
-                                                  "time",
-                                                  "view",
-                                                  "tileable",
-                                                  "depth",
-                                                  "solid",
-                                                  "yaw",
-                                                  "pitch",
-                                                  "zoom",
-                                                  "filter",
-                                                  "lobes",
-                                                  "frequency",
-                                                  "orientation",
-                                                  "frequency_spread",
-                                                  "orientation_spread"};
+// Parameters that other panels show; the rest stand beside the export.
+constexpr std::string_view placed[]{"material",
+                                    "recipe",
+                                    "scale",
+                                    "seed",
+                                    "paint",
+                                    "time",
+                                    "view",
+                                    "tileable",
+                                    "depth",
+                                    "solid",
+                                    "yaw",
+                                    "pitch",
+                                    "zoom",
+                                    "filter",
+                                    "lobes",
+                                    "frequency",
+                                    "orientation",
+                                    "frequency_spread",
+                                    "orientation_spread"};
 
-constexpr std::array output_tips{
+constexpr const char* output_tips[]{
     "The noise itself, of mean 0 and variance 1",
     "Its analytic gradient, as a normal map",
     "The phase of the complex noise, for patterns of even contrast",
     "The magnitude of the complex noise",
-    "The share of its variance that the filter leaves at each place; all of it without a filter",
-    "A wave of the same height everywhere, along the phase",
-    "The value as a height, under a lamp"};
+    "The share of the variance that the filter leaves; all of it without a filter",
+    "A wave of even height along the phase",
+    "The value as a height, lit by a lamp"};
+constexpr const char* look_tips[]{"Lit by a lamp",
+                                  "Base colour, for physically based shading",
+                                  "Height of the surface; mean height is grey",
+                                  "Normal map of the height",
+                                  "Roughness: dark is smooth",
+                                  "Metalness: white where reflections have the base colour"};
 
-constexpr std::array look_tips{"Under a lamp",
-                               "The base colour of physically based shading",
-                               "How high the surface stands; mean height is grey",
-                               "A normal map of the height",
-                               "Dark is smooth; its square is the width of the microfacets' slopes",
-                               "White where the base colour is that of its reflections"};
-
-// A name from a list, by its number.
-template <typename Tip>
-bool choose(const char* label, int& number, std::span<const std::string_view> names, Tip tip) {
-    bool changed = false;
-    if (ImGui::BeginCombo(label, std::string(names[static_cast<std::size_t>(number)]).c_str())) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            if (ImGui::Selectable(std::string(names[i]).c_str(), static_cast<int>(i) == number)) {
-                number = static_cast<int>(i);
-                changed = true;
-            }
-            tip(i);
-        }
-        ImGui::EndCombo();
-    }
-    return changed;
+// A slider that a double click sets back.
+void resettable(const char* label, float& value, float low, float high, const char* format,
+                float by_default) {
+    slider(label, value, low, high, format, ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (reset_asked(label))
+        value = by_default;
 }
 
-// Beside the field of its name.
+// Beside the field for a painted file.
 void paint_button(Session& session) {
     ImGui::SameLine();
     explained(disabled_reason(session.document(), "paint"), "Choose a file", [&] {
@@ -190,6 +171,29 @@ void paint_button(Session& session) {
 }
 
 } // namespace
+
+std::string label_of(std::string_view name) {
+    std::string label(name);
+    std::ranges::replace(label, '_', ' ');
+    return label;
+}
+
+bool choose_number(const char* label, std::size_t& number, std::span<const std::string_view> names,
+                   std::span<const char* const> tips) {
+    const std::size_t before = number;
+    if (ImGui::BeginCombo(label, std::string(names[number]).c_str())) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (ImGui::Selectable(std::string(names[i]).c_str(), i == before))
+                number = i;
+            if (i < tips.size())
+                tooltip(tips[i]);
+        }
+        ImGui::EndCombo();
+    }
+    if (before < tips.size())
+        tooltip(tips[before]);
+    return number != before;
+}
 
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -211,15 +215,12 @@ void noise_panel(Session& session) {
     paint_button(session);
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
-    tooltip("Space: lets time go by, and begin again after 1");
+    tooltip("Space: play time in a loop from 0 to 1");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() +
                             ImGui::GetStyle().WindowPadding.x);
     control(session, "time");
-    slider("period", session.period, 1.0f, 60.0f, "%.1f s",
-           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    if (reset_asked("period"))
-        session.period = Session::default_period;
+    resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
     tooltip("Seconds for time to go from 0 to 1");
 }
 
@@ -227,57 +228,43 @@ void output_panel(Session& session) {
     Document& document = session.document();
     for (const char* name : {"material", "view", "tileable"})
         control(session, name);
-    explained(
-        disabled_reason(document, "tiles"),
-        "T: four copies of the picture, as tiles: a seam between them would show. The view has a scale of "
-        "its own then.",
-        [&] { ImGui::Checkbox("2 x 2 tiles", &session.tiles); });
+    explained(disabled_reason(document, "tiles"),
+              "T: show four copies of the picture, to look for seams. This view sets its own scale.",
+              [&] { ImGui::Checkbox("2 x 2 tiles", &session.tiles); });
     for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
         control(session, name);
-    if (render::has_material(document.request)) {
-        auto look = static_cast<int>(document.look);
-        if (choose("show", look, look_names(), [](std::size_t i) { tooltip(look_tips.at(i)); }))
-            document.look = static_cast<Look>(look);
-        tooltip("What of the material is drawn, keys 1 to 6");
-    } else {
-        auto output = static_cast<int>(document.output);
-        if (choose("show", output, output_names(), [](std::size_t i) { tooltip(output_tips.at(i)); }))
-            document.output = static_cast<Output>(output);
-        tooltip("What is drawn, keys 1 to 7");
-    }
+    if (render::has_material(document.request))
+        choose("show", document.look, look_names, look_tips);
+    else
+        choose("show", document.output, output_names, output_tips);
     ImGui::Checkbox("DirectX normals", &document.directx_normals);
-    tooltip("Normal maps have green for down, as DirectX, and not for up, as OpenGL");
-    explained(disabled_reason(document, "colours"), "The colour map; a phase goes round all hues, or is grey",
-              [&] { choose("colours", document.colours, colour_names(), [](std::size_t) {}); });
-    explained(
-        disabled_reason(document, "contrast"),
-        "Standard deviations from the mean to the ends of the colour map; 2 in the pictures of gabor render",
-        [&] {
-            slider("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
-                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-            if (reset_asked("contrast"))
-                document.contrast = Document().contrast;
-        });
+    tooltip("Green points down in normal maps; in OpenGL's it points up");
+    explained(disabled_reason(document, "colours"), "The colour map",
+              [&] { choose("colours", document.colours, colour_names); });
+    explained(disabled_reason(document, "contrast"),
+              "Standard deviations from the mean to the ends of the colour map; gabor render uses 2", [&] {
+                  resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
+                             Document().contrast);
+              });
 }
 
 void files_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::Button("Copy GLSL", {width, 0}))
         copy_glsl(session);
-    tooltip("Ctrl C: a function that draws this view with the drop-in, on the clipboard");
+    tooltip("Ctrl C: copy a GLSL function that draws this view");
 
     if (ImGui::Button("Presets...", {width, 0}))
         session.gallery = true;
-    tooltip("P: those that come with the program, as pictures");
-    ImGui::InputText("preset", &session.preset_path);
-    tooltip(
-        "A JSON file of parameters, which gabor render takes too, or an EXR that it rendered. Files can be "
-        "dropped "
-        "on the window.");
+    tooltip("P: choose a preset by its picture");
+    ImGui::InputText("preset", &session.document().path);
+    tooltip("The JSON file to save to; gabor render reads it too");
     const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Open...", {third, 0}))
         ask_for_file(session);
-    tooltip("Ctrl O: a preset, an EXR that gabor rendered, or a photograph, to which a noise is fitted");
+    tooltip("Ctrl O: open a preset, an EXR that gabor rendered, or a photograph to fit. You can also drop "
+            "files on "
+            "the window.");
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
@@ -292,12 +279,12 @@ void files_panel(Session& session) {
                 session.ui_scale = scale;
         ImGui::EndCombo();
     }
-    tooltip("How large panels and text are; letters are sharp from the next start on");
+    tooltip("Size of panels and text; text is sharp after a restart");
 }
 
 void other_parameters(Session& session) {
     for (const render::Parameter& parameter : render::parameters())
-        if (std::ranges::find(placed, parameter.name) == placed.end())
+        if (std::ranges::find(placed, parameter.name) == std::end(placed))
             control(session, parameter.name);
 }
 
@@ -317,7 +304,7 @@ void message_overlay(const Session& session, float height) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     const ImU32 red = IM_COL32(255, 120, 100, 255);
-    const auto say = [&](int line, const std::string& what, ImU32 colour) { // lines from below
+    const auto say = [&](int line, const std::string& what, ImU32 colour) { // lines count from below
         const float up = static_cast<float>(line) * (ImGui::GetFrameHeight() + 4);
         label(draw, {margin, height - up - margin}, what, colour);
     };
@@ -325,7 +312,7 @@ void message_overlay(const Session& session, float height) {
         say(1, message.text, message.error ? red : text);
     if (session.exporter.running() && session.closing == Closing::after_export)
         say(2,
-            fmt::format("closing once {} is written: {:.0f} %", session.export_target.path,
+            fmt::format("closing when {} is written: {:.0f} %", session.export_target.path,
                         100 * session.exporter.progress()),
             text);
     const std::optional<FrameMeter::Figures> figures = session.meter.figures();
@@ -400,8 +387,7 @@ void explained(std::string_view dead, std::string_view help, const std::function
 void tooltip(std::string_view text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
-    // Not while the pointer only passes by: items are told by their place.
-    constexpr double delay = 0.5; // seconds
+    constexpr double delay = 0.5; // seconds that the pointer must rest on an item, which its place identifies
     static ImVec2 place;
     static int frame = 0;
     static double since = 0;

@@ -4,10 +4,11 @@
 
 #include <imgui.h>
 
+#include <span>
+
 namespace gabor::viewer {
 
-/// The user interface: each function draws a part of it, and changes the session by what is done to it. Sizes
-/// are in Dear ImGui's units.
+// Each panel draws a part of the window and changes the session. Sizes are in Dear ImGui's units.
 void noise_panel(Session& session);
 void spectrum_panel(Session& session);
 void output_panel(Session& session);
@@ -16,32 +17,48 @@ void files_panel(Session& session);
 void export_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
-/// On the picture: how the view differs from it.
+/// Says on the picture how the view differs from it.
 void view_overlay(const Session& session);
-/// At the foot of the view: messages.
+/// Shows messages at the foot of the view.
 void message_overlay(const Session& session, float height);
 
-/// Keys, and the mouse over a picture of this size, where no panel takes them.
+/// Handles keys, and the mouse over a view of this size, unless a panel has taken them.
 void handle_input(Session& session, float width, float height);
 
-/// A slider over the usual part of a range, all of which can be typed; a double click sets it back. Returns
-/// whether the value was changed.
+/// The controls of all parameters that no other panel shows.
+void other_parameters(Session& session);
+
+/// A slider over the usual part of a range; all of the range can be typed, and a double click sets it back.
+/// Returns whether the value was changed.
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default);
-/// Whether the slider of that label, drawn just now, is to go back: from a double click until the button is
+/// Whether the last slider, of that label, is to be set back: from a double click until the button is
 /// released.
 bool reset_asked(const char* label);
 
-/// The controls of all parameters that no panel has a place for.
-void other_parameters(Session& session);
+/// A drop-down list of names, with their explanations. Returns whether another was chosen.
+bool choose_number(const char* label, std::size_t& number, std::span<const std::string_view> names,
+                   std::span<const char* const> tips);
 
-/// What `draw` draws, with a tooltip; disabled where `dead` says why it has no effect.
+template <typename T> // an enumeration or a number
+bool choose(const char* label, T& value, std::span<const std::string_view> names,
+            std::span<const char* const> tips = {}) {
+    auto number = static_cast<std::size_t>(value);
+    const bool chosen = choose_number(label, number, names, tips);
+    value = static_cast<T>(number);
+    return chosen;
+}
+
+/// The label of a parameter's control.
+std::string label_of(std::string_view name);
+
+/// Calls `draw` and explains the control; disables it if `dead` says why it has no effect.
 void explained(std::string_view dead, std::string_view help, const std::function<void()>& draw);
 
-/// Text on a picture.
+/// Draws text on a picture.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);
 
-/// Explains the item before once the pointer rests on it.
+/// Explains the last item once the pointer rests on it.
 void tooltip(std::string_view text);
 
 } // namespace gabor::viewer

@@ -12,7 +12,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// The same place of another noise, whose kernel radius is `times` as long.
+// The same place in a noise whose kernel radius is `times` as long.
 Camera in_radii(const Camera& camera, double times) {
     const auto coordinate = [&](const Coordinate& c) {
         return Coordinate{}.moved((static_cast<double>(c.whole) + c.part) / times);
@@ -21,25 +21,23 @@ Camera in_radii(const Camera& camera, double times) {
 }
 
 void take(Session& session, FittedPreset fitted) {
-    Document& document = session.document();
+    Document next = session.document();
+    const render::Request before = std::exchange(next.request, fitted.request);
     const bool again = session.fitted && session.fitted_path == session.fitter.path() &&
-                       document.request.colour.has_value() == fitted.request.colour.has_value();
-    Document next = document;
-    next.request = fitted.request;
-    next.output = Output::value;
+                       before.colour.has_value() == fitted.request.colour.has_value();
     if (again) {
-        next.request.seed = document.request.seed;
-        next.request.filter = document.request.filter;
-        next.output = document.output;
-        next.camera = in_radii(document.camera, next.request.scale / document.request.scale);
+        next.request.seed = before.seed;
+        next.request.filter = before.filter;
+        next.camera = in_radii(next.camera, next.request.scale / before.scale);
     } else {
         next.camera = render::default_camera(next.request);
+        next.output = Output::value;
         next.contrast = Document().contrast;
-        session.preset_path =
-            std::filesystem::path(session.fitter.path()).replace_extension(".json").string();
+        next.path = std::filesystem::path(session.fitter.path()).replace_extension(".json").string();
+        next.origin.clear();
     }
-    document = next;
-    session.fitted_path = session.fitter.path();
+    next.photograph = session.fitted_path = session.fitter.path();
+    session.document() = next;
     session.fitted = std::move(fitted);
 }
 
@@ -52,20 +50,22 @@ bool is_photograph(const std::filesystem::path& path) {
 void open_photograph(Session& session, const std::string& path) {
     session.fitter.open(path);
     session.photograph_beside = true;
-    keep_recent(session, path);
+    add_recent(session, path);
 }
 
-void go_on_fitting(Session& session) {
-    session.fitter.go_on();
-    if (std::optional<std::string> error = session.fitter.take_error())
-        notify(session, std::move(*error), true);
+void poll_fitter(Session& session) {
+    session.fitter.poll();
+    if (std::string error = session.fitter.take_error(); !error.empty())
+        notify(session, std::move(error), true);
     if (std::optional<FittedPreset> fitted = session.fitter.take())
         take(session, std::move(*fitted));
 }
 
 bool shows_photograph(const Session& session) {
     const Document& document = session.history.now;
-    return session.photograph_beside && session.fitter.photograph() &&
+    const auto& photograph = session.fitter.photograph();
+    return session.photograph_beside && photograph &&
+           (document.photograph == photograph->path || session.fitter.running()) &&
            !render::has_material(document.request) &&
            std::holds_alternative<render::Plane>(document.request.view);
 }
@@ -76,7 +76,7 @@ std::optional<std::string> fitted_glsl(const Session& session) {
     const render::Request& now = session.history.now.request;
     render::Request fitted = session.fitted->request;
     fitted.seed = now.seed;
-    fitted.filter = now.filter; // both forms are there
+    fitted.filter = now.filter; // the code has both forms
     fitted.width = now.width;
     fitted.height = now.height;
     if (fitted != now)
@@ -93,24 +93,24 @@ void photograph_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::Button("Fit a photograph...", {width, 0}))
         ask_for_photograph(session);
-    tooltip("A PNG, JPEG or EXR of a texture, at least 128 x 128 pixels; or drop one on the window. Its "
-            "noise has the "
-            "same spectrum, colours and histogram.");
+    tooltip(
+        "Choose a PNG, JPEG or EXR of a texture, at least 128 x 128 pixels, or drop one on the window. Its "
+        "noise gets the same spectrum, colours and histogram.");
     if (fitter.path().empty())
         return;
     ImGui::TextUnformatted(std::filesystem::path(fitter.path()).filename().string().c_str());
     int lobes = fitter.lobes();
     if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
         fitter.set_lobes(lobes);
-    tooltip("The most lobes that the noise may have: each costs as much as a plain noise. It has fewer where "
-            "more would "
-            "fit what is chance.");
+    tooltip(
+        "The most lobes that the noise may have. Each costs as much as a plain noise. It has fewer if more "
+        "would only fit chance.");
     ImGui::Checkbox("beside it", &session.photograph_beside);
-    tooltip("Tab: the photograph beside its noise");
+    tooltip("Tab: show the photograph beside its noise");
     ImGui::SameLine();
     if (ImGui::Button("Close"))
         fitter.close();
-    tooltip("Leaves the noise, and forgets the photograph");
+    tooltip("Close the photograph and keep the noise");
     if (fitter.running())
         ImGui::ProgressBar(static_cast<float>(fitter.progress()), {width, 0});
     else if (session.fitted)
@@ -128,7 +128,7 @@ void photograph_overlay(const Session& session, float width, float height) {
     label(draw, {margin, margin}, "photograph", text);
     label(draw, {middle + margin, margin},
           session.fitted ? fmt::format("its noise, {} lobes", session.history.now.request.lobes.size())
-                         : "its noise is being fitted",
+                         : "fitting its noise",
           text);
     draw.AddLine({middle, 0}, {middle, height}, IM_COL32(12, 13, 15, 255), 3);
 }

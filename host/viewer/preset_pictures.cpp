@@ -4,15 +4,12 @@
 #include "vulkan/device.hpp"
 
 #include <algorithm>
-#include <exception>
 
 namespace gabor::viewer {
 
 namespace {
 
 constexpr double least_pixels_per_wave = 4;
-
-struct Ended {};
 
 } // namespace
 
@@ -27,28 +24,13 @@ render::Request miniature(const render::Request& request, int side) {
     return small;
 }
 
-PresetPictures::~PresetPictures() {
-    ending_ = true;
-    if (thread_.joinable())
-        thread_.join();
-}
-
 void PresetPictures::begin() {
-    if (thread_.joinable())
+    if (!colours_.empty())
         return;
     const Extent all = extent();
     colours_.assign(
         std::size_t{3} * static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height), 0);
-    thread_ = std::thread([this] {
-        try {
-            work();
-        } catch (const Ended&) {
-            // with the window
-        } catch (const std::exception&) {
-            // a device that has no memory left: presets have their names
-        }
-        done_ = true;
-    });
+    work_.start([this] { work(); }); // where it fails, presets have only their names
 }
 
 Extent PresetPictures::extent() {
@@ -71,8 +53,7 @@ void PresetPictures::work() {
         const int left = index % columns * cell + (cell - side) / 2;
         int row = index / columns * cell + (cell - side) / 2;
         render::render_region(device, small, {0, 0, side, side}, [&](std::span<const float> values) {
-            if (ending_)
-                throw Ended();
+            work_.advance(0);
             render::show(small, values, shown);
             const std::lock_guard lock(mutex_);
             for (std::size_t i = 0; i < shown.size() / channels; ++i) {

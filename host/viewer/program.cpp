@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -17,7 +18,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// One line on stderr, whatever the message holds.
+// Prints one line on stderr.
 int fail(int status, std::string message) {
     std::ranges::replace(message, '\n', ' ');
     fmt::print(stderr, "gabor-viewer: {}\n", message);
@@ -36,9 +37,9 @@ Extent parse_size(const std::string& text) {
     return {width, height};
 }
 
-// A software driver compiles pipelines in memory that glibc keeps for each thread: after two minutes of
-// trying everything 288 MiB stayed in use, and 184 MiB so.
-void give_memory_back() {
+// glibc keeps memory that software drivers free on other threads: 288 MiB after two minutes of use, 184 MiB
+// with these settings.
+void return_memory() {
 #ifdef __GLIBC__
     mallopt(M_ARENA_MAX, 1);
     mallopt(M_TRIM_THRESHOLD, 1 << 17);
@@ -46,7 +47,7 @@ void give_memory_back() {
 }
 
 int run(int argc, char** argv, const App::FrameHook& hook) {
-    give_memory_back();
+    return_memory();
     CLI::App app("Interactive viewer for Gabor noise", "gabor-viewer");
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
@@ -54,19 +55,17 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
     std::string screenshot;
     Options options;
     app.add_option("FILE,--preset", preset,
-                   "Parameters to begin with: a JSON file, an EXR that gabor rendered, or a name that gabor "
-                   "render knows")
+                   "Open a JSON file of parameters, an EXR that gabor rendered, or a preset by name")
         ->type_name("FILE");
-    app.add_option("--screenshot", screenshot,
-                   "Save the picture as a PNG, of the preset's size, without a window around it, and end")
+    app.add_option("--screenshot", screenshot, "Save the picture as a PNG of the preset's size, and exit")
         ->type_name("FILE");
-    app.add_option("--window", size, "Size of the window")->type_name("WIDTHxHEIGHT");
+    app.add_option("--window", size, "Window size")->type_name("WIDTHxHEIGHT");
     app.add_option("--ui-scale", options.ui_scale,
-                   "How much larger panels and text are than the desktop asks for [as the last time]")
+                   "Scale of panels and text, relative to the desktop's [that of the last session]")
         ->type_name("NUMBER")
         ->check(CLI::Range(least_ui_scale, most_ui_scale));
     app.add_option("--device", options.device,
-                   "Vulkan device: its index, or a part of its name [the fastest kind]")
+                   "Vulkan device: its index or part of its name [the fastest kind]")
         ->type_name("NAME");
     try {
         app.parse(argc, argv);
@@ -85,12 +84,17 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         options.size = parse_size(size);
     if (!screenshot.empty())
         options.screenshot = screenshot;
+    int signal = 0;
     {
         App viewer(options);
         if (options.screenshot)
             viewer.save_picture(*options.screenshot);
         else
-            viewer.run(hook);
+            signal = viewer.run(hook);
+    }
+    if (signal) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
     }
     if (const int messages = vulkan::validation_messages())
         return fail(1, fmt::format("{} message(s) from the validation layers", messages));

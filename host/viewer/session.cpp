@@ -22,37 +22,36 @@ namespace {
 
 constexpr double message_seconds = 5;
 
-/// The name under which the parameters of what was opened from `path` are saved.
+// Where a document that was read from `path` is saved.
 std::filesystem::path json_path(std::filesystem::path path) {
     const std::string extension = lower_extension(path);
-    if (extension == ".json")
-        return path;
     if (extension == ".exr")
         return path.replace_extension(".json");
-    return path += ".json";
+    return extension == ".json" ? path : path += ".json";
 }
 
-/// Does `write` at once where it replaces no file but those that this session wrote; else asks first.
-void overwrite(Session& session, const std::vector<std::filesystem::path>& paths,
+// Calls `write`, after a question if it replaces files that this session did not write, or that do not belong
+// to the document.
+void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
                std::function<void()> write) {
     std::vector<std::string> foreign;
     for (const std::filesystem::path& path : paths) {
         std::error_code unknown;
-        if (!std::filesystem::exists(path, unknown))
-            continue;
         const auto own = session.written.find(std::filesystem::absolute(path));
-        if (own == session.written.end() || own->second != file_stamp(path))
+        if (std::filesystem::exists(path, unknown) &&
+            (!belong || own == session.written.end() || own->second != file_stamp(path)))
             foreign.push_back(path.string());
     }
     if (foreign.empty())
         return attempt(session, write);
+    const bool several = foreign.size() > 1;
     constexpr std::size_t most_named = 3;
     if (const std::size_t count = foreign.size(); count > most_named) {
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = Question{fmt::format("Overwrite {}? This session did not write {}.",
-                                            fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
+    session.question = Question{fmt::format("Overwrite {}? {} not written from this document.",
+                                            fmt::join(foreign, " and "), several ? "They were" : "It was"),
                                 {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 
@@ -86,15 +85,10 @@ void answer(Session& session, std::optional<std::size_t> number) {
 }
 
 bool is_changed(const Session& session) {
-    const auto preset = [](Document document) {
-        document.camera = {}; // looking around changes nothing
-        document.request.time = 0;
-        return document;
-    };
-    return preset(session.history.now) != preset(session.kept);
+    return content_of(session.history.now) != content_of(session.saved);
 }
 
-void go_on_closing(Session& session) {
+void continue_closing(Session& session) {
     if (session.closing == Closing::no || session.closing == Closing::now || session.question)
         return;
     if (session.exporter.running()) {
@@ -119,8 +113,7 @@ void go_on_closing(Session& session) {
         return;
     }
     session.question =
-        Question{fmt::format("What has changed since it was opened or saved is not in {} yet.",
-                             json_path(session.preset_path).string()),
+        Question{fmt::format("Save the changes to {}?", session.document().path),
                  {{"Save", [&session] { save_preset(session); }, 'S'},
                   {"Close without saving", [&session] { session.closing = Closing::now; }, 'D'}}};
 }
@@ -135,11 +128,11 @@ Document load_document(const std::string& path, const Document& defaults) {
                                        "gabor rendered, or a preset's name",
                                        path));
     Document document = document_from_json(render::load_request(path).json, defaults);
-    render::load_paint(document.request.paint); // it must be there
+    render::load_paint(document.request.paint); // throws if it is missing
     return document;
 }
 
-void keep_recent(Session& session, const std::string& path) {
+void add_recent(Session& session, const std::string& path) {
     constexpr std::size_t most_recent = 10;
     const std::string whole = std::filesystem::absolute(path).string();
     std::erase(session.recent, whole);
@@ -149,13 +142,7 @@ void keep_recent(Session& session, const std::string& path) {
 
 namespace {
 
-void keep(Session& session, const std::string& path) {
-    session.preset_path = path;
-    session.kept = session.history.now;
-    keep_recent(session, path);
-}
-
-// Whether it is an EXR that gabor did not render.
+// Whether a file is an EXR that gabor did not render.
 bool is_foreign_exr(const std::string& path) {
     if (lower_extension(path) != ".exr" || !std::filesystem::exists(path))
         return false;
@@ -178,27 +165,32 @@ void open_file(Session& session, const std::string& path) {
 
 void open_preset(Session& session, const std::string& path) {
     attempt(session, [&] {
-        session.history.now = load_document(path, session.history.now);
-        if (std::filesystem::exists(path)) {
-            keep(session, path);
-        } else {
-            session.preset_path = path + ".json"; // one that comes with the program
-            session.kept = session.history.now;
-        }
+        Document document = load_document(path, session.history.now);
+        const bool file = std::filesystem::exists(path);
+        document.path = json_path(path).string();
+        document.origin = file ? std::filesystem::absolute(path) : "";
+        document.photograph.clear();
+        session.fitter.close();
+        session.history.now = session.saved = document;
+        if (file)
+            add_recent(session, path);
         notify(session, fmt::format("opened {}", path));
     });
 }
 
 void save_preset(Session& session) {
-    const std::filesystem::path path = json_path(session.preset_path);
-    overwrite(session, {path}, [&session, path] {
+    const std::string path = json_path(session.document().path).string();
+    const bool own = session.document().origin == std::filesystem::absolute(path);
+    overwrite(session, {path}, own, [&session, path] {
         const std::string text = to_json(session.document());
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();
         session.written[std::filesystem::absolute(path)] = file_stamp(path);
-        keep(session, path.string());
-        notify(session, fmt::format("saved {}", path.string()));
+        session.history.saved_as(path);
+        session.saved = session.history.now;
+        add_recent(session, path);
+        notify(session, fmt::format("saved {}", path));
     });
 }
 
@@ -207,7 +199,7 @@ void start_export(Session& session) {
         return;
     const ExportTarget target = session.export_target;
     if (lower_extension(target.path) != ".exr")
-        return notify(session, "an export takes a name that ends in .exr", true);
+        return notify(session, "an export needs a name that ends in .exr", true);
     std::vector<std::filesystem::path> paths;
     for (const render::Files& files : files_of(target))
         for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
@@ -215,7 +207,8 @@ void start_export(Session& session) {
                 paths.push_back(*path);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
-    overwrite(session, paths, [&session, target] { session.exporter.start(session.document(), target); });
+    overwrite(session, paths, true,
+              [&session, target] { session.exporter.start(session.document(), target); });
 }
 
 void copy_glsl(Session& session) {
@@ -226,7 +219,7 @@ void copy_glsl(Session& session) {
                                  ? material_snippet(document, session.view)
                                  : snippet(document, session.view);
     ImGui::SetClipboardText(code.c_str());
-    notify(session, "the GLSL of this view is on the clipboard");
+    notify(session, "copied the GLSL of this view");
 }
 
 void reset_camera(Session& session) {

@@ -44,9 +44,10 @@ Settings load_settings() {
         read.preset_path = json.value("preset", std::string());
         read.export_path = json.value("export", std::string());
         read.recent = json.value("recent", std::vector<std::string>());
+        read.unsaved_by = json.value("unsaved_by", 0);
         settings = read;
     } catch (const nlohmann::json::exception&) {
-        // no file, or one from another time
+        // no file, or one of another version
     }
     return settings;
 }
@@ -63,7 +64,8 @@ void save_settings(const Settings& settings) {
                                       {"document", settings.document},
                                       {"preset", settings.preset_path},
                                       {"export", settings.export_path},
-                                      {"recent", settings.recent}};
+                                      {"recent", settings.recent},
+                                      {"unsaved_by", settings.unsaved_by}};
     try {
         std::filesystem::create_directories(path.parent_path());
         const std::string text =
@@ -72,7 +74,7 @@ void save_settings(const Settings& settings) {
         file.write(std::as_bytes(std::span(text)));
         file.commit();
     } catch (const std::exception&) {
-        // a home that cannot be written to forgets
+        // unsaved settings are ignored
     }
 }
 

@@ -15,10 +15,9 @@ namespace {
 
 constexpr std::size_t no_lobe = static_cast<std::size_t>(-1);
 constexpr float floor_decibels = -50;
-constexpr int cells_across = 72; ///< of the measured spectrum's drawing
+constexpr int cells_across = 72; // of the drawing of the measured spectrum
 
-// The drawing of the frequency plane: which point of the screen is which wave vector, in cycles per kernel
-// radius.
+// Maps wave vectors, in cycles per kernel radius, to the screen.
 struct Plane {
     ImVec2 middle;
     float half;     ///< side, in pixels
@@ -36,7 +35,7 @@ void draw_measured(ImDrawList& draw, const Plane& plane, const MeasuredSpectrum&
         for (int x = 0; x < cells_across; ++x) {
             const double fx = -plane.reaches + x * cell;
             const double fy = -plane.reaches + y * cell;
-            // The strongest of what falls into the cell: a narrow lobe must not get lost.
+            // The strongest value in the cell, so that narrow lobes show.
             const auto first = [&](double f) {
                 return static_cast<int>(std::floor(f / spectrum.step + 0.5)) + spectrum.side / 2;
             };
@@ -73,7 +72,7 @@ void draw_scale(ImDrawList& draw, const Plane& plane) {
     }
 }
 
-// Where a lobe's waves are: its middle, and the outline of its spread.
+// Draws the centre of a lobe and the outline of its spread.
 void draw_lobe(ImDrawList& draw, const Plane& plane, const noise::Lobe& lobe, bool chosen) {
     const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
     const ImU32 colour = chosen ? ImGui::GetColorU32(accent) : IM_COL32(210, 210, 205, 190);
@@ -87,7 +86,7 @@ void draw_lobe(ImDrawList& draw, const Plane& plane, const noise::Lobe& lobe, bo
             constexpr int steps = 24;
             for (const double edge : {1 - lobe.frequency_spread, 1 + lobe.frequency_spread})
                 for (int i = 0; i <= steps; ++i) {
-                    // Out along one edge and back along the other.
+                    // out along one edge, back along the other
                     const int step = edge < 1 ? i : steps - i;
                     draw.PathLineTo(
                         point(lobe.frequency * edge,
@@ -107,7 +106,7 @@ struct Handle {
     ImVec2 at;
 };
 
-// The one under a point of the screen.
+// The handle at a point of the screen.
 std::optional<Handle> handle_at(const Plane& plane, const std::vector<noise::Lobe>& lobes, ImVec2 point) {
     std::optional<Handle> best;
     float closest = 0.8f * ImGui::GetFontSize();
@@ -125,7 +124,7 @@ std::optional<Handle> handle_at(const Plane& plane, const std::vector<noise::Lob
     return best;
 }
 
-// Puts the lobe where one of its handles is.
+// Moves a lobe to one of its handles.
 void move_lobe(const Plane& plane, noise::Lobe& lobe, double sign, ImVec2 handle) {
     const double fx = sign * double{handle.x - plane.middle.x} / double{plane.half} * plane.reaches;
     const double fy = sign * double{handle.y - plane.middle.y} / double{plane.half} * plane.reaches;
@@ -136,13 +135,13 @@ void move_lobe(const Plane& plane, noise::Lobe& lobe, double sign, ImVec2 handle
     lobe.orientation = noise::degrees(std::atan2(fy, fx));
 }
 
-// Whether the two would be drawn upon each other.
+// Whether two lobes would overlap.
 bool coincide(const noise::Lobe& a, const noise::Lobe& b) {
     return std::abs(std::remainder(a.orientation - b.orientation, 180.0)) < 10 &&
            std::abs(std::log2(a.frequency / b.frequency)) < 0.2;
 }
 
-// Another lobe like this one, where there is none yet.
+// Adds a lobe, turned until it overlaps no other.
 void add_lobe(Session& session, std::vector<noise::Lobe>& lobes, noise::Lobe lobe) {
     const auto taken = [&] {
         return std::ranges::any_of(lobes, [&](const noise::Lobe& other) { return coincide(lobe, other); });
@@ -164,44 +163,32 @@ bool remove_lobe(Session& session, std::vector<noise::Lobe>& lobes) {
     return true;
 }
 
-// Clicks and drags in the drawing of the frequency plane, which is the item before. Whether they changed the
-// lobes.
-bool work_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& lobes) {
+// Handles the mouse in the frequency plane, the last item. Returns whether lobes changed.
+bool edit_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& lobes) {
+    static std::optional<Handle> grabbed; // its place is relative to the pointer
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID grab_x = ImGui::GetID("grab x");
-    const ImGuiID grab_y = ImGui::GetID("grab y");
-    const ImGuiID grab_sign = ImGui::GetID("grab sign");
-    const ImGuiID grabbed = ImGui::GetID("grabbed");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !handle_at(plane, lobes, mouse)) {
         noise::Lobe lobe;
         move_lobe(plane, lobe, 1, mouse);
         add_lobe(session, lobes, lobe);
-        storage.SetFloat(grab_x, 0);
-        storage.SetFloat(grab_y, 0);
-        storage.SetFloat(grab_sign, 1);
-        storage.SetBool(grabbed, true);
+        grabbed = Handle{session.selected_lobe, 1, {0, 0}};
         return true;
     }
     if (ImGui::IsItemActivated()) {
-        const std::optional<Handle> handle = handle_at(plane, lobes, mouse);
-        session.selected_lobe = handle ? handle->lobe : no_lobe;
-        storage.SetBool(grabbed, handle.has_value());
-        if (handle) {
-            storage.SetFloat(grab_x, handle->at.x - mouse.x);
-            storage.SetFloat(grab_y, handle->at.y - mouse.y);
-            storage.SetFloat(grab_sign, static_cast<float>(handle->sign));
-        }
+        grabbed = handle_at(plane, lobes, mouse);
+        session.selected_lobe = grabbed ? grabbed->lobe : no_lobe;
+        if (grabbed)
+            grabbed->at = {grabbed->at.x - mouse.x, grabbed->at.y - mouse.y};
     }
-    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0) || !storage.GetBool(grabbed) ||
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0) || !grabbed ||
         session.selected_lobe >= lobes.size())
         return false;
-    move_lobe(plane, lobes[session.selected_lobe], double{storage.GetFloat(grab_sign, 1)},
-              {mouse.x + storage.GetFloat(grab_x), mouse.y + storage.GetFloat(grab_y)});
+    move_lobe(plane, lobes[session.selected_lobe], grabbed->sign,
+              {mouse.x + grabbed->at.x, mouse.y + grabbed->at.y});
     return true;
 }
 
-// The list of lobes, beside the drawing.
+// The list beside the drawing. Returns whether lobes changed.
 bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
@@ -215,7 +202,7 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
         add_lobe(session, lobes, lobes[std::min(session.selected_lobe, lobes.size() - 1)]);
         changed = true;
     }
-    tooltip("Another lobe: a noise of its own, added to the others and as costly");
+    tooltip("Add a lobe: another noise, which costs as much");
     if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
         ImGui::SameLine();
         if (ImGui::SmallButton("remove"))
@@ -231,13 +218,10 @@ bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many)
     for (const render::LobeParameter& p : render::lobe_parameters()) {
         if (p.member == &noise::Lobe::power && !one_of_many)
             continue;
-        std::string label(p.name);
-        std::ranges::replace(label, '_', ' ');
-        const std::string_view dead = disabled_reason(document, p.name);
-        ImGui::BeginDisabled(!dead.empty());
-        changed |= number_slider(label.c_str(), lobe.*p.member, p.range, p.slider, noise::Lobe().*p.member);
-        ImGui::EndDisabled();
-        tooltip(dead.empty() ? fmt::format("{} ({})", p.help, p.unit) : std::string(dead));
+        explained(disabled_reason(document, p.name), fmt::format("{} ({})", p.help, p.unit), [&] {
+            changed |= number_slider(label_of(p.name).c_str(), lobe.*p.member, p.range, p.slider,
+                                     noise::Lobe().*p.member);
+        });
     }
     return changed;
 }
@@ -255,23 +239,22 @@ void spectrum_panel(Session& session) {
     ImGui::InvisibleButton("frequency plane", {side, side});
     const bool dragging = ImGui::IsItemActive();
 
-    // The plane reaches past all lobes to a power of two, and stays as it is while one is dragged.
+    // The plane reaches past all lobes, and does not change while one is dragged.
     double highest = 0;
     for (const noise::Lobe& lobe : lobes)
         highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread));
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID("reaches");
-    const auto wanted = static_cast<float>(std::exp2(std::ceil(2 * std::log2(1.35 * highest)) / 2));
-    const float reaches = dragging ? storage.GetFloat(id, wanted) : wanted;
-    storage.SetFloat(id, reaches);
-    const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, double{reaches}};
+    static double reaches = 0;
+    if (!dragging || reaches == 0)
+        reaches = std::exp2(std::ceil(2 * std::log2(1.35 * highest)) / 2);
+    const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, reaches};
 
-    bool changed = work_plane(session, plane, lobes);
-    tooltip(!dead.empty()
-                ? dead
-                : "The frequency plane, in cycles per kernel radius: what was measured in the picture, 50 dB "
-                  "from dark to bright, and the lobes that were asked for. Drag them; double click for "
-                  "another, Delete for one less.");
+    bool changed = edit_plane(session, plane, lobes);
+    tooltip(
+        !dead.empty()
+            ? dead
+            : "The frequency plane, in cycles per kernel radius: the measured spectrum, 50 dB from dark to "
+              "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
+              "remove one.");
     if (dead.empty() && !ImGui::GetIO().WantTextInput &&
         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
         changed |= remove_lobe(session, lobes);
@@ -279,8 +262,9 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    if (session.measured.spectrum && render::is_flat(session.document().request.view))
-        draw_measured(draw, plane, *session.measured.spectrum);
+    const std::optional<MeasuredSpectrum>& measured = session.measurer.measured().spectrum;
+    if (measured && render::is_flat(session.document().request.view))
+        draw_measured(draw, plane, *measured);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)
         draw_lobe(draw, plane, lobes[i], i == session.selected_lobe);

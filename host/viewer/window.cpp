@@ -19,7 +19,7 @@ void note_error(int, const char* text) {
     last_error = text;
 }
 
-// What the desktop leaves for windows.
+// The space that the desktop leaves for windows.
 Extent screen() {
     Extent extent{16384, 16384};
     int x = 0;
@@ -34,8 +34,8 @@ Extent screen() {
 Window::Window(const Placement& placement, bool visible) {
     glfwSetErrorCallback(note_error);
     if (!glfwInit())
-        throw std::runtime_error(fmt::format("no display to open a window on ({}): it takes a desktop, or "
-                                             "xvfb-run for pictures without one",
+        throw std::runtime_error(fmt::format("no display ({}): start it on a desktop, or under xvfb-run for "
+                                             "pictures",
                                              last_error));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -48,7 +48,7 @@ Window::Window(const Placement& placement, bool visible) {
         if (window_)
             glfwDestroyWindow(window_);
         glfwTerminate();
-        throw std::runtime_error(fmt::format("cannot open a window that Vulkan draws into: {}", last_error));
+        throw std::runtime_error(fmt::format("cannot open a window for Vulkan: {}", last_error));
     }
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (placement.x >= 0 && placement.y >= 0)

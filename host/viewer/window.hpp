@@ -7,16 +7,17 @@ struct GLFWwindow;
 
 namespace gabor::viewer {
 
-/// Where a window was, to have it there again. In the units of the desktop, not of pixels.
+/// Position and size of a window, in the desktop's units.
 struct Placement {
-    int x = -1; ///< -1: wherever the desktop puts it
+    int x = -1; ///< -1 lets the desktop decide
     int y = -1;
     int width = 1440;
     int height = 900;
     bool maximized = false;
+    bool operator==(const Placement&) const = default;
 };
 
-/// A window of GLFW. Throws std::runtime_error, in one line, where there is no display.
+/// A GLFW window. Throws std::runtime_error if there is no display.
 class Window {
   public:
     Window(const Placement& placement, bool visible);
@@ -26,13 +27,13 @@ class Window {
 
     GLFWwindow* handle() const { return window_; }
     vulkan::Presentation presentation() const;
-    Placement placement() const; ///< of the window, also while it fills the screen
+    Placement placement() const; ///< outside full screen
     bool full_screen() const;
     void set_full_screen(bool full);
     Extent pixels() const; ///< of the framebuffer
     bool shown() const;    ///< neither minimized nor hidden
-    float density() const; ///< how much larger than usual the desktop wants text
-    /// Whether somebody has asked to close it since the last call.
+    float density() const; ///< the desktop's scale of text
+    /// Whether the user has asked to close it since the last call.
     bool take_close_request();
 
   private:

@@ -1,5 +1,5 @@
-"""A viewer that is worked as a user does it: the pointer, keys and dropped files, by events of the display. After each
-it is waited for what the viewer says, never for a time."""
+"""Drives a viewer as a user does, with pointer, keys and dropped files, by events of the display. After each event it
+waits for what the viewer says, never for a fixed time."""
 
 import json
 import os
@@ -41,7 +41,7 @@ class EventsTest(ViewerTest):
             self.said.notify()
 
     def wait_for(self, condition, or_end=False):
-        """Until what the viewer says fulfils a condition, or it has ended where that will do."""
+        """Waits until what the viewer says fulfils a condition, or, with `or_end`, until it has ended."""
         deadline = time.monotonic() + PATIENCE
         with self.said:
             while self.ended or self.state is None or not condition(self.state):
@@ -56,7 +56,7 @@ class EventsTest(ViewerTest):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
 
     def keys(self, *names):
-        """Pressed one after the other, each once the last has been seen."""
+        """Presses keys, each once the viewer has seen the last."""
         for name in names:
             before = self.state["keys"]
             self.xdotool("key", name)
@@ -70,7 +70,7 @@ class EventsTest(ViewerTest):
         self.point(x, y)
         before = self.state["clicks"]
         self.xdotool("mousedown", 1)
-        self.frames(2) # as long as any hand takes
+        self.frames(2) # as long as a hand takes
         self.xdotool("mouseup", 1)
         self.wait_for(lambda state: state["clicks"] > before)
 
@@ -90,16 +90,16 @@ class EventsTest(ViewerTest):
         self.frames(2)
 
     def type(self, name):
-        """Into the dialog, once its field has the keyboard."""
+        """Types into the dialog, once its field has the keyboard."""
         self.frames(2)
         self.wait_for(lambda state: state["dialog"] and state["dialog"]["typed"])
-        for end in range(1, len(name) + 1): # one by one: a press that comes before the last release may not be seen
+        for end in range(1, len(name) + 1): # one by one: a press before the last release may be missed
             self.xdotool("type", name[end - 1])
             self.wait_for(lambda state, typed=name[:end]: state["dialog"]["name"] == typed)
-        self.frames(3) # the last press may be seen after its letter
+        self.frames(3) # the last press may arrive after its letter
 
     def screen(self, x, y, width, height):
-        """What the display shows there in the window: red, green and blue of each pixel."""
+        """Red, green and blue of each pixel that the display shows there in the window."""
         dump = (pathlib.Path(self.screen_folder.name) / "Xvfb_screen0").read_bytes()
         header = np.frombuffer(dump, ">u4", 25)
         size, columns, rows, line, colours = (int(header[i]) for i in (0, 4, 5, 12, 19))
@@ -113,14 +113,14 @@ class EventsTest(ViewerTest):
     def document(self):
         return self.state["document"]
 
-    def end(self):
-        """The viewer has been asked to end, and has nothing to complain of."""
+    def end(self, expected=0):
+        """Waits for a viewer that was asked to end: it must have nothing to complain of."""
         status = self.process.wait(PATIENCE)
         self.listener.join()
         complaint = self.process.stderr.read()
         self.process.stdout.close()
         self.process.stderr.close()
-        self.assertEqual((status, complaint), (0, ""))
+        self.assertEqual((status, complaint), (expected, ""))
 
     def close(self):
         self.keys("ctrl+q")
@@ -129,7 +129,7 @@ class EventsTest(ViewerTest):
         self.end()
 
     def saved(self, name="noise.json"):
-        """What Ctrl S writes now."""
+        """Presses Ctrl S and returns what it writes."""
         (self.folder / name).unlink(missing_ok=True)
         self.keys("ctrl+s")
         return json.loads(self.read(name))

@@ -162,7 +162,7 @@ bool Script::execute(const Command& command, App& app) {
     } else if (name == "open") {
         open_file(session, command.rest());
     } else if (name == "save") {
-        session.preset_path = command.rest();
+        session.document().path = command.rest();
         save_preset(session);
     } else if (name == "copy") {
         const char* held = ImGui::GetClipboardText();

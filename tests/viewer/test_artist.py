@@ -69,6 +69,16 @@ class Artist(EventsTest):
         for each in ("lobes", "colour", "scale"):
             self.assertEqual(fit[each], expected[each])
         self.keys("Tab", "Tab")
+        self.assertTrue(self.state["photograph"])
+        self.keys("ctrl+z") # to the noise before the fit
+        self.assertFalse(self.state["photograph"])
+        self.keys("ctrl+s")
+        self.assertNotIn("colour", json.loads(self.read("noise.json")))
+        self.assertEqual(json.loads(self.read("cloth.json")), fit)
+        self.keys("ctrl+y")
+        self.assertTrue(self.state["photograph"])
+        self.drop("expected.json") # which was not fitted here
+        self.assertFalse(self.state["photograph"])
         self.close()
 
     def test_bodies_have_the_colours_of_a_photograph(self):

@@ -1,6 +1,8 @@
 """The pointer, keys and dropped files, and that nothing is lost."""
 
 import json
+import pathlib
+import signal
 import unittest
 
 from events import EventsTest
@@ -110,6 +112,55 @@ class Events(EventsTest):
         self.keys("n", "ctrl+e")
         self.exported()
         self.assertNotEqual(self.read("noise.exr"), first)
+        self.close()
+
+    def test_after_undo_a_document_goes_to_its_own_file(self):
+        for name, frequency in (("one.json", 3), ("two.json", 5)):
+            (self.folder / name).write_text(json.dumps({"frequency": frequency, "width": 64, "height": 64}))
+        self.open(*WINDOW)
+        for name in ("one.json", "two.json"):
+            self.drop(name)
+            self.keys("n", "ctrl+s", "Return") # it replaces a file that the session did not write
+        two = self.read("two.json")
+        self.keys("n", "ctrl+z", "ctrl+z", "ctrl+z")
+        self.assertEqual(pathlib.Path(self.state["path"]).name, "one.json")
+        self.keys("n", "ctrl+s") # without a question
+        one = json.loads(self.read("one.json"))
+        self.assertEqual((one["frequency"], one["seed"]), (3, 2))
+        self.assertEqual(self.read("two.json"), two)
+        self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # before any file was opened
+        self.assertEqual(json.loads(self.read("noise.json"))["frequency"], 4)
+        self.close()
+
+    def test_a_session_that_was_killed_is_offered_again(self):
+        (self.folder / "mine.json").write_text('{"frequency": 3}')
+        for number, how in enumerate((signal.SIGKILL, signal.SIGTERM), start=1):
+            self.open(*WINDOW)
+            self.keys("n")
+            if how == signal.SIGKILL: # it is saved within seconds
+                self.wait_for(lambda state: (self.folder / "config/gabor-noise/viewer.json").exists() and
+                              '"seed\\": 1' in (self.folder / "config/gabor-noise/viewer.json").read_text())
+            self.process.send_signal(how)
+            self.end(-how)
+            self.open(*WINDOW, *(["mine.json"] if how == signal.SIGTERM else []))
+            self.assertIn("ended before", self.state["question"])
+            self.keys("Return")
+            self.assertEqual((self.document["seed"], self.document["frequency"]), (number, 4))
+            self.keys("ctrl+q", "d") # the changes are still in no file: it asks
+            self.end()
+            self.open(*WINDOW)
+            self.assertIsNone(self.state["question"])
+            self.close()
+
+    def test_the_next_view_keeps_the_material(self):
+        (self.folder / "wood.json").write_text(json.dumps({"material": "wood", "width": 64, "height": 64, "scale": 16}))
+        self.open(*WINDOW, "wood.json")
+        views = []
+        for _ in range(4):
+            self.keys("v")
+            self.assertEqual(self.document["material"], "wood")
+            views.append(self.document["view"])
+        self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
         self.close()
 
 

@@ -88,6 +88,19 @@ class Window(ViewerTest):
         self.assertNotEqual(recipes[1], "lattice")
         self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
 
+    def test_a_name_of_another_document_asks(self):
+        self.play("""
+            save one.json
+            key n
+            save two.json
+            save one.json
+            wait 3
+            key escape
+            save two.json
+            quit""")
+        seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
+        self.assertEqual(seeds, [0, 1])
+
     def test_lobes_are_worked_in_the_frequency_plane(self):
         # Its middle is at 1040, 352 and the lobe of frequency 4 at 1118, 352.
         self.play("""

@@ -3,6 +3,7 @@
 
 #include "viewer/app.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/photograph.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -68,6 +69,8 @@ void tell(App& app, const Seen& seen) {
         {"dialog", dialog(session)},
         {"question", session.question ? json(session.question->text) : json()},
         {"message", session.message.text},
+        {"path", session.history.now.path},
+        {"photograph", shows_photograph(session)},
         {"export", static_cast<int>(session.export_target.as)},
         {"animation", session.export_target.frames},
         {"exporting", session.exporter.running()},

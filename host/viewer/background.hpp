@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <future>
+#include <string>
+
+namespace gabor::viewer {
+
+/// Runs one piece of work at a time on a thread of its own. Declare it after the members that the work
+/// writes: its destructor cancels the work and waits for it.
+class Background {
+  public:
+    Background() = default;
+    ~Background() { cancel(); }
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// Waits for earlier work, then starts this.
+    void start(std::function<void()> work) {
+        thread_ = {};
+        error_.clear();
+        cancelling_ = cancelled_ = false;
+        progress_ = 0;
+        thread_ = std::async(std::launch::async, [this, work = std::move(work)] {
+            try {
+                work();
+            } catch (const Cancelled&) {
+                cancelled_ = true;
+            } catch (const std::exception& error) {
+                error_ = error.what();
+            }
+        });
+    }
+    /// Makes the next `advance` end the work.
+    void cancel() { cancelling_ = true; }
+    /// For the work: reports progress from 0 to 1. Throws when the work has been cancelled.
+    void advance(double progress) {
+        if (cancelling_)
+            throw Cancelled();
+        progress_ = progress;
+    }
+
+    bool running() const {
+        return thread_.valid() && thread_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+    }
+    double progress() const { return progress_; }
+    /// How the work ended; valid once it no longer runs.
+    bool was_cancelled() const { return cancelled_; }
+    const std::string& error() const { return error_; } ///< empty if it did not fail
+
+  private:
+    struct Cancelled {};
+
+    std::atomic<bool> cancelling_ = false;
+    std::atomic<double> progress_ = 0;
+    bool cancelled_ = false; ///< the thread writes this and `error_`
+    std::string error_;
+    std::future<void> thread_;
+};
+
+} // namespace gabor::viewer
