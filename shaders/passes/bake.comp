@@ -1,25 +1,26 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A whole picture, faster than pixel by pixel: each invocation fills a block of pixels that visit the same cells.
+// Draws a whole picture faster than pixel by pixel: each invocation fills a block of pixels that use the same cells.
 //
-// For the sparse noise, with impulse c at (x_c, y_c) the kernel is separable as a complex number, and n(x, y) is the imaginary part of
+// In the sparse noise, the kernel of impulse c at (x_c, y_c) is separable as a complex number, and n(x, y) is the imaginary
+// part of
 //
 //     sum_c [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))] q(y - y_c) e^(2 pi i F.y (y - y_0))
 //
-// where y_0 is the block's first row. The bracket is made once for each column of the block, q(y - y_c) once for each
-// row, and the last factor, which all impulses share, once for each pixel; exponentials at even distances follow from
-// the first by rotation. Derivatives have q' for q and gain the factor 2 pi i F.
+// where y_0 is the block's first row. The bracket is computed once per column of the block, q(y - y_c) once per row, and the
+// last factor, which all impulses share, once per pixel. Exponentials at equal distances follow from the first by rotation.
+// Derivatives have q' instead of q and gain the factor 2 pi i F.
 //
-// For the lattice the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
+// In the lattice, the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
 //
-// A slice of the noise in space, whose waves are level, is noise in the plane too: the sum of three nodes along z, each
-// times its window, is an amplitude.
+// A slice of solid noise with waves in its plane is also plane noise: the sum of three nodes along z, each times its window,
+// serves as one amplitude.
 //
-// A spectrum is a sum of such noises, added up in the picture one after the other. In colour they add up to components,
-// of which passes/bake_colour.comp makes colours.
+// A spectrum is a sum of such noises, which are added to the picture one after another. In colour they add up to components;
+// passes/bake_colour.comp turns these into colours.
 //
-// To use it in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
+// To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
 #include "recipe.glsl"
@@ -29,14 +30,14 @@
 
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
-layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: as many as there are. Else so many, unrolled, to count the code
-layout(constant_id = quadrature_id) const bool with_quadrature = false; // the real part beside the noise
-layout(constant_id = gradient_id) const bool with_gradient = false;   // and the noise's derivatives along x and y
+layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any; else this many, unrolled
+layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
+layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
 layout(constant_id = animated_id) const bool animated = false;        // for the lattice: whether time is not 0
-layout(constant_id = sum_id) const bool sum = false;             // of more than one noise
-layout(constant_id = coloured_id) const bool coloured = false;        // the components of a colour in place of the noise
+layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
+layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
 layout(constant_id = view_id) const uint view = view_flat;
-const bool slice = view == view_slice; // of noise in space, with GABOR_TAPS 3
+const bool slice = view == view_slice; // of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -97,7 +98,7 @@ vec2 node_amplitude(uint column, uint row, Depth depth) {
 
 #endif
 
-// Writes a channel of the first noise, and adds those of the others.
+// Writes a channel of the first noise; adds the channels of further noises.
 void put(int at, float value, uint index) {
     if (sum && index > 0u)
         value += picture[at];
@@ -178,7 +179,7 @@ void fill(Run across, Run down, uint index) {
     int row = down.first - first_row;
     int row_count = fixed_rows > 0 ? fixed_rows : down.count;
     [[unroll]] for (int r = 0; r < row_count; ++r) {
-        // All but the last factor, of the noise and of what its derivatives add to those of the wave.
+        // All factors but the last, for the noise and for its derivatives besides those of the wave.
         vec2 envelope[block_columns];
         vec2 slope_x[block_columns];
         vec2 slope_y[block_columns];
@@ -229,7 +230,7 @@ void fill(Run across, Run down, uint index) {
                     put(at + gradient_at + 1, stretch * slopes.y, index);
                 }
                 if (slice)
-                    picture[at + channels - 1] = 1.0; // its coverage
+                    picture[at + channels - 1] = 1.0; // coverage
             }
         }
         carrier = rotated(carrier, row_turn);
@@ -245,7 +246,7 @@ void main() {
     if (sum) {
         for (uint i = 0u; i < wave_count; ++i)
             fill(across, down, first_wave + i);
-    } else { // a loop of one round would stay a loop
+    } else { // compilers would keep a loop with one round
         fill(across, down, first_wave);
     }
 }

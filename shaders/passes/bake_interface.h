@@ -9,12 +9,12 @@ GABOR_INTERFACE_BEGIN
 
 const uint bake_group = 32; // runs of columns
 
-// Consecutive pixels that visit the same cells along an axis.
+// Consecutive pixels that use the same cells along an axis.
 struct Run {
-    int cell;    // the first cell visited
-    float local; // place of the first pixel's centre, in cells from where the next cell begins
-    int first;   // that pixel, counted from the region's first: it may be negative
-    int count;   // along x at most block_columns
+    int cell;    // the first cell used
+    float local; // centre of the first pixel, in cells from the start of the next cell
+    int first;   // that pixel's index in the region; may be negative
+    int count;   // at most block_columns along x
 };
 
 // One noise of the sum. Lengths are in its own kernel radii.
@@ -22,25 +22,25 @@ struct BakeWave {
     vec2 wave;        // as in GaborKernel
     vec2 column_turn; // cos and sin of the phase from one column to the next
     vec2 row_turn;    // and from one row to the next
-    float amplitude;  // what it is multiplied with; for the sparse noise, what normalizes it too
+    float amplitude;  // factor of the noise; for the sparse noise including its normalization
     uint seed;
-    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
 };
 
-// The noises of one kernel radius: their pixels fall into the same runs.
+// The noises of one kernel radius, whose pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;   // as in GaborPlace
     ivec2 period;  // as in GaborPlace
     float time;    // as in GaborPlace, within [0, 1)
     float pixel;   // kernel radii per pixel
-    float stretch; // kernel radii per unit of length, in which derivatives are
+    float stretch; // kernel radii per unit of length of the derivatives
     uint first_wave;
     uint wave_count;
     uint first_column_run;
     uint column_runs;
-    int first_slice;    // of a slice of space: the first of its three nodes along z
-    float slice_offset; // from the second of them, in node spacings
+    int first_slice;    // in a slice of space: the first of three nodes along z
+    float slice_offset; // from the second of these nodes, in node spacings
 };
 
 GABOR_INTERFACE_END

@@ -1,14 +1,14 @@
-// A sphere or a torus as a camera sees it. What includes this has the constants `view` and
-// `rays`, and pushes center, pixel, yaw and pitch as passes/solid_interface.h says.
+// A sphere or torus as a camera sees it. The including file defines the constants `view` and `rays`, and the push constants
+// center, pixel, yaw and pitch of passes/solid_interface.h.
 //
-// Bodies are in a unit of their own, in which the sphere has radius 1. The camera looks at their centre from a distance
-// of 4. The torus lies within the sphere.
+// The unit of length is the radius of the sphere. The camera looks at the centre from a distance of 4. The torus lies inside
+// the sphere.
 
 const float eye_distance = 4.0;
-const float torus_large = 0.68; // radius of the circle around the axis z, and of the tube
+const float torus_large = 0.68; // radius of the circle around the z axis, then that of the tube
 const float torus_small = 0.3;
 
-// Of the camera, of length 1.
+// The camera's axes, of length 1.
 struct Axes {
     vec3 right;
     vec3 up;
@@ -21,16 +21,16 @@ Axes camera_axes() {
     return Axes(right, vec3(-yaw.y * pitch.y, yaw.x * pitch.y, pitch.x), toward_eye);
 }
 
-// A vector along the picture's right and down, and to the eye.
+// A vector's components to the right, down, and towards the eye.
 vec3 in_picture(vec3 v, Axes axes) {
     return vec3(dot(v, axes.right), -dot(v, axes.up), dot(v, axes.toward_eye));
 }
 
 struct Hit {
     bool found;
-    float gap;      // how far from the body the ray passes; it may be half as far
-    float distance; // along the ray, in its direction's length
-    vec3 p;         // in the body's unit
+    float gap;      // the ray's distance from the body; the true one may be half of it
+    float distance; // along the ray, in lengths of its direction
+    vec3 p;         // in units of the body
     vec3 normal;
 };
 
@@ -42,13 +42,13 @@ vec3 torus_normal(vec3 p) {
     return normalize(p - vec3(torus_large * normalize(p.xy), 0.0));
 }
 
-// A ray from the eye; its direction has length 1 along the axis of the camera.
+// A ray from the eye, whose direction has length 1 along the camera's axis.
 vec3 ray_of(vec2 at, Axes axes) {
     vec2 plane = pixel * (at - center);
     return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
 }
 
-// From the ray's foot, where it is nearest to the centre: the quadratic equation without its cancellation.
+// Starts at the ray's point nearest to the centre, which avoids the cancellation of the quadratic formula.
 Hit sphere_hit(vec3 eye, vec3 ray) {
     float foot = -dot(eye, ray) / dot(ray, ray);
     vec3 nearest = eye + foot * ray;
@@ -58,8 +58,8 @@ Hit sphere_hit(vec3 eye, vec3 ray) {
     return Hit(square > 0.0, length(nearest) - 1.0, t, p, p);
 }
 
-// By sphere tracing with a shortest step: what it steps over is a chord of 0.001, 10^-6 below the surface. A step that
-// ends inside the body is halved until the surface is found.
+// Sphere tracing with a shortest step: it can miss only a chord of 0.001, 10^-6 below the surface. A step that ends inside the
+// body is halved until it finds the surface.
 Hit torus_hit(vec3 eye, vec3 ray) {
     float side = length(ray);
     float t = (eye_distance - torus_large - torus_small) / side;
@@ -89,18 +89,18 @@ Hit hit_of(vec2 at, Axes axes) {
     return torus_hit(eye, ray_of(at, axes));
 }
 
-// What a pixel sees of the body, its upper left corner at `corner`.
+// The part of the body that a pixel sees. `corner` is the pixel's upper left corner.
 struct Seen {
     bool found;
     float coverage;
-    vec3 p; // where the pixel's central ray hits, or where it misses the first other one
+    vec3 p; // hit point of the pixel's central ray, or of the first other ray if that one misses
     vec3 normal;
-    vec3 dx; // how far the ray's end moves in the tangent plane to the next pixels
+    vec3 dx; // change of the hit point in the tangent plane from one pixel to the next
     vec3 dy;
 };
 
-// Whether all rays of the pixel hit, or none: they are at most `reach` apart on the body, and a body is at least as
-// deep under a point of its surface as the tube of the torus.
+// Whether all rays of the pixel hit, or none. They are at most `reach` apart on the body, and under each point of its surface
+// a body is at least as deep as the tube of the torus.
 bool all_alike(Hit hit, vec3 ray) {
     float reach = 0.75 * pixel * (eye_distance + 1.0);
     float facing = dot(normalize(ray), hit.normal);

@@ -1,17 +1,17 @@
-// The colour of a pixel, from the components that noises add up to. What includes this says which buffer `colour_binding`
-// is.
+// The colour of a pixel, from the components that the noises add up to. The including file defines the buffer
+// `colour_binding`.
 
 #include "passes/colour.h"
 
 layout(std430, set = 0, binding = colour_binding) readonly buffer Colour { PixelsColour colour; };
 
-// What noises add up to, and the variance that a filter removed from it.
+// The sum of noises in each component, and the variance that a filter removed.
 struct Components {
     vec3 value;
     vec3 removed;
 };
 
-// Adds a noise, given with its quadrature, of whose variance a share was removed.
+// Adds a noise with its quadrature; a share of its variance was removed.
 void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
     vec2 a = weights[0];
     vec2 b = weights[1];
@@ -20,8 +20,8 @@ void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
     sum.removed += removed * vec3(dot(a, a), dot(b, b), dot(c, c));
 }
 
-// Each component is taken to its own law by a polynomial. Where a filter has removed a share v of its variance, the
-// mean of that over what was removed: of z^n over a normal rest of variance v.
+// A polynomial gives each component its own distribution. If a filter removed a share v of the variance, this is the mean of
+// the polynomial over the removed part: of z^n over a normal variable of variance v.
 vec3 colour_of(vec3 z, vec3 v) {
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;

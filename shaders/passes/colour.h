@@ -7,9 +7,9 @@
 
 GABOR_INTERFACE_BEGIN
 
-// What colours are made of: see noise::Colour. Three numbers each.
+// How components become colours, as noise::Colour; three numbers each.
 struct PixelsColour {
-    vec4 histogram[6]; // coefficients of 1, z, ... z^5, of each component
+    vec4 histogram[6]; // coefficients of 1, z, ... z^5 for each component
     vec4 mean;
     vec4 mixing[3]; // a row for each channel
 };

@@ -1,4 +1,4 @@
-// The ids of specialization constants, the same in every pass over a picture, for GLSL and C++.
+// The ids of specialization constants, equal in all passes over a picture, for GLSL and C++.
 
 #ifndef GABOR_CONSTANTS_H
 #define GABOR_CONSTANTS_H
@@ -14,8 +14,8 @@ const uint weight_floor_id = 2;
 const uint phases_id = 3;
 const uint window_id = 4; // three numbers
 
-// What is drawn
-const uint view_id = 7; // one of those below
+// What to draw
+const uint view_id = 7; // a view below
 const uint filter_id = 8;
 const uint painted_id = 9;
 const uint quadrature_id = 10;
@@ -26,7 +26,7 @@ const uint animated_id = 14;
 const uint coloured_id = 15;
 const uint normals_id = 16;
 
-// passes/solid.comp: whether any of its noises is isotropic, and any is not
+// passes/solid.comp: whether any noise is isotropic, and whether any is not
 const uint isotropic_id = 17;
 const uint directed_id = 18;
 

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A band of a heightmap, eroded. Slopes are those of the map smoothed over 5 x 5 pixels, so that steps of 16 bits do not
-// show: binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
+// Erodes a band of a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
+// binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
 
 #include "passes/erode_interface.h"
 #include "gabor_lattice.glsl"
@@ -13,7 +13,7 @@ layout(local_size_x = erode_group, local_size_y = erode_group) in;
 layout(std430, set = 0, binding = 0) readonly buffer Map { float map[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Eroded { float eroded[]; };
 
-// The map's height at a pixel of it, counted in rows from the first of the band.
+// The map's height at a pixel; rows count from the first row of the band.
 float height_at(int column, int row) {
     column = tileable != 0 ? (column + map_width) % map_width : clamp(column, 0, map_width - 1);
     return map[(row + erode_halo) * map_width + column];

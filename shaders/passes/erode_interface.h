@@ -9,19 +9,19 @@ GABOR_INTERFACE_BEGIN
 
 const uint erode_group = 8;   // pixels along x and y
 const int erode_halo = 2;     // rows of the map that a slope needs above and below
-const int erode_channels = 5; // height, slope along x and y, ridge, height less that of the map
+const int erode_channels = 5; // height, slope along x and y, ridge, height minus the map's height
 
 GABOR_PUSH_CONSTANTS(ErodePush) {
-    vec2 period; // of a tile, 0 for none
-    float pixel; // side of a pixel, in the unit of heights
+    vec2 period; // of a tile; 0 for none
+    float pixel; // side of a pixel, in units of height
     uint seed;
     int map_width; // pixels
-    int tileable;  // whether the map's columns close
+    int tileable;  // whether the map's columns repeat
     int first_column;
     int first_row; // of the band in the map; the heights begin erode_halo rows above it
     int width;
     int height;
-    int octaves; // these and what follows: GaborErosion
+    int octaves; // this and the following: GaborErosion
     float frequency;
     float strength;
     float lacunarity;

@@ -1,6 +1,5 @@
-// Lets one header declare push constants and group sizes for C++ and GLSL alike, so that the two cannot
-// differ: PASS_interface.h beside the pass. C++ finds the declarations in gabor::passes, with vectors aligned
-// as in GLSL.
+// Macros for headers that declare push constants and group sizes for both C++ and GLSL, so that the two cannot differ: each pass
+// has a PASS_interface.h. In C++ the declarations are in gabor::passes, with vectors aligned as in GLSL.
 
 #ifndef GABOR_INTERFACE_H
 #define GABOR_INTERFACE_H
@@ -39,8 +38,8 @@ struct alignas(16) vec4 {
 // The push constants of every pass over a picture begin with the band that it fills:
 //   first_column, first_row   of the band's pixels, in the units of the pass's tables or of the picture
 //   width, height             pixels
-//   before                    pixels in the buffer before those of the band
-//   first_run                 in passes/bake.comp, of the band's rows
+//   before                    number of pixels in the buffer before the band
+//   first_run                 the first run of the band's rows, in passes/bake.comp
 #define GABOR_BAND                                                                                           \
     int first_column;                                                                                        \
     int first_row;                                                                                           \

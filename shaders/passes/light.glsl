@@ -1,41 +1,41 @@
-// How a material looks under a lamp at the upper left, with a window's soft light around. The surface is the plane z = 0,
-// y pointing down the picture.
+// A material under a lamp at the upper left, with soft light from a window around it. The surface is the plane z = 0; y points
+// down the picture.
 // Microfacets after Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 
-// What shines on a surface from direction `d`: a bright window above, dark walls.
+// The light from direction `d`: a bright window above, dark walls.
 vec3 surroundings(vec3 d, float roughness) {
     float soft = 0.3 + 0.6 * roughness;
     float window = smoothstep(-soft, soft, 0.35 - abs(d.x + 0.12 - 0.2 * d.y)) * smoothstep(-soft, soft, 0.4 - d.y);
     return vec3(0.13, 0.14, 0.16) + vec3(0.8, 0.85, 0.95) * window;
 }
 
-// Towards the eye above the middle of a picture, from a place between -0.5 and 0.5 along its longer side.
+// The direction to the eye, which is above the middle of the picture. Places are -0.5 to 0.5 along its longer side.
 vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }
 
-// Towards the lamp, likewise.
+// The direction to the lamp.
 vec3 lamp_above(vec2 place) {
     return normalize(vec3(vec2(-0.75, -0.85) - 0.6 * place, 1.0));
 }
 
 const vec3 backdrop = vec3(0.016, 0.017, 0.019); // behind a body
 
-// Of the sky, from the horizon at 0 to the picture's edge at 1.
+// The sky, from the horizon at 0 to the picture's edge at 1.
 vec3 sky_colour(float up) {
     return mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up);
 }
 
-// What shines back the light, as in GaborMaterial.
+// What reflects the light, as in GaborMaterial.
 struct Surface {
     vec3 colour;
     float roughness;
     float metalness;
 };
 
-// The light, linear, that goes to the eye.
+// The light towards the eye, linear.
 //   normal     of the surface, of length 1, z pointing out of the picture
-//   eye, lamp  where they are, of length 1
+//   eye, lamp  directions towards them, of length 1
 vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
     vec3 between = normalize(eye + lamp);
     float facing = max(dot(normal, lamp), 0.0);

@@ -1,4 +1,4 @@
-// A table entry that passes over a picture share with C++.
+// A table entry that the passes share with C++.
 
 #ifndef GABOR_LINE_H
 #define GABOR_LINE_H
@@ -7,7 +7,7 @@
 
 GABOR_INTERFACE_BEGIN
 
-// Where the pixels of a column or a row are: in cells, or in perspective in pixels from the horizon's middle.
+// The pixels of a column or a row: in cells or, in perspective, in pixels from the middle of the horizon.
 struct Line {
     int cell;
     float local;

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A picture of the material GABOR_MATERIAL: its colour, height, roughness and metalness, and how it looks under a lamp.
+// Draws the material GABOR_MATERIAL: its colour, height, roughness and metalness, and its look under a lamp.
 
 #include "passes/material_interface.h"
 #include "gabor_lattice.glsl"
@@ -27,8 +27,8 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     return GABOR_MATERIAL(p, seed);
 }
 
-// A plane through space on which the material lies, and its origin's place on the material: far from that of other
-// planes, which would mirror each other where they meet.
+// A plane in space that carries the material, and its origin's place on the material: far from those of other planes, which
+// would otherwise mirror each other where they meet.
 struct Plane {
     vec3 right;
     vec3 down;
@@ -91,8 +91,8 @@ void main() {
         eye = normalize(in_picture(eye_distance * axes.toward_eye - seen.p, axes));
     }
 
-    // On a body the material lies on the three planes of the axes, and is seen on those that the surface faces. Slopes
-    // over a pixel's smaller side; in a loop, which compilers do not unroll.
+    // Projects the material onto a body from three planes along the axes, weighted by how much the surface faces each. Slopes
+    // are over a pixel's smaller side. It is a loop so that compilers do not inline the material three times.
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;
     GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, 0.0, 0.0);

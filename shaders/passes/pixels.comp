@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// A picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
+// Draws a picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
 const int colour_binding = 5;
@@ -18,9 +18,9 @@ layout(constant_id = painted_id) const bool painted = false;
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
-layout(constant_id = values_id) const int values = 1; // uncorrelated ones
+layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
-layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue in place of the noise
+layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
 const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
@@ -32,7 +32,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_tab
 layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
-// Frequency and orientation at a pixel, between the samples of the paint around it.
+// Frequency and orientation at a pixel, interpolated between the samples of the paint.
 vec2 painted_at(vec2 pixel) {
     vec2 at = clamp(paint_corner + (pixel + 0.5) * paint_scale - 0.5, vec2(0.0), vec2(paint_size - 1));
     ivec2 low = ivec2(at);
@@ -52,7 +52,7 @@ struct Values {
 
 const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
 
-// Where a pixel is, and how far from it are its neighbours along the picture's axes.
+// A pixel's place, and the distances to its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
     vec2 from_camera; // in perspective

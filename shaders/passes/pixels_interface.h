@@ -13,29 +13,29 @@ const uint pixels_group = 8; // pixels along x and y
 
 // One noise of the sum, in its own kernel radii.
 struct PixelsWave {
-    vec2 nodes;        // as GaborPlace.radius
+    vec2 nodes;        // as in GaborPlace.radius
     ivec2 period;      // as in GaborPlace
-    vec2 camera;       // in perspective: where it stands in its cell
-    float frequency;   // of the wave; where it is painted, times that of the paint
-    float orientation; // radians, and that of the paint more
-    float radius;      // of its kernels, in those of the picture
-    float amplitude;   // the root of its share of the variance
+    vec2 camera;       // in perspective: its place in its cell
+    float frequency;   // of the wave; a factor of the painted frequency, if any
+    float orientation; // radians, added to the painted orientation, if any
+    float radius;      // of its kernels, in kernel radii of the picture
+    float amplitude;   // the square root of its share of the variance
     uint seed;
-    int table;       // of lines
-    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+    int table;       // index of its table of lines
+    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
 };
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
     GABOR_BAND
     ivec2 paint_size;   // samples
-    vec2 paint_scale;   // samples of the paint per pixel
+    vec2 paint_scale;   // paint samples per pixel
     vec2 paint_corner;  // of the region, in samples
     float time;         // as in GaborPlace
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
     float focal_length; // pixels, in perspective
     int waves;
-    int tables; // of lines: each column and each row has one in each, side by side
+    int tables; // number of tables of lines; each column and each row has one line in each, side by side
 };
 
 GABOR_INTERFACE_END

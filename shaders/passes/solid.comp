@@ -1,23 +1,23 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Pictures of noise in space: a flat slice, or a sphere or a torus that carries it, seen in perspective. With
-// GABOR_OF_surface waves are tangent to the body: two modules, for drivers take seconds to compile both kinds in one.
+// Draws solid noise: a flat slice, or a sphere or torus in perspective. With GABOR_OF_surface, waves are tangent to the body.
+// These are two modules, because drivers take seconds to compile both in one.
 
 #include "passes/solid_interface.h"
 
 layout(constant_id = view_id) const uint view = view_slice;
-layout(constant_id = isotropic_id) const bool some_isotropic = false; // of the noises
+layout(constant_id = isotropic_id) const bool some_isotropic = false; // whether any noise is isotropic
 layout(constant_id = directed_id) const bool some_directed = false;
-layout(constant_id = filter_id) const bool filtered = true;     // by the pixel's footprint
-layout(constant_id = values_id) const int values = 1; // independent ones
+layout(constant_id = filter_id) const bool filtered = true;     // for the pixel's footprint
+layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
-layout(constant_id = gradient_id) const bool with_gradient = false; // along the picture's right and down
+layout(constant_id = gradient_id) const bool with_gradient = false; // to the right and down in the picture
 layout(constant_id = phasor_id) const bool with_phasor = false;
-const int rays = 4; // through a pixel for its coverage, along each axis
+const int rays = 4; // per pixel and axis, to measure coverage
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
-layout(constant_id = coloured_id) const bool coloured = false; // three values are a colour
-layout(constant_id = normals_id) const bool with_normal = false; // of the surface along the picture's right and down and to the eye, and the derivative to it
+layout(constant_id = coloured_id) const bool coloured = false; // whether three values form a colour
+layout(constant_id = normals_id) const bool with_normal = false; // normal (right, down, to the eye) and the derivative to the eye
 const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
@@ -74,7 +74,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
                 sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
                 sum.slope += wave.amplitude / wave.radius * field.gradient;
             }
-            if (coloured) // with one value
+            if (coloured) // then there is one value
                 add_to(sum.components, wave.weights, vec2(field.quadrature, field.noise), field.removed);
         }
     }
@@ -116,7 +116,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 corner = vec2(here + ivec2(first_column, first_row));
-    if (view == view_slice) { // its axes are those of the plane, y growing downwards
+    if (view == view_slice) { // its axes are those of the plane, with y pointing down
         Axes flat_axes = Axes(vec3(1.0, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, 1.0));
         vec3 p = vec3(pixel * (corner + 0.5), depth);
         Values here_values = values_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));

@@ -14,21 +14,21 @@ const uint solid_group = 8; // pixels along x and y
 struct SolidWave {
     vec2 direction; // of the waves, in the plane z = 0, of length 1
     float frequency;
-    float radius;    // of its kernels, in those of the picture
-    float amplitude; // the root of its share of the variance
+    float radius;    // of its kernels, in kernel radii of the picture
+    float amplitude; // the square root of its share of the variance
     uint seed;
-    uint isotropic;  // 1 where waves have all directions
-    vec2 weights[3]; // in the components of colours, of (quadrature, noise)
+    uint isotropic;  // 1 if waves have all directions
+    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
 };
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
     GABOR_BAND
     vec2 center; // of the picture, in pixels from its corner
-    vec2 yaw;    // cosine and sine of the eye's angle around the axis z
-    vec2 pitch;  // and of its height above the plane z = 0
-    float pixel; // side of a pixel: of a slice in kernel radii, else in the plane at distance 1 from the eye
-    float unit;  // kernel radii in the unit of bodies, the radius of the sphere
+    vec2 yaw;    // cosine and sine of the eye's angle around the z axis
+    vec2 pitch;  // and of its angle above the plane z = 0
+    float pixel; // side of a pixel: in kernel radii for a slice, otherwise in the plane at distance 1 from the eye
+    float unit;  // radius of the sphere in kernel radii
     float depth; // z of the slice, kernel radii
     float time;
     int waves;

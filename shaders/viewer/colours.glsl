@@ -1,4 +1,4 @@
-// What the viewer shows of a noise, as colours: in the window, in the PNG that it exports, and in the code that it copies.
+// Turns a noise into the viewer's colours: in the window, in exported PNGs, and in copied code.
 
 vec3 viewer_ramp(float t, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e) {
     t *= 4.0;
@@ -7,8 +7,8 @@ vec3 viewer_ramp(float t, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e) {
     return t < 2.0 ? low : high;
 }
 
-// Colour maps for t in [0, 1]: 0 grey, 1 viridis, 2 blue to red through white, 3 ember, 4 sea. The second has the colours of van der Walt and Smith,
-// the third those of Moreland's "cool to warm", each through five of them.
+// Colour maps for t in [0, 1]: 0 grey, 1 viridis, 2 blue to red through white, 3 ember, 4 sea. Map 1 interpolates five colours
+// by van der Walt and Smith, map 2 five colours of Moreland's "cool to warm".
 vec3 viewer_colour(int map, float t) {
     t = clamp(t, 0.0, 1.0);
     if (map == 1)
@@ -26,28 +26,28 @@ vec3 viewer_colour(int map, float t) {
     return vec3(t);
 }
 
-// All hues, and back to the first, alike in brightness.
+// A cycle of all hues with equal brightness.
 vec3 viewer_cycle(float t) {
     return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));
 }
 
-// The noise, `contrast` standard deviations from its mean to the ends of the map.
+// The noise; the ends of the map are `contrast` standard deviations from the mean.
 vec3 viewer_value(float noise, float contrast, int map) {
     return viewer_colour(map, 0.5 + 0.5 * noise / contrast);
 }
 
-// A normal along the picture's right and down and to the eye; `green` is 1 for up, as OpenGL has it, and -1 for down, as
+// A normal with components to the right, down, and towards the eye. `green` is 1 for up, as in OpenGL, and -1 for down, as in
 // DirectX.
 vec3 viewer_normal(vec3 normal, float green) {
     return 0.5 + 0.5 * normal * vec3(1.0, -green, 1.0);
 }
 
-// A normal map of the noise as a height; `deviation` is that of a derivative.
+// A normal map of the noise as a height; `deviation` is the standard deviation of a derivative.
 vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green) {
     return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
 }
 
-// Of the noise as a complex number, (cosines, sines).
+// The phase of the complex noise (cosines, sines).
 vec3 viewer_phase(vec2 value, int map) {
     float phase = fract(atan(value.y, value.x) / 6.2831853);
     return map == 0 ? vec3(phase) : viewer_cycle(phase);
@@ -62,7 +62,7 @@ vec3 viewer_phasor(vec2 value, int map) {
     return viewer_colour(map, 0.5 + 0.5 * value.y / max(length(value), 1.0e-6));
 }
 
-// The share of the variance that a filter has left.
+// The share of the variance that a filter keeps.
 vec3 viewer_variance(float removed, int map) {
     return viewer_colour(map, 1.0 - removed);
 }

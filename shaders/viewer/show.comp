@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Shows the pixels of a picture in a file, a band of rows at a time.
+// Colours the pixels of a picture for a file, one band of rows at a time.
 
 #include "viewer/show.glsl"
 

@@ -1,20 +1,20 @@
-// Channels of a picture as colours: what the window and files share.
+// Turns the channels of a picture into colours, for the window and for files.
 
 #include "viewer/show_interface.h"
 #include "viewer/colours.glsl"
 #include "passes/light.glsl"
 
-// Constants, because a CPU would go through every branch.
-// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 phasor, 6 a lit height, 7 colours; of a material: 8 lit,
+// Specialization constants, because CPUs run every branch.
+// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 phasor, 6 a lit height, 7 colours; for materials: 8 lit,
 // 9 colour, 10 height, 11 normal, 12 roughness, 13 metalness
 layout(constant_id = 0) const int output_shown = 0;
 layout(constant_id = 1) const int colours = 0;      // the colour map
 layout(constant_id = 2) const int channels = 1;
-layout(constant_id = 3) const int companion = 0;    // the first channel that the output needs beside the noise
-layout(constant_id = 4) const int normal_at = -1;   // of a body: its normal and gradient.z, -1 for none
-layout(constant_id = 5) const int coverage_at = -1; // the channel of the coverage, -1 for none
+layout(constant_id = 3) const int companion = 0;    // the first channel that the output needs besides the noise
+layout(constant_id = 4) const int normal_at = -1;   // channel of a body's normal and gradient.z, -1 for none
+layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, -1 for none
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
-layout(constant_id = 7) const bool tiles = false;   // whether the canvas is repeated, two by two
+layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -28,7 +28,7 @@ vec3 srgb(vec3 light) {
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 
-// The noise as a height: a body has its own normal, after the gradient along the picture.
+// The noise as a height. A body has its own normal, stored after the gradient.
 vec3 lit_noise(vec2 pixel, vec3 colour) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
     vec3 bump = vec3(value_at(pixel, companion), value_at(pixel, companion + 1), 0.0);
@@ -81,7 +81,7 @@ vec3 shown(vec2 pixel) {
         seen = lit_noise(pixel, viewer_value(noise, contrast, colours));
     else
         seen = viewer_value(noise, contrast, colours);
-    // Light falls past a body too.
+    // Light passes around a body.
     float coverage = coverage_at >= 0 && output_shown != 8 ? value_at(pixel, coverage_at) : 1.0;
     return mix(vec3(0.05, 0.05, 0.055), clamp(seen, 0.0, 1.0), coverage);
 }
