@@ -168,6 +168,12 @@ class LikeFiles(ErrorTest):
             with self.subTest(parameters):
                 self.refuse_like(words)
 
+    def test_presets_that_are_no_json_files(self):
+        for text in ("", " " * 2**21):
+            (self.folder / "preset.json").write_text(text)
+            with self.subTest(len(text)):
+                self.refuse_render(["cannot read", "preset.json", "1 MiB"], "--preset", "preset.json")
+
     def test_what_is_absent_keeps_its_default(self):
         write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, '{"seed": 7}')
         self.succeed("render", "-o", "of_like.exr", "--like", "like.exr")

@@ -102,6 +102,19 @@ class FitTest(ProgramTest):
         self.assertGreater(shares.min(), 0.85)
         self.assertLess(shares.max(), 1.15)
 
+    def test_a_wide_photograph_and_a_tall_one_give_the_lobes_of_both(self):
+        square = colour_noise(256)
+        picture = np.concatenate([square, square.swapaxes(0, 1)], 1)  # its halves have each other's axes
+        lobes = {}
+        for name, pixels in (("wide", picture), ("tall", picture.swapaxes(0, 1))):
+            write_png(self.folder / f"{name}.png", pixels)
+            waves = [lobe["frequency"] * np.exp(1j * np.radians(lobe["orientation"])) / 1
+                     for lobe in self.fit(f"{name}.png", "--lobes", "6")["lobes"]]
+            lobes[name] = sorted((round(abs(wave.real), 2), round(abs(wave.imag), 2)) for wave in waves)
+        mirrored = sorted((y, x) for x, y in lobes["tall"])
+        self.assertGreater(len(mirrored), 2)
+        np.testing.assert_allclose(lobes["wide"], mirrored, atol=0.06)
+
     def drawn(self, main, width, height):
         """What a main function after the drop-ins and sea.glsl draws."""
         import moderngl
