@@ -10,7 +10,7 @@ import zlib
 
 import numpy as np
 
-WHEELS = pathlib.Path(os.environ.get("GABOR_WHEELS", "."))
+WHEELS = pathlib.Path(os.environ.get("GABOR_WHEELS", ".")).resolve()
 WHEEL = "scikit-image==0.25.2"
 
 
