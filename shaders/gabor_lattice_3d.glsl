@@ -9,7 +9,7 @@
 // Arguments of all functions; the others are as in gabor_lattice.glsl:
 //     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
 //     normal     of the surface, of any length from 10^-15 to 10^15
-//     dx, dy     how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+//     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -47,8 +47,8 @@
 
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-//     and gradient are normal, with the same variance at every place. The power is even over all directions but for what
-//     the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+//     and gradient are normal, with the same variance at every place. The power varies with direction only through the
+//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
 //     distributions; so are second derivatives.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
@@ -63,8 +63,8 @@
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
 //     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for twice
-//     the cost. Where the surface is curved, the waves of a kernel bend.
+//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for
+//     twice the cost. Where the surface is curved, the waves of a kernel bend.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
@@ -169,7 +169,7 @@ GaborField3d gabor_impl_sum_3d(GaborPlace3d place, vec3 wave, GaborMatrix pixel,
                         sum.x, vec3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// Adds a field times an amplitude. Of its unit of length, `stretch` make a kernel radius.
+// Adds a field times an amplitude. A kernel radius has `stretch` of its units of length.
 void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude, vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
@@ -177,8 +177,7 @@ void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float 
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The axes of a place's pixel, at right angles, as long as twice the filter's deviations. Lengths are in units of
-// GABOR_RADIUS nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's deviation, in units of GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     vec3 major;
     vec3 minor;
@@ -187,14 +186,14 @@ struct GaborPixelAxes {
 GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, vec3 stretch) {
     vec3 dx = clamp(place.dx, -1.0e6, 1.0e6) * stretch;
     vec3 dy = clamp(place.dy, -1.0e6, 1.0e6) * stretch;
-    vec2 twice = vec2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // its axes are turned by half of that angle
+    vec2 twice = vec2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // its axes have half of that angle
     float cosine = twice.x / max(length(twice), 1.0e-30);
     vec2 turn = sqrt(max(0.5 + vec2(0.5, -0.5) * cosine, 0.0));
     if (twice.y < 0.0) turn.y = -turn.y;
     return GaborPixelAxes(turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx);
 }
 
-// The same with axes no longer than `most`.
+// The same with axes of at most `most`.
 GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes(most * inversesqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * inversesqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
@@ -205,7 +204,7 @@ GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
     return GaborMatrix(major * major + minor * minor, major.yzx * major.zxy + minor.yzx * minor.zxy);
 }
 
-// Along each axis of a pixel, d of gabor_impl_transmitted.
+// d of gabor_impl_transmitted, along each axis of a pixel.
 vec2 gabor_impl_spread(GaborPixelAxes pixel) {
     return 1.0 + 1.6449341 * vec2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
 }
@@ -217,7 +216,7 @@ float gabor_impl_transmitted_3d(vec3 wave, GaborPixelAxes pixel) {
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inversesqrt(d.x * d.y);
 }
 
-// With periods, whose nodes are not 1 / GABOR_RADIUS apart, everything counts in units of GABOR_RADIUS nodes.
+// With periods, nodes are not 1 / GABOR_RADIUS apart, so all lengths are in units of GABOR_RADIUS nodes.
 GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction, uint seed) {
     vec3 stretch = place.radius / GABOR_RADIUS;
     vec3 wave = min(abs(frequency), 1.0e6) * gabor_impl_unit(direction) / stretch;
@@ -248,14 +247,14 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction,
     return sum;
 }
 
-// Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
+// Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
 void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, sqrt(power), vec3(1.0));
     sum.removed += power * term.removed;
 }
 
-// Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
+// Where the surface's normal is within 14 to 30 degrees of the direction, a perpendicular direction replaces it.
 GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -272,12 +271,13 @@ GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, 
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 //
-// Node c sends out waves along three unit vectors u_cm at right angles, turned at random, each with its own amplitude:
+// Node c emits waves along three perpendicular unit vectors u_cm, turned at random, each with its own amplitude:
 //     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-// Given the directions, n is normal with the variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2, which is constant. So is the
-// gradient's covariance, K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), for sum_m u_cm u_cm^T = 1; value
-// and gradient are independent. As none of this depends on the directions, both are normal without knowing them. On a
-// surface there are two tangent vectors, and the same holds of the value and its derivatives along the surface.
+// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient has the
+// constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 1, and
+// is independent of the value. Since none of this depends on the directions, both are also normal over random
+// directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
+// the surface.
 
 // Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
 // to the point. The filter, see gabor_spectrum.glsl, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
@@ -291,7 +291,7 @@ void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wa
     if (place.filtered) {
         vec3 s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
         a *= exp(-max(dot(wave.xyz, s), 0.0));
-        s = clamp(s, -3.0, 3.0); // of a wave that is left
+        s = clamp(s, -3.0, 3.0); // for any wave that the filter keeps
         vec3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
         vec3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r));
         float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
@@ -309,16 +309,16 @@ void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wa
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, in which these vectors are at right angles.
+// The waves of isotropic noise: all, or only those along a surface, spanned by these perpendicular vectors.
 struct GaborTangents {
     bool only;
     vec3 along;
     vec3 across;
 };
 
-// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. As a wave along
-// -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
-// of a turn around it is enough for the others.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
+// along -u is one along u, so half a turn is enough for the first vector along a surface. In space that vector also
+// rises, and a quarter of a turn around it is enough for the others.
 void gabor_impl_add_node(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          vec3 scale, GaborTangents tangents, uint column, uvec4 row) {
     uint word = column * row.w;
@@ -341,8 +341,9 @@ void gabor_impl_add_node(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPl
     if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) / 2;
-// and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
+// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
+// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
+// ends.
 vec4 gabor_impl_node(float offset, vec4 node, float variance) {
     offset /= GABOR_RADIUS;
     float fade = 1.0, fall = 1.0;
@@ -362,7 +363,7 @@ GaborAxis gabor_impl_nodes(int cell, float local, int period, uint salt, float v
     return axis;
 }
 
-// The sum over 27 nodes, less its factor K.
+// The sum over 27 nodes, without its factor K.
 GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, vec3 scale, GaborTangents tangents,
                                       uint salt) {
     vec3 s = pixel.diagonal;
@@ -384,9 +385,10 @@ GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, vec
     return sum;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
-// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the sphere its
-// mean is nearly that of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
+// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
+// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// E[u_1^2]) q_2.
 float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     vec2 d = gabor_impl_spread(pixel);
     vec2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
@@ -431,10 +433,10 @@ GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) 
     return gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)), seed);
 }
 
-// Of all directions in the tangent plane; from the circle of latitude around z, near the poles around x.
+// Waves of all directions in the tangent plane, measured from the circle of latitude around z, near the poles around x.
 GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
-    float aside = dot(normal.xy, normal.xy); // of the axis z
+    float aside = dot(normal.xy, normal.xy); // squared distance from the z axis
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
         vec3 along = gabor_impl_unit(cross(i == 0 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));

@@ -1,17 +1,17 @@
-// gabor_erosion.wgsl: eroded mountains, each point on its own: branching gullies and ridges on any slope: for WGSL.
+// gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for WGSL.
 //
 // Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 65f1a9e89726046c
+// Digest of the GLSL and of this file: e056279f2f7dbde0
 //
-//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
-// Stripes of noise run down the slope, octave by octave. The cosine of their phase is the height of gullies. The idea
-// is that of runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
+// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of gullies. The idea
+// comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// A height in the unit of p, its derivatives along x and y, and -1 in creases and valleys to 1 on ridges and peaks.
+// A height in units of p, its derivatives, and a ridge value from -1 in creases and valleys to 1 on ridges and peaks.
 struct GaborTerrain {
     height: f32,
     slope: vec2<f32>,
@@ -38,28 +38,28 @@ fn gabor_erosion() -> GaborErosion {
     return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
 }
 
-// Hills to erode, about four units wide, of mean height 0 and slopes of 0.6 rms. Their curvature is continuous.
+// Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e7 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), seed);
     return _e7;
 }
 
-// The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
-// height is continuous where the base and its slope are. What comes out can be eroded again. The slope takes the
-// directions of gullies, and where they fade, as fixed: its rms error is 0.6 of the rms slope of the height.
+// Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
+// The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
+// ignores that gullies change direction and fade: its rms error is 0.6 of the rms slope.
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
     return _e8;
 }
 
-// The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
-// from one pixel to the next, dFdx(p) and dFdy(p). Octaves that are gone cost nearly nothing.
+// The same without gullies that are too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and
+// dFdy(p), the change of p from one pixel to the next. Removed octaves cost almost nothing.
 fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e11 = gabor_eroded_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
     return _e11;
 }
 
-// The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
+// The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e6 = gabor_terrain_at(GaborGround(vec2(0i), p, period), seed);
     return _e6;
@@ -70,14 +70,14 @@ fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosi
     return _e12;
 }
 
-// A position, cell + local, and how the world repeats.
+// A position, cell + local, and the period of the world.
 struct GaborGround {
     cell: vec2<i32>,
     local: vec2<f32>,
     period: vec2<f32>,
 }
 
-// All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
+// Everything together: full precision far away, a period, and a filter, unless dx and dy are vec2(0.0).
 fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -336,8 +336,8 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice with so many nodes per unit of p, in 1 / 65536, that a product with a cell is an exact integer
-// and fraction. A unit of p counts as the kernel radius.
+// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
+// cell is an exact integer and fraction. The kernel radius is one unit of p.
 fn gabor_impl_place(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;
@@ -442,7 +442,7 @@ fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec
     return;
 }
 
-// From 0 to 1 at t = 1 and beyond, straight from 0 on, or with a rounded start.
+// Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
     var local_12: f32;
     var s_2: f32;

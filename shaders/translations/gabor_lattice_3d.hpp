@@ -10,7 +10,7 @@
 // Arguments of all functions; the others are as in gabor_lattice.hpp:
 //     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
 //     normal     of the surface, of any length from 10^-15 to 10^15
-//     dx, dy     how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+//     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -48,8 +48,8 @@
 
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-//     and gradient are normal, with the same variance at every place. The power is even over all directions but for what
-//     the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+//     and gradient are normal, with the same variance at every place. The power varies with direction only through the
+//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
 //     distributions; so are second derivatives.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
@@ -64,8 +64,8 @@
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
 //     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for twice
-//     the cost. Where the surface is curved, the waves of a kernel bend.
+//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for
+//     twice the cost. Where the surface is curved, the waves of a kernel bend.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
@@ -170,7 +170,7 @@ GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave,
                         sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
 
-// Adds a field times an amplitude. Of its unit of length, `stretch` make a kernel radius.
+// Adds a field times an amplitude. A kernel radius has `stretch` of its units of length.
 GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field, float amplitude, gabor_vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
@@ -178,8 +178,7 @@ GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The axes of a place's pixel, at right angles, as long as twice the filter's deviations. Lengths are in units of
-// GABOR_RADIUS nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's deviation, in units of GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -188,14 +187,14 @@ struct GaborPixelAxes {
 GABOR_INLINE GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, gabor_vec3 stretch) {
     gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f) * stretch;
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f) * stretch;
-    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // its axes are turned by half of that angle
+    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // its axes have half of that angle
     float cosine = twice.x / gabor_cpp_max(gabor_cpp_length(twice), 1.0e-30f);
     gabor_vec2 turn = gabor_cpp_sqrt(gabor_cpp_max(0.5f + gabor_vec2(0.5f, -0.5f) * cosine, 0.0f));
     if (twice.y < 0.0f) turn.y = -turn.y;
     return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
-// The same with axes no longer than `most`.
+// The same with axes of at most `most`.
 GABOR_INLINE GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
@@ -206,7 +205,7 @@ GABOR_INLINE GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
     return GaborMatrix{major * major + minor * minor, major.yzx() * major.zxy() + minor.yzx() * minor.zxy()};
 }
 
-// Along each axis of a pixel, d of gabor_impl_transmitted.
+// d of gabor_impl_transmitted, along each axis of a pixel.
 GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborPixelAxes pixel) {
     return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
 }
@@ -218,7 +217,7 @@ GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pix
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// With periods, whose nodes are not 1 / GABOR_RADIUS apart, everything counts in units of GABOR_RADIUS nodes.
+// With periods, nodes are not 1 / GABOR_RADIUS apart, so all lengths are in units of GABOR_RADIUS nodes.
 GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     gabor_vec3 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_unit(direction) / stretch;
@@ -249,14 +248,14 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     return sum;
 }
 
-// Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
+// Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
 GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     sum.removed += power * term.removed;
 }
 
-// Where the surface faces the direction, within 14 to 30 degrees, another one at right angles to it takes over.
+// Where the surface's normal is within 14 to 30 degrees of the direction, a perpendicular direction replaces it.
 GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -273,12 +272,13 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 //
-// Node c sends out waves along three unit vectors u_cm at right angles, turned at random, each with its own amplitude:
+// Node c emits waves along three perpendicular unit vectors u_cm, turned at random, each with its own amplitude:
 //     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-// Given the directions, n is normal with the variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2, which is constant. So is the
-// gradient's covariance, K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), for sum_m u_cm u_cm^T = 1; value
-// and gradient are independent. As none of this depends on the directions, both are normal without knowing them. On a
-// surface there are two tangent vectors, and the same holds of the value and its derivatives along the surface.
+// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient has the
+// constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 1, and
+// is independent of the value. Since none of this depends on the directions, both are also normal over random
+// directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
+// the surface.
 
 // Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
 // to the point. The filter, see gabor_spectrum.hpp, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
@@ -292,7 +292,7 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     if (place.filtered) {
         gabor_vec3 s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
         a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
-        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // of a wave that is left
+        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // for any wave that the filter keeps
         gabor_vec3 r = s * s, even = 1.0f + r * (0.5f + 0.041666667f * r);
         gabor_vec3 odd = s * (1.0f + r * (0.16666667f + 0.0083333333f * r));
         float mixed = gabor_cpp_dot(pixel.mixed, sine.yzx() * sine.zxy() * h);
@@ -310,16 +310,16 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853f * value.y * wave.xyz();
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, in which these vectors are at right angles.
+// The waves of isotropic noise: all, or only those along a surface, spanned by these perpendicular vectors.
 struct GaborTangents {
     bool only;
     gabor_vec3 along;
     gabor_vec3 across;
 };
 
-// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. As a wave along
-// -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
-// of a turn around it is enough for the others.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
+// along -u is one along u, so half a turn is enough for the first vector along a surface. In space that vector also
+// rises, and a quarter of a turn around it is enough for the others.
 GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
@@ -342,8 +342,9 @@ GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec
     if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) / 2;
-// and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
+// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
+// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
+// ends.
 GABOR_INLINE gabor_vec4 gabor_impl_node(float offset, gabor_vec4 node, float variance) {
     offset /= GABOR_RADIUS;
     float fade = 1.0f, fall = 1.0f;
@@ -363,7 +364,7 @@ GABOR_INLINE GaborAxis gabor_impl_nodes(int cell, float local, int period, std::
     return axis;
 }
 
-// The sum over 27 nodes, less its factor K.
+// The sum over 27 nodes, without its factor K.
 GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, gabor_vec3 scale, GaborTangents tangents,
                                       std::uint32_t salt) {
     gabor_vec3 s = pixel.diagonal;
@@ -385,9 +386,10 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
     return sum;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
-// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the sphere its
-// mean is nearly that of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
+// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
+// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// E[u_1^2]) q_2.
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;
@@ -432,10 +434,10 @@ GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)}, seed);
 }
 
-// Of all directions in the tangent plane; from the circle of latitude around z, near the poles around x.
+// Waves of all directions in the tangent plane, measured from the circle of latitude around z, near the poles around x.
 GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
-    float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // of the axis z
+    float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // squared distance from the z axis
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = aside > 0.25f ? 0 : 1; i < (aside < 0.5f ? 2 : 1); ++i) {
         gabor_vec3 along = gabor_impl_unit(gabor_cpp_cross(i == 0 ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f), normal));

@@ -92,9 +92,9 @@ struct GaborLobes {
 
 // float gabor_noise_isotropic(float2 p, float frequency, uint seed)
 //     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
-//     variance 1; value and gradient are normal at every place. The power is even over all directions but for what the
-//     window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
-//     distributions; those of gabor_noise_spread, a sum of directions, are normal.
+//     variance 1; value and gradient are normal at every place. The power varies with direction only through the
+//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
+//     distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
 
 // float3 gabor_noise_isotropic_gradient(float2 p, float frequency, uint seed)
 //     With its analytic gradient: (noise, d/dx, d/dy).
@@ -103,10 +103,9 @@ struct GaborLobes {
 //     With a period, as gabor_noise_tiled.
 
 // float2 gabor_noise_isotropic_filtered(float2 p, float2 dx, float2 dy, float frequency, uint seed)
-//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed), with
-//     GABOR_TAPS 3, for about twice the cost. dx and dy are those of gabor_noise_filtered. Where the pixel's longest
-//     axis is at most 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4
-//     by 4 %, root mean square. What covers more has the right variance alone.
+//     (noise, removed), as gabor_noise_filtered, with GABOR_TAPS 3 and for about twice the cost. The error against
+//     exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
+//     For larger pixels only the variance is right.
 
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
@@ -185,8 +184,8 @@ struct GaborLobes {
 //     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
-//     Isotropic noise at a place, with quadrature and derivatives. The quadrature is independent of the noise at one
-//     place, but not of its gradient.
+//     Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
+//     noise, but not of its gradient.
 
 #if GABOR_TAPS == 3
 // The area of a pixel, from gabor_footprint.
@@ -210,7 +209,7 @@ struct GaborFootprint {
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
 //                                           out float removed)
-//     The same of isotropic noise.
+//     The same for isotropic noise.
 
 // ====================================================================================================================
 // Private implementation
@@ -729,13 +728,13 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 //
-// Node c sends out waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
+// Node c emits waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
 //     n(p) = K / sqrt(3) Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-// Given the directions, n is normal with variance 1. So is its gradient, of the constant covariance
-// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), for sum_m u_cm u_cm^T = 3/2; value and gradient are
-// independent. As none of this depends on the directions, both are normal without knowing them.
+// Given the directions, n is normal with variance 1. Its gradient is normal with the constant covariance
+// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
+// independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
+// Mixes the words of rows again for each further use; their products with column words are equally random.
 inline uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -745,7 +744,7 @@ inline uint4 gabor_impl_row(uint word) {
                  (fourth >> 8u) | 0x800001u);
 }
 
-// The windows of a node along both axes and their derivatives; filtered they are middle + cosine and sine.
+// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
 struct GaborWindows {
     float2 value;
     float2 slope;
@@ -754,7 +753,7 @@ struct GaborWindows {
     float2 sine;
 };
 
-// A filter of that covariance, and what it leaves of the windows' own waves.
+// A filter with that covariance, and its effect on the windows' own waves.
 struct GaborFilter {
     bool used;
     float3 covariance;
@@ -770,7 +769,7 @@ inline void gabor_impl_add_wave_2d(thread GaborField& sum, GaborWindows node, Ga
     if (pixel.used) {
         float2 x = 19.739209 * gabor_impl_symmetric(pixel.covariance, wave);
         a *= exp(-max(dot(wave, x), 0.0));
-        x = clamp(x, -3.0, 3.0); // of a wave that is left
+        x = clamp(x, -3.0, 3.0); // for any wave that the filter keeps
         float2 y = x * x;
         float2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
         float2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;
@@ -812,7 +811,7 @@ inline void gabor_impl_add_star(thread GaborField& sum, GaborPlace place, GaborW
     gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
 }
 
-// The sum over all nodes, less its factor. Its loops stay loops: unrolled by hand it took four times as long on lavapipe.
+// The sum over all nodes, without its factor. The loops are not unrolled, which took four times as long on lavapipe.
 inline GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);

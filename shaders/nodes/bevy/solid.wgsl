@@ -13,7 +13,7 @@
 // Arguments of all functions; the others are as in gabor_lattice.wgsl:
 //     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
 //     normal     of the surface, of any length from 10^-15 to 10^15
-//     dx, dy     how far p moves, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
+//     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -115,8 +115,8 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
 }
 
 // Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-// and gradient are normal, with the same variance at every place. The power is even over all directions but for what
-// the window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
+// and gradient are normal, with the same variance at every place. The power varies with direction only through the
+// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
 // distributions; so are second derivatives.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
@@ -151,8 +151,8 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
 }
 
 // Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for twice
-// the cost. Where the surface is curved, the waves of a kernel bend.
+// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for
+// twice the cost. Where the surface is curved, the waves of a kernel bend.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
@@ -626,7 +626,7 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
 }
 
-// Adds a field times an amplitude. Of its unit of length, `stretch` make a kernel radius.
+// Adds a field times an amplitude. A kernel radius has `stretch` of its units of length.
 fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
     let _e5 = (*sum);
     (*sum).noise = (_e5.noise + (amplitude * field.noise));
@@ -639,8 +639,7 @@ fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3
     return;
 }
 
-// The axes of a place's pixel, at right angles, as long as twice the filter's deviations. Lengths are in units of
-// GABOR_RADIUS nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's deviation, in units of GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -683,7 +682,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
-// The same with axes no longer than `most`.
+// The same with axes of at most `most`.
 fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
     return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
 }
@@ -705,7 +704,7 @@ fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
     return GaborMatrix(((_e9 * _e10) + (_e12 * _e13)), ((_e16.yzx * _e18.zxy) + (_e21.yzx * _e23.zxy)));
 }
 
-// Along each axis of a pixel, d of gabor_impl_transmitted.
+// d of gabor_impl_transmitted, along each axis of a pixel.
 fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
     return (vec2(1f) + (1.644934f * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor))));
 }
@@ -726,7 +725,7 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds one of two independent noises of which one takes over from the other, as its x goes from 0 to 1.
+// Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_4: f32;
 
@@ -875,16 +874,16 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     return;
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, in which these vectors are at right angles.
+// The waves of isotropic noise: all, or only those along a surface, spanned by these perpendicular vectors.
 struct GaborTangents {
     only: bool,
     along: vec3<f32>,
     across: vec3<f32>,
 }
 
-// Adds a node's waves. The words of its row times that of its column give the amplitudes and the frame. As a wave along
-// -u is one along u, half a turn is enough for the first vector along a surface; in space it also rises, and a quarter
-// of a turn around it is enough for the others.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
+// along -u is one along u, so half a turn is enough for the first vector along a surface. In space that vector also
+// rises, and a quarter of a turn around it is enough for the others.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;
@@ -973,8 +972,9 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     }
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) / 2;
-// and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their ends.
+// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
+// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
+// ends.
 fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     var offset_1: f32;
     var fade_5: f32 = 1f;
@@ -1023,7 +1023,7 @@ fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32
     return _e46;
 }
 
-// The sum over 27 nodes, less its factor K.
+// The sum over 27 nodes, without its factor K.
 fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
     var s_8: vec3<f32>;
     var x_19: GaborAxis;
@@ -1165,9 +1165,10 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     return _e197;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within 0.008.
-// With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). Over the sphere its
-// mean is nearly that of exp(-q_1 u_1^2) times that of a plane with (1 - E[u_1^2]) q_2 for q, q_1 the larger.
+// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
+// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// E[u_1^2]) q_2.
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
     var d_8: vec2<f32>;
     var unit_5: vec2<f32>;

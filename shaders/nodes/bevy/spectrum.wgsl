@@ -254,9 +254,9 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
 }
 
 // Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
-// variance 1; value and gradient are normal at every place. The power is even over all directions but for what the
-// window adds, 7 % at frequency 0 and 0.1 % at 1. Values at several places together are a mixture of normal
-// distributions; those of gabor_noise_spread, a sum of directions, are normal.
+// variance 1; value and gradient are normal at every place. The power varies with direction only through the
+// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
+// distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
 fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e10 = gabor_place(vec2(0i), (p * 1f));
@@ -337,10 +337,9 @@ fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, 
     }
 }
 
-// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed), with
-// GABOR_TAPS 3, for about twice the cost. dx and dy are those of gabor_noise_filtered. Where the pixel's longest
-// axis is at most 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4
-// by 4 %, root mean square. What covers more has the right variance alone.
+// (noise, removed), as gabor_noise_filtered, with GABOR_TAPS 3 and for about twice the cost. The error against
+// exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
+// For larger pixels only the variance is right.
 fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var removed_3: f32;
     var field_11: GaborField;
@@ -1065,8 +1064,8 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     return _e128;
 }
 
-// Isotropic noise at a place, with quadrature and derivatives. The quadrature is independent of the noise at one
-// place, but not of its gradient.
+// Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
+// noise, but not of its gradient.
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
@@ -1317,7 +1316,7 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     return _e119;
 }
 
-// The same of isotropic noise.
+// The same for isotropic noise.
 fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kept: f32;
     var s_6: vec3<f32>;
@@ -2442,7 +2441,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// The words of rows are mixed again for each of theirs; their products with those of columns are as good as those are.
+// Mixes the words of rows again for each further use; their products with column words are equally random.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first_1: u32;
@@ -2510,7 +2509,7 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
     }
 }
 
-// The windows of a node along both axes and their derivatives; filtered they are middle + cosine and sine.
+// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
 struct GaborWindows {
     value: vec2<f32>,
     slope: vec2<f32>,
@@ -2519,7 +2518,7 @@ struct GaborWindows {
     sine: vec2<f32>,
 }
 
-// A filter of that covariance, and what it leaves of the windows' own waves.
+// A filter with that covariance, and its effect on the windows' own waves.
 struct GaborFilter {
     used: bool,
     covariance: vec3<f32>,
@@ -2918,7 +2917,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
     }
 }
 
-// The sum over all nodes, less its factor. Its loops stay loops: unrolled by hand it took four times as long on lavapipe.
+// The sum over all nodes, without its factor. The loops are not unrolled, which took four times as long on lavapipe.
 fn gabor_impl_sum_isotropic_2d(place: GaborPlace, frequency: f32, pixel: GaborFilter, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var frequency_11: f32;

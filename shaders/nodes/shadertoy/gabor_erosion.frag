@@ -464,15 +464,15 @@ float gabor_unorm(float noise) {
 
 #endif // GABOR_LATTICE_GLSL
 // ---- gabor_erosion.glsl as it is ----
-// gabor_erosion.glsl: eroded mountains, each point on its own: branching gullies and ridges on any slope.
+// gabor_erosion.glsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
 //
 // Paste or include this file after gabor_lattice.glsl.
 //
-//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or a height with a slope of your own
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
-// Stripes of noise run down the slope, octave by octave. The cosine of their phase is the height of gullies. The idea
-// is that of runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
+// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of gullies. The idea
+// comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -482,7 +482,7 @@ float gabor_unorm(float noise) {
 #ifndef GABOR_EROSION_GLSL
 #define GABOR_EROSION_GLSL
 
-// A height in the unit of p, its derivatives along x and y, and -1 in creases and valleys to 1 on ridges and peaks.
+// A height in units of p, its derivatives, and a ridge value from -1 in creases and valleys to 1 on ridges and peaks.
 struct GaborTerrain {
     float height;
     vec2 slope;
@@ -492,55 +492,55 @@ struct GaborTerrain {
 struct GaborErosion {
     int octaves;           // each costs about one gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
-    float strength;        // depth of these gullies times frequency: how steep they are
-    float lacunarity;      // frequency of an octave over that of the one before
-    float gain;            // depth of an octave over that of the one before: 1 / lacunarity keeps gullies as steep
-    float onset;           // slope from which gullies have their full depth
-    float detail;          // how far fine gullies reach into creases, onto ridges and flat places: 1 and more
-    float sharpness;       // how alike gullies are in depth: 1 for natural variety, 4 for even stripes
-    float ridge_rounding;  // how widely ridges are rounded, in radians of the first octave's phase, 0 for sharp ones
+    float strength;        // their depth times frequency: how steep they are
+    float lacunarity;      // frequency of each octave, relative to the previous one
+    float gain;            // depth of each octave, relative to the previous one: 1 / lacunarity keeps slopes
+    float onset;           // slope at which gullies reach their full depth
+    float detail;          // how far fine gullies reach into creases, ridges and flat places: at least 1
+    float sharpness;       // how equal gullies are in depth: 1 for natural variety, 4 for even stripes
+    float ridge_rounding;  // width of rounded ridges, in radians of the first octave's phase, 0 for sharp ones
     float crease_rounding; // the same for creases
-    float gully_weight;    // share of the depth that gullies have, while peaks and valleys have all of it
-    float branching;       // how far gullies turn finer ones: 0 for parallel ones, 1 by their own slope
+    float gully_weight;    // depth of gullies, relative to that of peaks and valleys
+    float branching;       // how far gullies turn finer ones: 0 keeps them parallel, 1 uses the gullies' full slope
 };
 
 // GaborErosion gabor_erosion()
 //     Alpine ridges and valleys on the hills of gabor_terrain.
 
 // GaborTerrain gabor_terrain(vec2 p, uint seed)
-//     Hills to erode, about four units wide, of mean height 0 and slopes of 0.6 rms. Their curvature is continuous.
+//     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The base, at p, with gullies and ridges. base.ridge says what its flat places are: -1 valleys, 1 peaks. The
-//     height is continuous where the base and its slope are. What comes out can be eroded again. The slope takes the
-//     directions of gullies, and where they fade, as fixed: its rms error is 0.6 of the rms slope of the height.
+//     Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
+//     The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
+//     ignores that gullies change direction and fade: its rms error is 0.6 of the rms slope.
 
 // GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without gullies that are too fine for a pixel, at the same mean height. dx and dy are how far p moves
-//     from one pixel to the next, dFdx(p) and dFdy(p). Octaves that are gone cost nearly nothing.
+//     The same without gullies that are too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and
+//     dFdy(p), the change of p from one pixel to the next. Removed octaves cost almost nothing.
 
 // GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same with an exact period along x and y, 4 or more: hills are as wide as without where it is a whole number.
+//     The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
 
-// A position, cell + local, and how the world repeats.
+// A position, cell + local, and the period of the world.
 struct GaborGround {
-    ivec2 cell;  // any integers: a world of 2^32 cells each way closes upon itself
-    vec2 local;  // any small vector, [0, 1)^2 is the most precise
-    vec2 period; // 0 for none, and where there is one cell + local is rounded to a float
+    ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
+    vec2 local;  // small, most precise in [0, 1)^2
+    vec2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
 // GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     All of it: full precision far away, periods, and pixels, vec2(0.0) for none.
+//     Everything together: full precision far away, a period, and a filter, unless dx and dy are vec2(0.0).
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice with so many nodes per unit of p, in 1 / 65536, that a product with a cell is an exact integer
-// and fraction. A unit of p counts as the kernel radius.
+// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
+// cell is an exact integer and fraction. The kernel radius is one unit of p.
 GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -582,9 +582,9 @@ void gabor_impl_add_hills(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_
     sum.slope_y += slope_y * row;
 }
 
-// Wide hills, and small ones on the contours of a second noise, more on high places. The noises are random amplitudes
-// under B-splines, whose curvature is continuous, unlike that of gabor_noise. The sum of their squares is 151 / 315 on
-// average along each axis.
+// Wide hills, with small ones along the contours of a second noise, stronger on high places. The noises are random
+// amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. The sum of their squares is 151 /
+// 315 on average along each axis.
 GaborTerrain gabor_terrain_at(GaborGround ground, uint seed) {
     GaborPlace place = gabor_impl_place(ground, 1.0);
     vec2 zero = floor(place.local);
@@ -607,17 +607,17 @@ GaborTerrain gabor_terrain_at(GaborGround ground, uint seed) {
     return GaborTerrain(0.33 * height, slope, height * inversesqrt(1.0 + height * height));
 }
 
-// From 0 to 1 at t = 1 and beyond, straight from 0 on, or with a rounded start.
+// Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
 float gabor_impl_mask(float t, float rounding) {
     float s = 1.0 - min(t < rounding ? 0.5 * t * t / rounding : t - 0.5 * rounding, 1.0);
     return 1.0 - s * s;
 }
 
-// Where the mask m of an octave is below 1, its gullies, of weight w, fade to those of the octave before:
+// Where the mask m of an octave is below 1, its gullies of weight w fade to those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
-// m_i is 0 where the slope that its gullies follow is, and m_(i+1) where sin(phase_i) is 0, on ridges and in creases:
-// finer gullies end there. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
-// Where a pixel removes an octave, its cosine is 0, its mean, and the next mask that of a mean |sin(phase)|.
+// m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
+// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. If
+// a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
 GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
                              uint seed) {
     GaborTerrain terrain = base;
@@ -636,7 +636,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
             GaborPlace place = gabor_impl_place(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             GaborField stripes = gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i));
             z = erosion.sharpness * stripes.value;
-            float even = inversesqrt(1.0 + dot(z, z)); // brings z to length 1, but where waves cancel
+            float even = inversesqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
             slope = vec2(dot(z, stripes.slope_x), dot(z, stripes.slope_y)) * (even * even * z.x);
             slope = kept * even * erosion.sharpness * (vec2(stripes.slope_x.x, stripes.slope_y.x) - slope);
             z *= kept * even;
