@@ -8,7 +8,7 @@
 
 namespace gabor::viewer {
 
-// Each panel draws a part of the window and changes the session. Sizes are in Dear ImGui's units.
+/// Each panel draws a part of the window and changes the session. Sizes are in Dear ImGui's units.
 void noise_panel(Session& session);
 void spectrum_panel(Session& session);
 void output_panel(Session& session);

@@ -25,6 +25,7 @@ bool shows_photograph(const Session& session);
 /// The GLSL function of the fitted noise, unless the document has changed it.
 std::optional<std::string> fitted_glsl(const Session& session);
 
+/// The photograph's section of the panel.
 void photograph_panel(Session& session);
 
 /// Labels photograph and noise, and draws the line between them, on a view of that size.
