@@ -27,7 +27,8 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
     vec2 center; // of the picture, in pixels from its corner
     vec2 yaw;    // cosine and sine of the eye's angle around the z axis
     vec2 pitch;  // and of its angle above the plane z = 0
-    float pixel; // side of a pixel: in kernel radii for a slice, otherwise in the plane at distance 1 from the eye
+    float pixel; // side of a pixel: in kernel radii for a slice, otherwise in the plane at distance 1 from
+                 // the eye
     float unit;  // radius of the sphere in kernel radii
     float depth; // z of the slice, kernel radii
     float time;
