@@ -4,6 +4,7 @@
 #include "largest.hpp"
 #include "reference/erosion.hpp"
 #include "reference/lattice.hpp"
+#include "reference/lattice_3d.hpp"
 #include "reference/spectrum.hpp"
 #include "render/range.hpp"
 #include "translation.hpp"
@@ -142,6 +143,52 @@ TEST_CASE("the variance is 1 at any distance") {
             CHECK(largest < 6);
         }
     }
+}
+
+TEST_CASE("solid noise agrees with the reference, and its variance is 1 at any distance") {
+    constexpr std::array names{"gabor_noise_3d", "  _isotropic", "gabor_noise_surface_isotropic"};
+    constexpr int count = 20000;
+    std::array<Largest, names.size()> largest;
+    for (const double reach : {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9}) {
+        Random draw;
+        const auto vector = [&draw](double most) {
+            return std::array{draw.uniform(-most, most), draw.uniform(-most, most),
+                              draw.uniform(-most, most)};
+        };
+        std::array<double, names.size()> power{};
+        for (int i = 0; i < count; ++i) {
+            const auto p = vector(reach);
+            const auto normal = vector(1);
+            const float frequency = draw.uniform(0, 4);
+            const std::uint32_t seed = draw.word();
+            const auto found = test::solid(p, frequency, normal, seed);
+            for (std::size_t k = 0; k < names.size(); ++k)
+                power[k] += found[k] * found[k];
+            if (reach > 16 || i % 10)
+                continue;
+            const noise::Lattice3d::Place place{.local = {p[0] * 1.5f, p[1] * 1.5f, p[2] * 1.5f}};
+            const double length = std::hypot(normal[0], normal[1], normal[2]);
+            const noise::Lattice3d::Vector unit{normal[0] / length, normal[1] / length, normal[2] / length};
+            const noise::Lattice3d wave({frequency * unit[0], frequency * unit[1], frequency * unit[2]},
+                                        seed);
+            const noise::Isotropic3d isotropic(frequency, seed);
+            std::array<double, names.size()> expected{wave.field(place).value.imag(),
+                                                      isotropic.field(place).value.imag(), 0};
+            for (const auto& [weight, noise] : noise::surface_isotropic(unit, frequency, seed))
+                expected[2] += weight * noise.field(place).value.imag();
+            for (std::size_t k = 0; k < names.size(); ++k)
+                largest[k].see(found[k], expected[k], 5e-5, [&] {
+                    return fmt::format("p ({}, {}, {}), frequency {}, normal ({}, {}, {}), seed {}", p[0],
+                                       p[1], p[2], frequency, normal[0], normal[1], normal[2], seed);
+                });
+        }
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            INFO(names[k] << ", |p| < " << reach << ": variance " << power[k] / count);
+            CHECK(std::abs(power[k] / count - 1) < 5 * std::sqrt(2.0 / count));
+        }
+    }
+    for (std::size_t k = 0; k < names.size(); ++k)
+        largest[k].check(names[k]);
 }
 
 TEST_CASE("any finite arguments give finite noise") {

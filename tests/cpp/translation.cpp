@@ -30,6 +30,8 @@ namespace taps_3 {
 #include "gabor_erosion.hpp"
 #include "gabor_spectrum.hpp"
 
+#include "gabor_lattice_3d.hpp"
+
 gabor_vec2 direction(gabor_vec2 p) {
     const auto wave = gabor::test::map_at(p.x, p.y);
     return {wave[0], wave[1]};
@@ -89,6 +91,15 @@ Filtered filtered(const Arguments& a, const Pixel& pixel) {
         gabor_noise_filtered_gradient({a.x, a.y}, dx, dy, a.frequency, a.orientation, a.seed);
     return {{std::sqrt(footprint.resolved.x), std::sqrt(footprint.resolved.y)},
             {noise.x, noise.y, noise.z, noise.w}};
+}
+
+std::array<float, 3> solid(const std::array<float, 3>& p, float frequency,
+                           const std::array<float, 3>& direction, std::uint32_t seed) {
+    using namespace taps_3;
+    const gabor_vec3 at(p[0], p[1], p[2]);
+    const gabor_vec3 along(direction[0], direction[1], direction[2]);
+    return {gabor_noise_3d(at, frequency, along, seed), gabor_noise_3d_isotropic(at, frequency, seed),
+            gabor_noise_surface_isotropic(at, along, frequency, seed)};
 }
 
 Directed directed(const Arguments& a, const Waves& waves) {

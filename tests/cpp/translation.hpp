@@ -40,6 +40,11 @@ struct Filtered {
 
 Filtered filtered(const Arguments& a, const Pixel& pixel);
 
+/// gabor_noise_3d, gabor_noise_3d_isotropic and gabor_noise_surface_isotropic. The direction is the normal
+/// too.
+std::array<float, 3> solid(const std::array<float, 3>& p, float frequency,
+                           const std::array<float, 3>& direction, std::uint32_t seed);
+
 struct Eroded {
     std::array<float, 4> base; ///< height, slope and ridge
     std::array<float, 4> terrain;

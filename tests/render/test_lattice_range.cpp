@@ -94,7 +94,8 @@ TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
 TEST_CASE("any float gives a finite noise in space", "[range]") {
     const vulkan::Device device;
     for (const auto entry : {test::Entry3d::field, test::Entry3d::surface, test::Entry3d::tiled,
-                             test::Entry3d::animated, test::Entry3d::filtered}) {
+                             test::Entry3d::animated, test::Entry3d::filtered, test::Entry3d::isotropic,
+                             test::Entry3d::surface_isotropic, test::Entry3d::noise_isotropic_filtered}) {
         test::LatticeSampler3d sampler(device, per_batch, entry);
         test::AnyFloat draw;
         const auto drawn = [&draw](float most) {
@@ -128,7 +129,7 @@ TEST_CASE("any float gives a finite noise in space", "[range]") {
         }
         const auto answers = sampler.answers(per_batch);
         test::Broken broken{fmt::format("entry {}", static_cast<int>(entry))};
-        const bool by_place = entry == test::Entry3d::field || entry == test::Entry3d::surface;
+        const bool by_place = entry <= test::Entry3d::surface_isotropic;
         for (std::size_t i = 0; i < per_batch; ++i) {
             const std::span<const float> values = answers[i].value;
             broken.see(values.first(by_place ? 2 : 1), test::largest_noise, sampler.samples()[i]);
