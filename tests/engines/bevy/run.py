@@ -13,6 +13,9 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent))
+from functions import CALLS, on_vulkan  # noqa: E402
+
 MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # in the order in which they import each other
            for name in ("lattice", "spectrum", "solid", "materials", "erosion", "direction")]
 SCENE = """#import gabor_noise::lattice::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
@@ -25,15 +28,7 @@ SCENE = """#import gabor_noise::lattice::{gabor_kernel, gabor_noise, gabor_noise
     values[pixel.y * 256u + pixel.x] = VALUE;
 }
 """
-# As reference.FUNCTIONS.
-FUNCTIONS = {
-    "noise": "gabor_noise(p, 4.0, 0.7854, 7u)",
-    "complex": "gabor_noise_complex(p, 4.0, 0.7854, 7u).x",
-    "gradient": "dot(gabor_noise_gradient(p, 4.0, 0.7854, 7u), vec3f(1.0, 1.0 / 32.0, 1.0 / 16.0))",
-    "four": "dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4f(0.25, 0.5, 0.75, 1.0))",
-    "tiled": "gabor_noise_tiled(p, vec2f(2.0, 1.0), 4.0, 0.7854, 7u)",
-    "animated": "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)",
-    "stripes": "dot(gabor_stripes(p, gabor_kernel(4.0, 0.7854).wave, 2.0, 7u), vec3f(0.25, 0.5, 0.75))",
+FUNCTIONS = {name: re.sub(r"vec(\d)\(", r"vec\1f(", call) for name, call in CALLS.items()} | {
     "solid": "dot(gabor_noise_3d_gradient(vec3f(p, 0.3), 4.0, vec3f(1.0, 2.0, 3.0), 7u), vec4f(64.0, 1.0, 2.0, 3.0) / 64.0)",
 }
 
@@ -43,9 +38,7 @@ def drawn(value, folder):
     source.write_text(SCENE.replace("VALUE", value))
     subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *MODULES], check=True)
     subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)  # lavapipe compiles naga's loops slowly
-    scene = subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True,
-                           stdout=subprocess.PIPE, text=True)
-    return scene.stdout.strip(), np.fromfile(values, "<f4")[:65536]
+    return on_vulkan(spirv, values)
 
 
 with tempfile.TemporaryDirectory(prefix="gabor-") as folder:

@@ -1,0 +1,251 @@
+"""What tools/package builds, installed in a clean place and used there: test_packages.py [-v] npm|pypi|unity|godot|blender"""
+
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import tomllib
+import unittest
+import zipfile
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "engines"))
+import reference  # noqa: E402
+
+VERSION = json.loads((ROOT / "package.json").read_text())["version"]
+LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
+
+
+def run(*command, **options):
+    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=500, **options)
+    if result.returncode != 0:
+        raise AssertionError(f"{command} failed:\n{result.stdout}\n{result.stderr}")
+    return result.stdout
+
+
+def guid(meta):
+    return re.search(r"^guid: ([0-9a-f]{32})$", meta.read_text(), re.MULTILINE)[1]
+
+
+class Package(unittest.TestCase):
+    tools = ()
+
+    def setUp(self):
+        if missing := [tool for tool in (*self.tools, "git") if not shutil.which(tool)]:
+            self.skipTest(f"{', '.join(missing)} is not installed")
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        name = type(self).__name__.lower()
+        self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
+
+    def unpack(self):
+        """The archive's files, below self.folder."""
+        archive, = self.archives
+        if archive.suffix == ".zip":
+            with zipfile.ZipFile(archive) as packed:
+                self.assertIsNone(packed.testzip())
+                packed.extractall(self.folder)
+        else:
+            with tarfile.open(archive) as packed:
+                packed.extractall(self.folder)
+        files = {str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()}
+        self.assertEqual([name for name in files if LEFTOVERS.search(name)], [])
+        return files
+
+    def assert_noise(self, function, values):
+        error, place = reference.largest_difference(function, values)
+        print(f"{function}: largest difference {error:.2g} at row and column {place}")
+        self.assertLess(error, 1e-5)
+
+
+class Npm(Package):
+    """Installed beside three, without its registry; its module runs with the same stand-in for three/tsl as the nodes' tests."""
+
+    tools = "node", "npm"
+
+    def test_installs_and_is_imported(self):
+        three = self.folder / "three"  # stands in for three
+        (three / "src").mkdir(parents=True)
+        (three / "package.json").write_text(json.dumps(
+            {"name": "three", "version": "0.187.0", "type": "module", "exports": {"./tsl": "./src/tsl.mjs"}}))
+        shutil.copy(ROOT / "tests" / "dialects" / "three_tsl.mjs", three / "src" / "tsl.mjs")
+        shutil.copy(ROOT / "tests" / "engines" / "tsl" / "functions.mjs", self.folder)
+        run("npm", "pack", "--pack-destination", self.folder, three)
+        project = self.folder / "project"
+        project.mkdir()
+        (project / "package.json").write_text('{"private": true}')
+        run("npm", "install", "--offline", "--no-audit", "--no-fund", self.archives[0], self.folder / "three-0.187.0.tgz", cwd=project)
+        installed = project / "node_modules" / "gabor-noise"
+        names = {str(path.relative_to(installed)) for path in installed.rglob("*")}
+        self.assertEqual([name for name in names if LEFTOVERS.search(name)], [])
+        self.assertLessEqual({"LICENSE", "README.md", "shaders/nodes/three/gabor_lattice.tsl.d.ts"}, names)
+        described = json.loads((installed / "package.json").read_text())
+        self.assertEqual((described["version"], described["type"]), (VERSION, "module"))  # Node.js 18 does not guess the type
+
+        # Each drop-in by its exported name, as bundlers and Node.js resolve it.
+        (project / "sources.mjs").write_text("""
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+const texts = process.argv.slice(2).map(name =>
+    readFileSync(fileURLToPath(import.meta.resolve(`gabor-noise/shaders/${name}`)), "utf8"));
+console.log(JSON.stringify(texts));
+""")
+        shaders = [*(ROOT / "shaders").glob("gabor_*.glsl"), *(ROOT / "shaders" / "translations").glob("gabor_*")]
+        shaders = sorted(path for path in shaders if path.stem != "gabor_ingredients")
+        texts = json.loads(run("node", "sources.mjs", *(path.relative_to(ROOT / "shaders") for path in shaders), cwd=project))
+        self.assertEqual(texts, [path.read_text() for path in shaders])
+
+        shutil.copy(self.folder / "functions.mjs", project)
+        (project / "noise.mjs").write_text("""
+import { writeFileSync } from "node:fs";
+import { float, vec2, vec3 } from "three/tsl";
+import * as gabor from "gabor-noise/shaders/nodes/three/gabor_lattice.tsl.js";
+import { functions } from "./functions.mjs";
+const points = Array.from({ length: 256 * 32 }, (_, i) => i);
+const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
+const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
+writeFileSync("values.raw", Buffer.from(functions(gabor, { float, vec2, vec3 }, p).noise.parts[0].buffer));
+""")
+        run("node", "noise.mjs", cwd=project)
+        self.assert_noise("noise", np.fromfile(project / "values.raw", "<f4"))
+
+
+class Pypi(Package):
+    """The wheel in a virtual environment of its own."""
+
+    USE = """
+import sys, numpy as np, gabor_noise
+assert gabor_noise.__file__.startswith(sys.prefix), gabor_noise.__file__
+y, x = (np.mgrid[0:256, 0:256] + 0.5) / 32
+common = dict(frequency=4.0, orientation=np.float32(0.7854), seed=7)
+gradient = gabor_noise.noise_gradient(x, y, **common)
+pictures = {
+    "noise": gabor_noise.noise(x, y, **common),
+    "complex": gabor_noise.noise_complex(x, y, **common)[..., 0],
+    "gradient": gradient @ np.float32([1, 1 / 32, 2 / 32]),
+    "tiled": gabor_noise.noise(x, y, period=(2, 1), **common),
+    "animated": gabor_noise.noise(x, y, time=0.3, **common),
+}
+assert all(each.dtype == np.float32 for each in pictures.values())
+np.savez("pictures.npz", **pictures)
+np.save("solid.npy", gabor_noise.noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
+for bad in (lambda: gabor_noise.source("lattice", "basic"), lambda: gabor_noise.source("perlin"),
+            lambda: gabor_noise.noise([0, 1], [0, 1, 2]), lambda: gabor_noise.noise(0, 0, period=-1)):
+    try:
+        bad()
+    except ValueError:
+        continue
+    sys.exit("a wrong argument raised no ValueError")
+for file in sys.argv[1:]:
+    name, language = file.split(".")
+    language = {"gdshaderinc": "godot", "hpp": "cpp"}.get(language, language)
+    sys.stdout.write(gabor_noise.source(name.removeprefix("gabor_"), language))
+print(gabor_noise.__version__)
+"""
+
+    def setUp(self):
+        if importlib.util.find_spec("venv") is None or importlib.util.find_spec("ensurepip") is None:
+            self.skipTest("python3-venv is not installed")
+        try:
+            super().setUp()
+        except AssertionError as error:
+            if re.search("No matching distribution|ConnectionError|NewConnectionError", str(error)):
+                self.skipTest("the Python package index is out of reach")
+            raise
+
+    def test_wheel_has_the_shaders_values(self):
+        run(sys.executable, "-m", "venv", self.folder / "venv")
+        python = self.folder / "venv" / "bin" / "python"
+        wheel, = (path for path in self.archives if path.suffix == ".whl")
+        run(python, "-m", "pip", "install", "-q", "--disable-pip-version-check", wheel)
+        shaders = [*(ROOT / "shaders").glob("gabor_*.glsl"), *(ROOT / "shaders" / "translations").glob("gabor_*")]
+        shaders = sorted(path for path in shaders if path.stem != "gabor_ingredients")
+        said = run(python, "-I", "-c", self.USE, *(path.name for path in shaders), cwd=self.folder)
+        self.assertEqual(said, "".join(path.read_text() for path in shaders) + f"{VERSION}\n")
+        with np.load(self.folder / "pictures.npz") as pictures:
+            for function, values in pictures.items():
+                with self.subTest(function):
+                    self.assert_noise(function, values)
+        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
+        expected = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
+        difference = np.abs(np.load(self.folder / "solid.npy")[:32] - expected)
+        print(f"solid: largest difference {difference.max():.2g}")
+        self.assertLess(difference.max(), 1e-5)
+
+
+class Unity(Package):
+    def test_each_file_has_an_id_of_its_own(self):
+        """Unity ignores files of a package that have no .meta."""
+        files = self.unpack()
+        root = self.folder / "package"
+        described = json.loads((root / "package.json").read_text())
+        self.assertEqual(described["name"], "com.gabor-noise.nodes")
+        self.assertEqual(described["version"], VERSION)
+        self.assertEqual({name for name in files if name.endswith(".meta")},
+                         {f"{name}.meta" for name in files if not name.endswith(".meta")})
+        ids = [guid(path) for path in root.glob("*.meta")]
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertIn("package/LICENSE", files)
+
+    def test_graphs_refer_to_files_of_the_package(self):
+        self.unpack()
+        root = self.folder / "package"
+        graphs = [*root.glob("*.shadersubgraph")]
+        self.assertGreater(len(graphs), 0)
+        for graph in graphs:
+            text = graph.read_text()
+            self.assertIn(guid(root / "GaborNoise.hlsl.meta"), text, graph.name)
+        for include in re.findall(r'#include "([^"]+)"', (root / "GaborNoise.hlsl").read_text()):
+            self.assertTrue((root / include).exists(), include)
+
+
+class Godot(Package):
+    def test_unpacks_into_addons(self):
+        files = self.unpack()
+        self.assertEqual({pathlib.PurePath(name).parts[:2] for name in files}, {("addons", "gabor_noise")})
+        root = self.folder / "addons" / "gabor_noise"
+        for resource in ("gabor_lattice.gdshaderinc", "gabor_noise.gd"):
+            self.assertRegex((root / f"{resource}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
+        for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
+            self.assertIn(path, files)
+        self.assertIn("addons/gabor_noise/LICENSE", files)
+
+
+class Blender(Package):
+    def test_manifest_is_what_blender_asks_for(self):
+        files = self.unpack()
+        self.assertEqual(files, {"LICENSE", "__init__.py", "blender_manifest.toml"})
+        manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text())
+        self.assertEqual(manifest["version"], VERSION)
+        self.assertEqual((manifest["schema_version"], manifest["type"]), ("1.0.0", "add-on"))
+        self.assertRegex(manifest["id"], r"^[a-z]\w*$")
+        self.assertLessEqual(len(manifest["tagline"]), 64)
+        self.assertNotRegex(manifest["tagline"], r"[.!?]$")
+        for name in ("name", "maintainer", "blender_version_min", "license"):
+            self.assertTrue(manifest[name], name)
+        compile((self.folder / "__init__.py").read_text(), "__init__.py", "exec")
+
+
+PACKAGES = {each.__name__.lower(): each for each in (Npm, Pypi, Unity, Godot, Blender)}
+
+
+def main():
+    names = [name for name in sys.argv[1:] if name != "-v"] or list(PACKAGES)
+    os.environ["PIP_NO_INPUT"] = "1"
+    suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(PACKAGES[name]) for name in names)
+    result = unittest.TextTestRunner(verbosity=1 + ("-v" in sys.argv)).run(suite)
+    if not result.wasSuccessful():
+        return 1
+    return 77 if len(result.skipped) == result.testsRun else 0
+
+
+sys.exit(main())
