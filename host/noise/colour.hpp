@@ -5,9 +5,9 @@
 
 namespace gabor::noise {
 
-/// How the complex noises of lobes become colours. Three components are normal noises of variance 1,
+/// How to turn the complex noises of lobes into colours. Three components are normal noises of variance 1,
 /// independent at each place: component c is the sum over lobes of weights[lobe][c] . (quadrature, noise). A
-/// rising polynomial takes each to its own law, of mean 0 and variance 1, and
+/// rising polynomial gives each component its own distribution with mean 0 and variance 1, and
 ///     colour = mean + mixing * (histogram_0(component_0), histogram_1(component_1),
 ///     histogram_2(component_2)).
 struct Colour {
@@ -16,11 +16,11 @@ struct Colour {
         double noise = 0;
         bool operator==(const Weight&) const = default;
     };
-    std::vector<std::array<Weight, 3>> weights; ///< of each lobe
+    std::vector<std::array<Weight, 3>> weights; ///< for each lobe
     std::array<std::array<double, 6>, 3> histogram =
         {};                                           ///< coefficients of 1, z, ... z^5; z stays within +-4
     std::array<double, 3> mean = {};                  ///< red, green, blue
-    std::array<std::array<double, 3>, 3> mixing = {}; ///< a row for each of red, green, blue
+    std::array<std::array<double, 3>, 3> mixing = {}; ///< one row each for red, green, blue
 
     bool operator==(const Colour&) const = default;
 };

@@ -5,28 +5,28 @@
 
 namespace gabor::noise {
 
-/// Angles are degrees wherever a user writes or reads them, and radians in GLSL.
+/// Converts degrees, which users see, to radians, which GLSL takes.
 constexpr double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// The same, back.
+/// Converts radians to degrees.
 constexpr double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-/// Waves around one frequency and one orientation, in degrees: part of a spectrum.
+/// Waves around one frequency and one orientation: part of a spectrum.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
-    double orientation = 0;        ///< degrees, of the wave vector, from right towards down
+    double orientation = 0;        ///< of the wave vector: degrees from right towards down
     double frequency_spread = 0;   ///< waves are evenly spread within frequency (1 +- this), in [0, 1]
-    double orientation_spread = 0; ///< and within orientation +- this, degrees in [0, 90]; 90 is isotropic
-    double power = 1;              ///< in proportion to that of the other lobes
-    double radius = 1; ///< of its kernel, in kernel radii: its bandwidth is in proportion to the inverse
+    double orientation_spread = 0; ///< and within orientation +- this: degrees in [0, 90]; 90 is isotropic
+    double power = 1;              ///< relative to the other lobes
+    double radius = 1; ///< of its kernel, in kernel radii; its bandwidth is proportional to the inverse
 
-    /// Whether all its waves have one frequency and one orientation.
+    /// Tells whether all its waves have one frequency and one orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }
-    /// Radians in [-pi, pi].
+    /// Returns radians in [-pi, pi].
     double angle() const { return radians(std::remainder(orientation, 360.0)); }
 
     bool operator==(const Lobe&) const = default;

@@ -22,7 +22,7 @@ constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
     return {name, 1, 0.5f * static_cast<float>(taps), 0, 0, {}, is, taps};
 }
 
-// Of each kind the first is what its drop-in does by itself. The lattice's come first, then the sparse ones.
+// The lattice recipes come first, then the sparse ones. The first of each kind is its drop-in's default.
 constexpr std::array known{
     lattice("lattice", 3, "exactly normal at every place, the best for its price"),
     lattice("lattice-2", 2, "the same with two nodes along each axis, the fastest"),
@@ -109,7 +109,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
 
 bool acceptable(const Recipe& recipe) {
     const auto& c = recipe.window;
-    // q^2 at 0 and between: a window of no energy cannot be normalized.
+    // q^2 at 0 and in between: a window without energy cannot be normalized.
     const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
     return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
            recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&

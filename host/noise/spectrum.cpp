@@ -15,15 +15,16 @@ std::uint32_t lobe_seed(std::uint32_t seed, int index) {
     return word ^ word >> 15;
 }
 
-// A part of a range of waves.
+// A piece of a range of waves.
 struct Piece {
-    double place; // of its middle in the range, from -1 to 1
+    double place; // its middle in the range, from -1 to 1
     double share; // of the range's power
     int index;    // for its seed
 };
 
-// As many as the whole part of `count` says; as its rest goes from 0.8 to 1 they give way to one more, so
-// that the noise is continuous in `count`: amplitudes are in proportion to `left` and to 1 - left.
+// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, one piece more
+// replaces them, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
+// left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
     const double left = std::min(5 - 5 * (count - fewer), 1.0);
@@ -37,8 +38,8 @@ std::vector<Piece> pieces(double count) {
     return all;
 }
 
-// Kernels have a bandwidth, in proportion to the inverse of their radius, which fills the gaps: so many
-// pieces are even.
+// A kernel's bandwidth, proportional to the inverse of its radius, fills the gaps. This many pieces give an
+// even range.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.radius + 0.8, 1.0, 16.0));
 }

@@ -13,19 +13,19 @@ double window_energy(const Recipe& recipe, double a);
 /// either way.
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
-/// How much a lattice's window bends: integral of h'^2 over integral of h^2, per kernel radius squared. The
-/// variance of the noise's derivative along x is that plus (2 pi F.x)^2; for `lattice-2`, its mean over
-/// places.
+/// The integral of h'^2 over the integral of h^2 for a lattice's window, per kernel radius squared. The
+/// variance of the noise's derivative along x is this plus (2 pi F.x)^2; for `lattice-2`, this is its mean
+/// over places.
 double window_slope_energy(const Recipe& lattice);
 
-/// Along one axis, of the wave of a lattice of three nodes, and of its derivative.
+/// Variances of a wave of the three-tap lattice along one axis.
 struct AxisVariance {
     double noise;
     double slope; ///< per kernel radius squared
 };
 
-/// What a normal filter leaves of the two. `frequency`: cycles per kernel radius along the axis. `deviation`:
-/// the filter's, at most a kernel radius.
+/// Returns these variances after a normal filter. `frequency` is in cycles per kernel radius along the axis;
+/// `deviation` is the filter's, at most a kernel radius.
 AxisVariance filtered_variance(double frequency, double deviation);
 
 } // namespace gabor::noise

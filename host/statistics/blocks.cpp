@@ -16,10 +16,10 @@ namespace {
 constexpr int finest = 16;  ///< blocks per side
 constexpr int coarsest = 8; ///< 64 blocks, 16 groups
 constexpr std::size_t bins_per_block =
-    256; ///< the deviation from a normal distribution is smooth: see test_blocks.cpp
+    256; ///< enough, because deviations from a normal distribution are smooth: see test_blocks.cpp
 
-/// The jackknife leaves out groups of blocks, a sixteenth of the picture each, so that correlation across a
-/// border between two of them matters little.
+/// The jackknife leaves out groups of blocks, each a sixteenth of the picture, so that correlation across
+/// their borders matters little.
 constexpr int groups_per_side = 4;
 constexpr int groups = groups_per_side * groups_per_side;
 
@@ -55,14 +55,13 @@ std::vector<Block> coarsen(const std::vector<Block>& blocks, int side, Merge mer
     return joined;
 }
 
-/// Of Student's t, for 95 % between its negative and itself.
+/// The quantile of Student's t for a 95 % interval.
 double t_quantile() {
     return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
 }
 
-/// The mean over all pixels of something of which `excess` holds each block's sum less its expected share.
-/// Across borders the noise anticorrelates as often as not, so that the interval for the mean is on the safe
-/// side.
+/// The mean over all pixels of a quantity; `excess` holds each block's sum minus its expected share. Across
+/// borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
 Estimate mean_interval(double value, double pixels, std::span<const double> excess, const Grid& grid) {
     std::vector<double> sums(groups);
     for (int i = 0; i < grid.blocks(); ++i)
@@ -75,11 +74,11 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
 
 struct PairIndex {
     Estimate index;
-    double smallest; ///< that can be told from that of a normal distribution
+    double smallest; ///< smallest index that can be distinguished from a normal distribution's
 };
 
-/// The index from pairs of blocks that do not touch. G_i = n_i (F_i - Phi) are independent for such a pair,
-/// with n_i times the true deviation for expectation, so that
+/// The index from pairs of blocks that do not touch. For such a pair, G_i = n_i (F_i - Phi) are independent,
+/// and their expectation is n_i times the true deviation, so that
 ///     sum_ij G_i . G_j / sum_ij n_i n_j
 /// estimates the integral of (F - Phi)^2 dPhi without bias.
 ///
@@ -198,8 +197,8 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         deviation.push_back(deviations(counts[i]));
         if (!expected_.fitted)
             continue;
-        // A normal distribution fitted to all blocks ties them together. To first order, this is what block i
-        // would have shown against its own mean and variance, which depend on no other block.
+        // A normal distribution fitted to all blocks makes them dependent. To first order, this is the result
+        // of block i against its own mean and variance, which do not depend on other blocks.
         for (std::size_t k = 0; k + 1 < bins_per_block; ++k) {
             const double z = normal_quantile(static_cast<double>(k + 1) / bins_per_block);
             deviation[i][k] +=

@@ -14,45 +14,44 @@ namespace gabor::statistics {
 struct NormalDistribution {
     double mean = 0;
     double deviation = 1;
-    bool fitted = false; ///< to the same picture, not known from theory
+    bool fitted = false; ///< fitted to this picture rather than known from theory
 };
 
-/// For a picture of which nothing is known beforehand. A picture without variance gets the deviation 1.
+/// Fits the distribution of an unknown picture. Without variance, the deviation is 1.
 NormalDistribution fitted_normal(const Moments& moments);
 
-/// What can be said of the noise behind one picture, whose pixels are correlated.
+/// Estimates about the noise behind one picture, whose pixels are correlated.
 struct BlockEstimates {
     int blocks_per_side = 0;
     Estimate mean;
     Estimate variance;
     Estimate cvm;            ///< index as in Gaussianity
-    double smallest_cvm = 0; ///< what 95 % of normal pictures of this size do not exceed
+    double smallest_cvm = 0; ///< 95 % of normal pictures of this size are below this
 
     bool operator==(const BlockEstimates&) const = default;
 };
 
-/// A picture cut into 16 x 16 blocks. Blocks that do not touch are independent where the correlation is
-/// shorter than a block; estimates rest on such pairs only. Blocks are joined, 2 x 2 at a time, until they
-/// are longer than the correlation.
+/// A picture cut into 16 x 16 blocks. Blocks are joined 2 x 2 until they are longer than the correlation.
+/// Then blocks that do not touch are independent, and estimates use only such pairs.
 class Blocks {
   public:
     Blocks(int width, int height, const NormalDistribution& expected);
 
-    /// Adds pixels of row `y`, from column `x` on. Throws std::domain_error at a NaN.
+    /// Adds pixels of row `y`, starting at column `x`. Throws std::domain_error at a NaN.
     void add(int x, int y, std::span<const float> pixels);
 
-    /// Of all pixels so far.
+    /// Returns the moments of all pixels so far.
     Moments moments() const;
 
-    /// `correlation`: the distance in pixels beyond which pixels are independent.
-    /// Nothing when that leaves fewer than 8 x 8 blocks.
+    /// `correlation` is the distance in pixels beyond which pixels are independent. Returns nothing if that
+    /// leaves fewer than 8 x 8 blocks.
     std::optional<BlockEstimates> estimate(double correlation) const;
 
   private:
     int width_;
     int height_;
     NormalDistribution expected_;
-    std::vector<Moments> moments_; ///< row by row of blocks, as are the counts
+    std::vector<Moments> moments_; ///< one per block, row by row, as are the counts
     std::vector<Counts> counts_;
 };
 

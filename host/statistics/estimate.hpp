@@ -23,13 +23,13 @@ Estimate score_interval(double value, double null_variance, double slope, double
 /// Throws std::invalid_argument without values.
 double quantile(std::vector<double> values, double share);
 
-/// How much positive numbers differ: [TNVT19] has it as "median and relative interdecile".
+/// The spread of positive numbers: "median and relative interdecile" in [TNVT19].
 struct Dispersion {
     double median = 0;
     double interdecile = 0; ///< (q90 - q10) / median
 };
 
-/// That of these values.
+/// Returns the spread of these values.
 Dispersion dispersion(const std::vector<double>& values);
 
 /// Density of the standard normal distribution.

@@ -11,8 +11,8 @@ namespace gabor::statistics {
 
 namespace {
 
-/// Reading T off the edges of b bins errs by 1 / (6 b^2) on average and by 0.2 / b at random, against the
-/// standard deviation sqrt(1/45) = 0.15 that T itself has for a normal distribution.
+/// Computing T from the edges of b bins has an error of 1 / (6 b^2) on average and 0.2 / b at random. The
+/// standard deviation of T itself is sqrt(1/45) = 0.15 for a normal distribution.
 constexpr std::size_t bin_count = 4096;
 
 /// Phi, interpolated linearly between 4097 places of [-8, 8]. The error is at most

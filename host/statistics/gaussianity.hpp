@@ -12,8 +12,8 @@ namespace gabor::statistics {
 /// Cramér-von Mises statistic, less its 1/6, when it is taken from 2^18 independent samples.
 constexpr double cvm_scale = 1 << 18;
 
-/// An empirical distribution function is kept as the counts of samples in bins that are uniform in
-/// u = Phi((x - mean) / deviation): integers, so that merging is exact in any order.
+/// An empirical distribution function is stored as counts of samples in bins that are uniform in u = Phi((x -
+/// mean) / deviation). Counts are integers, so merging is exact in any order.
 using Counts = std::vector<std::uint64_t>;
 
 /// Counts `values` into the bins of `counts`. Values beyond eight deviations, infinite ones too, go to the
@@ -29,8 +29,7 @@ std::vector<double> deviations(std::span<const std::uint64_t> counts);
 /// at least one of which vanishes at 0 and 1 (trapezium rule).
 double integrate_product(std::span<const double> a, std::span<const double> b);
 
-/// How far the distribution of independent samples is from a normal one of mean 0 and known standard
-/// deviation.
+/// Distance of independent samples from a normal distribution with mean 0 and known standard deviation.
 ///
 /// From n samples, T = 1 / (12 n) + sum_i ((2 i - 1) / (2 n) - Phi(x_(i)))^2, and the index is
 /// 2^18 (T - 1/6) / n: its expectation does not depend on n, and is 0 for a
@@ -43,14 +42,14 @@ class Gaussianity {
     /// Throws std::domain_error at a NaN.
     void add(double value);
     void add(std::span<const float> values);
-    /// Counts are in units of each one's own deviation, so the two deviations need not agree.
+    /// Merges counts. Each is in units of its own deviation, so the two deviations may differ.
     void merge(const Gaussianity& other);
 
     std::uint64_t count() const;
 
-    /// The index and its interval; the ends, like the value, may be negative. NaN without samples.
-    /// `deviation`: that of the normal distribution to compare with, where only the samples tell it: in units
-    /// of the predicted one, not much larger than 1 and not much smaller than 0.1, or bins are too coarse.
+    /// Returns the index and its interval; value and ends may be negative. NaN without samples. `deviation`
+    /// is that of the normal distribution to compare with, if only the samples determine it, in units of the
+    /// predicted one. Bins are too coarse if it is much larger than 1 or much smaller than 0.1.
     Estimate index(double deviation = 1) const;
 
   private:

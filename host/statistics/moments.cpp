@@ -10,7 +10,7 @@ void Moments::add(double value) {
 }
 
 void Moments::add(std::span<const float> values) {
-    // Short runs stay in the cache for the second look, which takes them about their own mean.
+    // Short runs stay in the cache for the second pass, which computes moments about their own mean.
     constexpr std::size_t run_length = 4096;
     while (!values.empty()) {
         const auto run = values.first(std::min(run_length, values.size()));

@@ -20,11 +20,11 @@ class Moments {
 
     std::uint64_t count() const { return state_.count; }
     double mean() const { return state_.mean; }
-    /// Of the population: divided by count. NaN without values.
+    /// The population's variance: divided by count. NaN without values.
     double variance() const { return state_.m2 / static_cast<double>(state_.count); }
     /// Sum of (x - mean)^2; 0 without values.
     double squared_deviations() const { return state_.m2; }
-    /// NaN where the variance is 0, as is the kurtosis.
+    /// NaN if the variance is 0, like the kurtosis.
     double skewness() const;
     /// 0 for a normal distribution.
     double excess_kurtosis() const;

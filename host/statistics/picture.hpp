@@ -12,7 +12,7 @@
 namespace gabor::statistics {
 
 struct PictureReport {
-    std::uint64_t not_finite = 0;            ///< pixels that are NaN or infinite, left out of everything else
+    std::uint64_t not_finite = 0;            ///< NaN and infinite pixels, excluded from everything else
     Moments moments;                         ///< of all other pixels
     std::optional<SpectrumSummary> spectrum; ///< absent below 16 x 16 pixels
     std::optional<BlockEstimates> blocks;    ///< absent when the picture is too small for its correlation
@@ -20,17 +20,16 @@ struct PictureReport {
     bool operator==(const PictureReport&) const = default;
 };
 
-/// Statistics of a picture that passes by once, row after row. Memory grows with the width, not with the
-/// height. The expected distribution must be known beforehand: `add_finite` measures what it is
-/// fitted to, in a pass before.
+/// Statistics of a picture, read once, row by row. Memory grows with the width, not the height. The expected
+/// distribution must be known in advance: to fit it, call `add_finite` in an earlier pass.
 class PictureStatistics {
   public:
     PictureStatistics(int width, int height, const NormalDistribution& expected);
 
-    /// The next rows, whole ones.
+    /// Adds the next complete rows.
     void add_rows(std::span<const float> pixels);
 
-    /// Call after the last row.
+    /// Returns the statistics; call it after the last row.
     PictureReport report() const;
 
   private:
@@ -42,10 +41,10 @@ class PictureStatistics {
     std::uint64_t not_finite_ = 0;
     Blocks blocks_;
     std::optional<Spectrum> spectrum_;
-    std::vector<float> centred_; ///< one row, less the mean, with 0 for what is not finite
+    std::vector<float> centred_; ///< one row minus the mean, with 0 for values that are not finite
 };
 
-/// Adds those of `pixels` that are finite; returns how many are not.
+/// Adds the finite `pixels` and returns the number of others.
 std::uint64_t add_finite(Moments& moments, std::span<const float> pixels);
 
 } // namespace gabor::statistics

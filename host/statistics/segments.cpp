@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_segments = 64; ///< along each axis
 
-/// Periodic Hann window: segments half a side apart then weigh every pixel alike.
+/// Periodic Hann window: segments half a side apart give every pixel the same weight.
 std::vector<float> hann_window(int side) {
     std::vector<float> window;
     for (int i = 0; i < side; ++i)
@@ -47,7 +47,7 @@ std::span<const int> Segments::add_row(std::span<const float> row) {
 
 void Segments::weigh(int left, int channel, std::span<float> into, int stride) const {
     for (int y = 0; y < side_; ++y) {
-        const std::ptrdiff_t line = (row_ + y) % side_; // the oldest row is the next to go
+        const std::ptrdiff_t line = (row_ + y) % side_; // the oldest row is replaced next
         const float* in = rows_.data() + (line * width_ + left) * channels_ + channel;
         float* out = into.data() + std::ptrdiff_t{y} * stride;
         for (std::size_t x = 0; x < window_.size(); ++x)

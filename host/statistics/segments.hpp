@@ -6,28 +6,27 @@
 
 namespace gabor::statistics {
 
-/// Overlapping squares of a picture that passes by row after row, seen under a Hann window: what Welch's
-/// method averages over (Welch, 1967). Holds as many rows as a segment has.
+/// Overlapping squares of a picture under a Hann window, for Welch's method (Welch, 1967). The picture is
+/// read row by row; memory holds as many rows as a segment has.
 class Segments {
   public:
-    /// At most `hop` pixels apart, or 64 along each axis of a larger picture, and spread evenly from the
-    /// first pixel to the last, so that no border is left out. At least `side` pixels each way.
+    /// Segments are at most `hop` pixels apart, or 64 along each axis of a larger picture, spread evenly from
+    /// the first pixel to the last, borders included. The picture has at least `side` pixels along each axis.
     Segments(int width, int height, int channels, int side, int hop);
 
-    /// The next row, the channels of each pixel side by side. Returns the first columns of the segments that
-    /// end with it.
+    /// Adds the next row, channels interleaved. Returns the first columns of the segments that end with it.
     std::span<const int> add_row(std::span<const float> row);
 
-    /// One channel of such a segment under the window, its rows `stride` values apart.
+    /// Returns one channel of such a segment under the window, with rows `stride` values apart.
     void weigh(int left, int channel, std::span<float> into, int stride) const;
 
     int side() const { return side_; }
-    /// Where segments begin along each axis.
+    /// Returns where segments begin along each axis.
     const std::vector<int>& columns() const { return columns_; }
     const std::vector<int>& lines() const { return lines_; }
-    /// Of the segments that are complete.
+    /// Returns the number of complete segments.
     std::size_t count() const { return columns_.size() * band_; }
-    /// The sum of the window's squares along one axis; the window is a product of two.
+    /// The sum of the squared window along one axis; the window is a product of two axes.
     double window_power() const;
 
   private:
@@ -37,9 +36,9 @@ class Segments {
     std::vector<int> columns_; ///< where segments begin
     std::vector<int> lines_;
     std::vector<float> window_;
-    std::vector<float> rows_; ///< row y of the picture in place y % side
+    std::vector<float> rows_; ///< row y of the picture is at y % side
     int row_ = 0;
-    std::size_t band_ = 0; ///< bands of segments that are complete
+    std::size_t band_ = 0; ///< number of complete bands of segments
 };
 
 } // namespace gabor::statistics

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int longest_side = 512;
 constexpr int shortest_side = 8;
-constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< rows held, in floats
+constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< size of the stored rows, in floats
 
 } // namespace
 
@@ -113,8 +113,8 @@ class Plane {
     int side_;
 };
 
-/// Power per annulus. Each cell's power is shared by the two nearest annuli, in proportion to its distance
-/// from them: counting it in one only would show how unevenly the lattice falls into narrow annuli.
+/// Power per annulus. Each cell's power is shared by the two nearest annuli in proportion to its distance,
+/// because cells fall unevenly into narrow annuli.
 std::vector<double> radial_profile(const Plane& plane, int side) {
     std::vector<double> radial(static_cast<std::size_t>(side / std::numbers::sqrt2) + 2);
     plane.for_each([&](int x, int y, double power) {
@@ -127,7 +127,8 @@ std::vector<double> radial_profile(const Plane& plane, int side) {
     return radial;
 }
 
-/// How far from `peak`, in the direction of `step`, the profile falls to half its value there.
+/// Returns the distance from `peak`, in the direction of `step`, at which the profile falls to half of its
+/// peak.
 double half_width(std::span<const double> profile, std::size_t peak, int step) {
     const double half = profile[peak] / 2;
     double inside = profile[peak];
@@ -148,9 +149,9 @@ double full_width(std::span<const double> profile) {
     return half_width(profile, peak, -1) + half_width(profile, peak, 1);
 }
 
-/// Of a lobe whose profile scatters: the largest of many annuli is too large, and too narrow at half of that.
-/// So the profile is first smoothed by a triangle of a quarter of the width for half its base, and what that
-/// adds to the width, in squares as for a normal lobe, is taken off again.
+/// The width of a lobe whose profile scatters. The largest of many annuli is too large, and too narrow at
+/// half of that. So the profile is first smoothed by a triangle whose half base is a quarter of the width;
+/// the width that this adds, in squares as for a normal lobe, is subtracted.
 double lobe_width(std::span<const double> profile) {
     const double reach = full_width(profile) / 4;
     const auto last = static_cast<std::ptrdiff_t>(reach);
@@ -169,9 +170,9 @@ double lobe_width(std::span<const double> profile) {
     return std::sqrt(width * width - 8 * std::numbers::ln2 * squares / weights);
 }
 
-/// The mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
-/// (Fukunaga and Hostetler, 1975). Cells of a noise's periodogram scatter by as much as their mean, or less
-/// by the root of the number of segments: a parabola through three of them would only see the scatter.
+/// Finds the mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
+/// (Fukunaga and Hostetler, 1975). Cells scatter by their mean divided by the root of the number of segments,
+/// so a parabola through three cells would only fit the scatter.
 Cell find_peak(const Plane& plane, double radius) {
     Cell peak{0, 0};
     double largest = 0;
@@ -210,7 +211,7 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
     summary.radial = radial_profile(plane, side);
     summary.radial_step = 1 / cells;
     summary.power = std::reduce(summary.radial.begin(), summary.radial.end());
-    summary.resolution = 2 / cells; // the Hann window has 1.44, sharing between annuli adds the rest
+    summary.resolution = 2 / cells; // 1.44 from the Hann window, the rest from sharing between annuli
     if (!(summary.power > 0))
         return summary;
     const double width = lobe_width(summary.radial);
@@ -222,8 +223,8 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
         summary.peak = {distance / cells, std::fmod(degrees + 360, 180)};
     }
 
-    // Twice the root of the integral of the autocorrelation's square, by Parseval's theorem that of the
-    // spectrum's: 1.4 kernel radii for Gabor noise, whose autocorrelation has sunk to exp(-pi) there.
+    // Twice the root of the integral of the squared autocorrelation, which is that of the squared spectrum
+    // (Parseval). For Gabor noise this is 1.4 kernel radii, where its autocorrelation has fallen to exp(-pi).
     double squares = 0;
     plane.for_each([&](int, int, double power) { squares += power * power; });
     summary.correlation = 2 * cells * std::sqrt(squares) / summary.power;

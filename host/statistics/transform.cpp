@@ -31,7 +31,7 @@ Transform::~Transform() = default;
 Transform::Transform(Transform&&) noexcept = default;
 
 std::span<const std::complex<float>> Transform::operator()(std::span<const float> values) {
-    // Both are a real part and an imaginary part, side by side.
+    // Both types store the real part, then the imaginary part.
     const auto of_kiss = [](std::complex<float>* value) { return reinterpret_cast<kiss_fft_cpx*>(value); };
     State& s = *state_;
     const std::size_t width = s.side / 2 + 1;

@@ -14,8 +14,8 @@ class Transform {
     ~Transform();
     Transform(Transform&&) noexcept;
 
-    /// Of side * side values: `side` rows for ky (negative ones last) of side / 2 + 1 columns for kx >= 0.
-    /// The span stays valid until the next call.
+    /// Transforms side * side values. The result has `side` rows for ky (negative ones last) and side / 2 + 1
+    /// columns for kx >= 0. The span stays valid until the next call.
     std::span<const std::complex<float>> operator()(std::span<const float> values);
 
   private:

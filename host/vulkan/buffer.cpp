@@ -8,10 +8,10 @@ namespace gabor::vulkan {
 
 namespace {
 
-// A process has a handful of buffers, each with memory of its own, and drivers prefer large allocations.
+// A process has only a few large buffers, so each has its own allocation.
 constexpr vk::DeviceSize least_memory = 1 << 20;
 
-// The first allowed memory type with `required` and, if one exists, also with `preferred`.
+// Returns the first allowed memory type with `required`, and with `preferred` if there is one.
 std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
                           vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) {
     const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();

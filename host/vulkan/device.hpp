@@ -21,37 +21,38 @@ struct DeviceInfo {
     std::uint64_t memory = 0;         ///< largest device-local heap, bytes
     std::uint64_t storage_buffer = 0; ///< largest storage buffer that a shader can address, bytes
     std::uint32_t group_invocations = 0; ///< largest workgroup
-    std::uint32_t subgroup = 0;          ///< lanes that run in step
+    std::uint32_t subgroup = 0;          ///< lanes that run in lockstep
     bool timestamps = false;             ///< whether GPU time can be measured
 };
 
-/// Every Vulkan 1.1 device with a compute queue. Throws RequestError when there is none, or no Vulkan loader.
+/// Lists the Vulkan 1.1 devices with a compute queue. Throws RequestError if there is no device or no Vulkan
+/// loader.
 std::vector<DeviceInfo> devices();
 
-/// Messages of the validation layers so far. The layers are loaded when the environment variable
-/// GABOR_VALIDATION is set and not 0: core checks, synchronization and best practices, or, where it is `gpu`,
-/// core checks and those that run within the shaders. Each message also goes to stderr.
+/// Returns the number of messages from the validation layers so far. The environment variable
+/// GABOR_VALIDATION loads the layers unless it is empty or 0: core checks, synchronization and best practices
+/// or, if it is `gpu`, core checks and GPU-assisted ones. Each message also goes to stderr.
 int validation_messages();
 
-/// What a device takes to show pictures in windows; the defaults ask for nothing.
+/// Requirements for showing pictures in windows; none by default.
 struct Presentation {
     std::vector<const char*> instance_extensions;
-    /// Whether a queue family of a device can present. Where set, devices are those that can, with a
-    /// swapchain, from a family that also draws.
+    /// Tells whether a queue family of a device can present. If set, only devices qualify that have a
+    /// swapchain and can present from a family that also draws.
     std::function<bool(VkInstance_T*, VkPhysicalDevice_T*, std::uint32_t family)> can_present;
 };
 
 /// A logical device with one compute queue.
 class Device {
   public:
-    /// `selector`: an index, or a part of the name in any case; empty for the best one (a discrete GPU, then
-    /// integrated, virtual, CPU). Throws RequestError when it matches none or several, or there is no device.
+    /// `selector` is an index or a part of the name in any case; empty selects the best device (discrete GPU,
+    /// then integrated, virtual, CPU). Throws RequestError if it matches no device or several.
     explicit Device(std::string_view selector = {}, const Presentation& presentation = {});
     ~Device();
     Device(Device&&) noexcept;
 
     const DeviceInfo& info() const;
-    /// Whether the host's memory is the device's own, so that results need no copy to be read.
+    /// Tells whether host and device share memory, so that results need no copy.
     bool unified() const;
 
     struct State;

@@ -48,12 +48,11 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    // What instruments the shaders takes many times as long, and its buffers are not for the other checks to
-    // see.
+    // Instrumented shaders take many times as long, and the other checks must not see their buffers.
     using Check = vk::ValidationFeatureEnableEXT;
     const std::vector<Check> features =
         validation() == "gpu" ? std::vector{Check::eGpuAssisted}
-        : presentation.can_present // Dear ImGui's backend allocates in its own way
+        : presentation.can_present // Dear ImGui's backend allocates differently
             ? std::vector{Check::eSynchronizationValidation}
             : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
     if (validating()) {

@@ -99,7 +99,7 @@ Job::Job(const Device& device, const Pass& pass, const Buffers& buffers)
 }
 
 Job::~Job() {
-    // The device may still be using the buffers; a lost device has nothing left to wait for.
+    // The device may still use the buffers. A lost device has nothing to wait for.
     if (state_ && state_->under_way)
         try {
             wait();

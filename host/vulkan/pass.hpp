@@ -23,7 +23,7 @@ class Pass {
     struct Interface {
         std::uint32_t buffers = 1;
         std::uint32_t push_bytes = 0;
-        bool statistics = false; ///< whether `statistics` will be asked for
+        bool statistics = false; ///< whether to allow calls of `statistics`
     };
 
     /// `constants`: the specialization constants with ids 0, 1, 2, ...
@@ -33,8 +33,8 @@ class Pass {
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// What the compiler says of its code, by the driver's own names, as "Instructions":
-    /// VK_KHR_pipeline_executable_properties. Throws RequestError on a device without that extension.
+    /// Returns the compiler's statistics of its code under the driver's names, such as "Instructions". Throws
+    /// RequestError on a device without VK_KHR_pipeline_executable_properties.
     std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
     struct State;
@@ -51,7 +51,7 @@ struct Groups {
     std::uint32_t z = 1;
 };
 
-/// One pass with its buffers, submitted any number of times, one submission under way at a time.
+/// A pass with its buffers. You can submit it any number of times, one submission at a time.
 class Job {
   public:
     using Buffers = std::vector<std::reference_wrapper<const Buffer>>;
@@ -60,21 +60,21 @@ class Job {
     ~Job();
     Job(Job&&) noexcept;
 
-    /// A copy after the pass, from the start of one buffer to the start of another.
+    /// Copies after the pass, from the start of one buffer to the start of another.
     struct Copy {
         const Buffer& from;
         const Buffer& to;
         std::size_t bytes;
     };
 
-    /// The pass with these push constants, or another one of the same interface.
+    /// Dispatches the pass, or another one with the same interface, with these push constants.
     struct Dispatch {
         std::span<const std::byte> push;
         Groups groups;
         const Pass* other = nullptr;
     };
 
-    /// Each dispatch sees what those before it wrote.
+    /// Each dispatch sees the results of earlier ones.
     void submit(std::span<const Dispatch> dispatches, const std::optional<Copy>& copy = {});
 
     template <typename Push>
@@ -83,8 +83,8 @@ class Job {
         submit(std::span(&dispatch, 1), copy);
     }
 
-    /// Waits for the submission and returns the seconds that the pass took on the device, NaN where that
-    /// cannot be measured. What it wrote is then visible to the host.
+    /// Waits for the submission and makes its results visible to the host. Returns the seconds that the pass
+    /// took on the device, NaN if the device cannot measure them.
     double wait();
 
   private:

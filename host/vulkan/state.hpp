@@ -1,7 +1,6 @@
 #pragma once
 
-// The Vulkan objects behind the other headers; included in this folder, and by the viewer, which draws with
-// them.
+// The Vulkan objects behind the other headers, for this folder and for the viewer, which draws with them.
 
 #include "vulkan/buffer.hpp"
 #include "vulkan/device.hpp"
@@ -11,20 +10,20 @@
 
 namespace gabor::vulkan {
 
-/// Throws RequestError where there is no Vulkan loader.
+/// Throws RequestError if there is no Vulkan loader.
 vk::raii::Context load_vulkan();
 
-/// With the validation layers where GABOR_VALIDATION asks for them. Throws RequestError without a driver.
+/// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError without a driver.
 vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation);
 
-/// Counts and prints what the validation layers say; null without them.
+/// Counts and prints the messages of the validation layers; null without them.
 vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance);
 
-/// What a buffer takes that the host reads or writes.
+/// Requirements for buffers that the host reads or writes.
 inline constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
-/// What Device owns, in the order of its making.
+/// The members of Device, in order of creation.
 struct Device::State {
     vk::raii::Context context;
     vk::raii::Instance instance;
@@ -35,12 +34,12 @@ struct Device::State {
     vk::raii::Device device;
     vk::raii::Queue queue;
     double timestamp_seconds = 0;     ///< length of a timestamp's tick
-    std::uint64_t timestamp_mask = 0; ///< the bits of it that count
+    std::uint64_t timestamp_mask = 0; ///< its valid bits
     bool unified = false;
-    bool executable_properties = false; ///< VK_KHR_pipeline_executable_properties is enabled
+    bool executable_properties = false; ///< whether VK_KHR_pipeline_executable_properties is enabled
 };
 
-/// What Buffer owns.
+/// The members of Buffer.
 struct Buffer::State {
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer buffer = nullptr;
@@ -48,7 +47,7 @@ struct Buffer::State {
     std::size_t bytes = 0;
 };
 
-/// What Pass owns.
+/// The members of Pass.
 struct Pass::State {
     vk::raii::DescriptorSetLayout set_layout = nullptr;
     vk::raii::PipelineLayout layout = nullptr;

@@ -187,7 +187,7 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed)
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t seed) {
-    const float count = 12.0f; // threads to the unit
+    const float count = 12.0f; // threads per unit
     GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 0));
     gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(0.7f * count, 1.1f), gabor_lobe_seed(seed, 1)); // uneven along y
     gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(1.1f, 0.7f * count), gabor_lobe_seed(seed, 2));
@@ -241,7 +241,7 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t se
     return gabor_impl_material(colour, 0.016f * pebble + 0.013f * dome + 0.0016f * fine.y, 0.55f - 0.15f * pebble, 0.0f);
 }
 
-// A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
 GABOR_INLINE float gabor_impl_vein(gabor_vec3 layer, float width, float threshold) {
     return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
 }
@@ -285,15 +285,15 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborPixel pixel, std::uint32_t seed)
     return gabor_impl_material(colour, height, 0.9f, 0.0f);
 }
 
-// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of what a filter
-// took away has mean 0.
+// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
+// part has mean 0.
 GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t seed) {
     float height = 0.0f;
     float crest = 0.0f;
     float removed = 0.0f;
     float power = 0.0f;
     for (int i = 0; i < 14; ++i) {
-        float waves = 0.6f * gabor_cpp_exp2(0.27f * float(i)); // to the unit
+        float waves = 0.6f * gabor_cpp_exp2(0.27f * float(i)); // per unit
         float angle = 0.3f + 1.1f * gabor_cpp_fract(0.618034f * float(i) + 0.1f);
         gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
         float amplitude = 0.018f / gabor_cpp_pow(waves, 1.3f);
@@ -318,7 +318,7 @@ GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, std::uint3
     return gabor_impl_material(gabor_vec3(0.55f, 0.555f, 0.565f) * gabor_impl_tone(tone.x, tone.y, 0.09f), height, 0.36f, 1.0f);
 }
 
-// Needles are the tops of noise in kernels a hundred times as long as wide, in as many directions.
+// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
 GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborPixel pixel, std::uint32_t seed) {
     float whole = 1.0f;
     float height = 0.0f;
@@ -343,7 +343,7 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborPixel pixel, std::uint32_t seed
     gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5f), gabor_vec2(80.0f, 6.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
 
-    float intensity = gabor_cpp_length(stripe.xy()); // at the zeros of stripe.x edges are as wide in p as its slope is small
+    float intensity = gabor_cpp_length(stripe.xy()); // at the zeros of stripe.x, the smaller its slope, the wider the edge
     float dark = gabor_impl_above(stripe.x + 0.1f * intensity * hair.x, stripe.z + 0.01f * hair.z, 0.0f,
                                   0.01f + 0.09f * intensity);
     gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), dark);
@@ -371,9 +371,9 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborPixel pixel, std::uint32_t seed)
     return gabor_impl_material(colour, height, 0.9f, 0.0f);
 }
 
-// A 2/2 twill: each tow goes over two, under two, and each row is one further on.
+// A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32_t seed) {
-    const float count = 4.0f; // tows to the unit
+    const float count = 4.0f; // tows per unit
     GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), gabor_lobe_seed(seed, 0));
     gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(20.0f, 0.6f) * count, gabor_lobe_seed(seed, 1));
     gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(0.6f, 20.0f) * count, gabor_lobe_seed(seed, 2));
@@ -383,7 +383,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32
     bool first = turn < 1.5f;
     gabor_vec3 fibre = first ? upright : level;
     gabor_vec2 along_across = first ? within.yx() : within;
-    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // on its way over two
+    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // across two rows
     float across = 2.0f * along_across.y - 1.0f;
 
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
@@ -403,7 +403,7 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t see
     gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 50.0f), gabor_lobe_seed(seed, 6));
     gabor_vec3 grain = gabor_impl_octaves(pixel, gabor_vec2(16.0f, 24.0f), 4, 0.8f, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // red, and washed out
+    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // red and washed-out layers
     gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.50f, 0.22f, 0.09f), gabor_vec3(0.60f, 0.35f, 0.18f), gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
     colour = gabor_cpp_mix(colour, gabor_vec3(0.28f, 0.075f, 0.035f), 0.8f * soft);
     colour = gabor_cpp_mix(colour, gabor_vec3(0.74f, 0.58f, 0.40f), 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));

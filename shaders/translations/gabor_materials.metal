@@ -190,7 +190,7 @@ inline GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed) {
 }
 
 inline GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
-    const float count = 12.0; // threads to the unit
+    const float count = 12.0; // threads per unit
     GaborPixel cloth = gabor_impl_warp(pixel, float2(0.7), float2(0.02), gabor_lobe_seed(seed, 0));
     float3 upright = gabor_impl_spots(cloth, float2(0.7 * count, 1.1), gabor_lobe_seed(seed, 1)); // uneven along y
     float3 level = gabor_impl_spots(cloth, float2(1.1, 0.7 * count), gabor_lobe_seed(seed, 2));
@@ -244,7 +244,7 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, 0.016 * pebble + 0.013 * dome + 0.0016 * fine.y, 0.55 - 0.15 * pebble, 0.0);
 }
 
-// A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
 inline float gabor_impl_vein(float3 layer, float width, float threshold) {
     return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5);
 }
@@ -288,15 +288,15 @@ inline GaborMaterial gabor_impl_sand(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, height, 0.9, 0.0);
 }
 
-// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of what a filter
-// took away has mean 0.
+// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
+// part has mean 0.
 inline GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed) {
     float height = 0.0;
     float crest = 0.0;
     float removed = 0.0;
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
-        float waves = 0.6 * exp2(0.27 * float(i)); // to the unit
+        float waves = 0.6 * exp2(0.27 * float(i)); // per unit
         float angle = 0.3 + 1.1 * fract(0.618034 * float(i) + 0.1);
         float3 wave = gabor_impl_layer(pixel, float2(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
         float amplitude = 0.018 / pow(waves, 1.3);
@@ -321,7 +321,7 @@ inline GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, uint seed) {
     return gabor_impl_material(float3(0.55, 0.555, 0.565) * gabor_impl_tone(tone.x, tone.y, 0.09), height, 0.36, 1.0);
 }
 
-// Needles are the tops of noise in kernels a hundred times as long as wide, in as many directions.
+// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
 inline GaborMaterial gabor_impl_scratches(GaborPixel pixel, uint seed) {
     float whole = 1.0;
     float height = 0.0;
@@ -346,7 +346,7 @@ inline GaborMaterial gabor_impl_zebra(GaborPixel pixel, uint seed) {
     float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5), float2(80.0, 6.0), gabor_lobe_seed(seed, 3));
     float3 tone = gabor_impl_spots(pixel, float2(1.2), gabor_lobe_seed(seed, 4));
 
-    float intensity = length(stripe.xy); // at the zeros of stripe.x edges are as wide in p as its slope is small
+    float intensity = length(stripe.xy); // at the zeros of stripe.x, the smaller its slope, the wider the edge
     float dark = gabor_impl_above(stripe.x + 0.1 * intensity * hair.x, stripe.z + 0.01 * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);
     float3 colour = mix(float3(0.70, 0.64, 0.54), float3(0.018, 0.014, 0.012), dark);
@@ -374,9 +374,9 @@ inline GaborMaterial gabor_impl_bark(GaborPixel pixel, uint seed) {
     return gabor_impl_material(colour, height, 0.9, 0.0);
 }
 
-// A 2/2 twill: each tow goes over two, under two, and each row is one further on.
+// A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed) {
-    const float count = 4.0; // tows to the unit
+    const float count = 4.0; // tows per unit
     GaborPixel cloth = gabor_impl_warp(pixel, float2(0.8), float2(0.008), gabor_lobe_seed(seed, 0));
     float3 upright = gabor_impl_spots(cloth, float2(20.0, 0.6) * count, gabor_lobe_seed(seed, 1));
     float3 level = gabor_impl_spots(cloth, float2(0.6, 20.0) * count, gabor_lobe_seed(seed, 2));
@@ -386,7 +386,7 @@ inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed) {
     bool first = turn < 1.5;
     float3 fibre = first ? upright : level;
     float2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // on its way over two
+    float along = 0.5 * (along_across.x + (fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // across two rows
     float across = 2.0 * along_across.y - 1.0;
 
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
@@ -406,7 +406,7 @@ inline GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed) {
     float3 lamina = gabor_impl_spots(rock, float2(0.6, 50.0), gabor_lobe_seed(seed, 6));
     float3 grain = gabor_impl_octaves(pixel, float2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // red, and washed out
+    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // red and washed-out layers
     float3 colour = mix(float3(0.50, 0.22, 0.09), float3(0.60, 0.35, 0.18), gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
     colour = mix(colour, float3(0.28, 0.075, 0.035), 0.8 * soft);
     colour = mix(colour, float3(0.74, 0.58, 0.40), 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));

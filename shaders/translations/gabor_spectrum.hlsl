@@ -842,7 +842,7 @@ void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows no
     gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
 }
 
-// The sum over all nodes, without its factor. The loops are not unrolled, which took four times as long on lavapipe.
+// The sum over all nodes, without its factor. Unrolling the loops by hand made it four times slower on lavapipe.
 GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);

@@ -658,7 +658,7 @@ fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     return _e188;
 }
 
-// A vein is every other line of zeros of a noise, where the other part is high enough: lines that run on and end.
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
 fn gabor_impl_vein(layer: vec3<f32>, width: f32, threshold: f32) -> f32 {
     let _e5 = gabor_impl_line(layer.x, layer.z, width);
     let _e9 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
@@ -813,8 +813,8 @@ fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     return _e133;
 }
 
-// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of what a filter
-// took away has mean 0.
+// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
+// part has mean 0.
 fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var height_3: f32 = 0f;
     var crest_1: f32 = 0f;
@@ -926,7 +926,7 @@ fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     return _e63;
 }
 
-// Needles are the tops of noise in kernels a hundred times as long as wide, in as many directions.
+// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
 fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var whole: f32 = 1f;
     var height_5: f32 = 0f;
@@ -1119,7 +1119,7 @@ fn gabor_impl_bark(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     return _e176;
 }
 
-// A 2/2 twill: each tow goes over two, under two, and each row is one further on.
+// A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
     var count_2: f32 = 4f;
     var cloth_1: GaborPixel;
