@@ -505,7 +505,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b) {
     return a.x * b + a.y * gabor_vec2(-b.y, b.x);
 }
 
-// Adds to two sums the pair of complex numbers times z.
+// Adds z times a pair of complex numbers to two sums.
 GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z) {
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }

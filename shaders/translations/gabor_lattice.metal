@@ -205,7 +205,7 @@ inline float2 gabor_impl_product(float2 a, float2 b) {
     return a.x * b + a.y * float2(-b.y, b.x);
 }
 
-// Adds to two sums the pair of complex numbers times z.
+// Adds z times a pair of complex numbers to two sums.
 inline void gabor_impl_add(thread float4& sums, float4 pair, float2 z) {
     sums = sums + z.x * pair + z.y * float4(-pair.y, pair.x, -pair.w, pair.z);
 }

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 2888f68e60ea5b7d
+// Digest of the GLSL and of this file: 9b33c49a3571e265
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show
@@ -727,7 +727,7 @@ fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
     return ((a.x * b) + (a.y * vec2<f32>(-(b.y), b.x)));
 }
 
-// Adds to two sums the pair of complex numbers times z.
+// Adds z times a pair of complex numbers to two sums.
 fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>) {
     let _e3 = (*sums);
     (*sums) = ((_e3 + (z.x * pair)) + (z.y * vec4<f32>(-(pair.y), pair.x, -(pair.w), pair.z)));

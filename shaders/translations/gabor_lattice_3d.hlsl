@@ -101,7 +101,7 @@ GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period
     return made;
 }
 
-// Noise and quadrature, with their gradients per kernel radius. Parts that are not used cost nothing.
+// Noise and quadrature, with their gradients per kernel radius. Unused parts cost nothing.
 struct GaborField3d {
     float noise;
     float3 gradient;

@@ -87,7 +87,7 @@ struct GaborPlace3d {
     gabor_vec3 dy;
 };
 
-// Noise and quadrature, with their gradients per kernel radius. Parts that are not used cost nothing.
+// Noise and quadrature, with their gradients per kernel radius. Unused parts cost nothing.
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;

@@ -90,7 +90,7 @@ struct GaborPlace3d {
     float3 dy;
 };
 
-// Noise and quadrature, with their gradients per kernel radius. Parts that are not used cost nothing.
+// Noise and quadrature, with their gradients per kernel radius. Unused parts cost nothing.
 struct GaborField3d {
     float noise;
     float3 gradient;

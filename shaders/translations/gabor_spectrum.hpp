@@ -246,8 +246,8 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
 
 // A range of waves is cut into equal pieces of at most 0.7 cycles, with a lobe in the middle of each. The power of
 // Hann's window has a standard deviation of 1/sqrt(12) cycles, so the sum is even. The number of pieces is the whole
-// part of a number c. While the fraction of c goes from 0.8 to 1, these pieces fade out and one more than their number
-// fade in, so that the noise is continuous in frequency and spread.
+// part of a number c. While the fraction of c goes from 0.8 to 1, these pieces fade out while one piece more fades in,
+// so that the noise is continuous in frequency and spread.
 
 // The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
 // would have infinite slopes at the ends.

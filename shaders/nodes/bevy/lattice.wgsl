@@ -728,7 +728,7 @@ fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
     return ((a.x * b) + (a.y * vec2<f32>(-(b.y), b.x)));
 }
 
-// Adds to two sums the pair of complex numbers times z.
+// Adds z times a pair of complex numbers to two sums.
 fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>) {
     let _e3 = (*sums);
     (*sums) = ((_e3 + (z.x * pair)) + (z.y * vec4<f32>(-(pair.y), pair.x, -(pair.w), pair.z)));

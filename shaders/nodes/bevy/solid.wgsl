@@ -181,7 +181,7 @@ struct GaborPlace3d {
     dy: vec3<f32>,
 }
 
-// Noise and quadrature, with their gradients per kernel radius. Parts that are not used cost nothing.
+// Noise and quadrature, with their gradients per kernel radius. Unused parts cost nothing.
 struct GaborField3d {
     noise: f32,
     gradient: vec3<f32>,

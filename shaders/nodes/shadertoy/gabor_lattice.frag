@@ -211,7 +211,7 @@ vec2 gabor_impl_product(vec2 a, vec2 b) {
     return a.x * b + a.y * vec2(-b.y, b.x);
 }
 
-// Adds to two sums the pair of complex numbers times z.
+// Adds z times a pair of complex numbers to two sums.
 void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z) {
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
