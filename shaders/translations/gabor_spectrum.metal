@@ -68,9 +68,8 @@ struct GaborLobes {
 
 // ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
 
-// float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float
-// orientation_spread,
-//                          uint seed)
+// float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread,
+//                          float orientation_spread, uint seed)
 //     Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
 //     `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
 //     isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
