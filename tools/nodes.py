@@ -116,13 +116,13 @@ def copied(parameters, body):
 
 def title(text, language):
     """The header of the file's translation."""
-    return (f"// Made from ../genglsl{'/lib' if 'tools/translate' in text else ''} by tools/translate, for {language}: change "
+    return (f"// Generated from ../genglsl{'/lib' if 'tools/translate' in text else ''} by tools/translate, for {language}: change "
             f"that file, not this one.\n//\n{LICENSE}\n")
 
 
 # ---- The Open Shading Language -------------------------------------------------------------------------------------
 
-OSL_RIGHT = """// The integer without its sign, moved to the right.
+OSL_RIGHT = """// Shifts an integer to the right as if it were unsigned.
 int mx_gabor_right(int word, int bits)
 {
     return (word >> bits) & ((1 << (32 - bits)) - 1);

@@ -2,7 +2,7 @@
 // gabor_direction.hpp: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for C++ on the CPU.
 //
-// Made from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)

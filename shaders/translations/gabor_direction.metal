@@ -1,7 +1,7 @@
 // gabor_direction.metal: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for the Metal shading language.
 //
-// Made from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)

@@ -1,8 +1,8 @@
 // gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: c0c33e272a11f2a1
-// Made from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
+// Digest of the GLSL and of this file: 2c147aa380e98954
+// Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)

@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_erosion.hpp: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for C++ on the CPU.
 //
-// Made from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

@@ -1,6 +1,6 @@
 // gabor_erosion.metal: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for the Metal shading language.
 //
-// Made from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

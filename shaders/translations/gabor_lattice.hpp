@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_lattice.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for C++ on the CPU.
 //
-// Made from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
-// Made from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 9b33c49a3571e265
+// Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Digest of the GLSL and of this file: 9e8a849e8cb63c2d
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show

@@ -1,6 +1,6 @@
 // gabor_materials.hlsl: twelve materials from Gabor noise: for HLSL, shader model 5.0 and up.
 //
-// Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel

@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
 //
-// Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel

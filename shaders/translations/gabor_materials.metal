@@ -1,6 +1,6 @@
 // gabor_materials.metal: twelve materials from Gabor noise: for the Metal shading language.
 //
-// Made from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel

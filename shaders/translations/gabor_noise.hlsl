@@ -1,6 +1,6 @@
 // gabor_noise.hlsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for HLSL, shader model 5.0 and up.
 //
-// Made from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show

@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_spectrum.hpp: Gabor noise with any power spectrum, and filtered for a pixel: for C++ on the CPU.
 //
-// Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel

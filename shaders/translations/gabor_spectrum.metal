@@ -1,6 +1,6 @@
 // gabor_spectrum.metal: Gabor noise with any power spectrum, and filtered for a pixel: for the Metal shading language.
 //
-// Made from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel

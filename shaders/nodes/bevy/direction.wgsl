@@ -4,7 +4,7 @@
 // gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Made from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)

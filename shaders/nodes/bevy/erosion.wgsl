@@ -3,7 +3,7 @@
 
 // gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for WGSL.
 //
-// Made from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

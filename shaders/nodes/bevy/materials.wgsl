@@ -4,7 +4,7 @@
 
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
-// Made from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel

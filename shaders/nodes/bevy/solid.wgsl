@@ -5,7 +5,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Made from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh

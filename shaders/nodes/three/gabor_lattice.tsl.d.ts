@@ -15,16 +15,16 @@ export function gabor_noise_complex(p: Node, frequency: Value, orientation: Valu
 export function gabor_noise_gradient(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise that repeats after `period`, a vec2, from 1/1024 to 10^9 kernel radii along each axis. */
 export function gabor_noise_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** Noise that evolves in place and repeats when `time` has grown by 1. */
+/** Noise that evolves in place with period 1. */
 export function gabor_noise_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise in space; p and direction are vec3, and direction may have any length but 0. */
 export function gabor_noise_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 /** Stripes of even contrast across a wave vector, a vec2: (cosine, sine, intensity). 2 is a good sharpness. */
 export function gabor_stripes(p: Node, wave: Node, sharpness: Value, seed: Value): Node;
 
-/** (noise, quadrature, d/dx, d/dy) by one evaluation: what the functions above are parts of. */
+/** (noise, quadrature, d/dx, d/dy) in one evaluation; the functions above return parts of it. */
 export function gabor_field(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** The same of a wave vector, which may vary from place to place. */
+/** The same for a wave vector, which may vary with the place. */
 export function gabor_field_wave(p: Node, wave: Node, seed: Value): Node;
 export function gabor_field_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
 export function gabor_field_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
@@ -33,16 +33,16 @@ export function gabor_field_3d(p: Node, frequency: Value, direction: Node, seed:
 
 /** The wave vector of a frequency and an orientation: a vec2. */
 export function gabor_wave(frequency: Value, orientation: Value): Node;
-/** The seed of part `index` of a sum of independent noises. */
+/** The seed of part `index` in a sum of independent noises. */
 export function gabor_lobe_seed(seed: Value, index: Value): Node;
-/** To [0, 1], two standard deviations to the ends. */
+/** Maps -2 ... 2 to [0, 1] and clamps the rest. */
 export function gabor_unorm(noise: Value): Node;
 
 /**
- * A normal for `normalNode`, in view space, of a surface raised along its normal: bumpMap with one evaluation of the noise.
- * @param slope the noise's gradient, in p
- * @param p where the noise was evaluated
- * @param height of the relief per unit of the noise, in units of the view
+ * The view-space normal, for `normalNode`, of a surface raised along its normal: like bumpMap, with one evaluation of the noise.
+ * @param slope the noise's gradient with respect to p
+ * @param p the place of the evaluation
+ * @param height height of the relief per unit of noise, in view units
  */
 export function gabor_normal(slope: Node, p: Node, height: Value): Node;
 

@@ -65,7 +65,7 @@ const gabor_impl_wave = (t_) => {
 const RADIUS = 1.5;                  // nodes per kernel radius
 const TURN = 6.2831853;
 
-// The amplitude of a node; at a time the sum of three.
+// The amplitude of a node; with time, a sum of three.
 const amplitude_at = (word, time) => {
     const first = gabor_impl_amplitude(word);
     if (time === undefined) return first;
@@ -76,8 +76,8 @@ const amplitude_at = (word, time) => {
         .add(gabor_impl_amplitude(third).mul(turn.y.mul(0.70710678)));
 };
 
-// The three nodes along an axis that reach a place, in node spacings: their words, and what their amplitudes are multiplied
-// with, the window times the wave and its derivative per kernel radius.
+// The three nodes along an axis that reach a place, in node spacings: their words, and the factors of their amplitudes, which
+// are the window times the wave and its derivative per kernel radius.
 const axis = (place, wave, salt, radius = float(RADIUS), period) => {
     const middle = floor(place.add(0.5)).toVar();
     const offset = clamp(place.sub(middle), -0.5, 0.5).toVar();
@@ -153,7 +153,7 @@ const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     return vec4(value.y, x.y, y.y, z.y).mul(SCALE3D);
 }, "vec3 p", "vec3 wave", "uint seed");
 
-// ---- The functions to call -----------------------------------------------------------------------------------------
+// ---- Public functions ----------------------------------------------------------------------------------------------
 
 export const gabor_wave = (frequency, orientation) =>
     gabor_impl_wave(float(orientation).mul(0.15915494)).mul(min(abs(float(frequency)), 1e6));
@@ -194,7 +194,7 @@ export const gabor_normal = (slope, p, height) => {
     return normalize(normalView.mul(abs(area)).sub(steep));
 };
 
-// gabor_brushed_metal of gabor_materials.glsl: noises of frequency 0 in narrow kernels, one evaluation for all it gives.
+// gabor_brushed_metal of gabor_materials.glsl: noises of frequency 0 with narrow kernels; one evaluation gives all results.
 export const gabor_brushed_metal = (p, seed) => {
     let height = float(0), tone = float(0), slope = vec2(0);
     for (let part = 0; part < 5; ++part) {

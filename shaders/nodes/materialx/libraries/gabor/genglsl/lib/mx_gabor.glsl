@@ -1,6 +1,6 @@
-// Gabor noise on a lattice, from gabor_lattice.glsl of gabor-noise without its structs: for GLSL, ESSL, Vulkan, WGSL, MSL
-// and Slang as it is. tools/translate copies the functions between the marks from the drop-in, and makes ../genosl and
-// ../genmdl of this file: change it here. Vectors have one component read or built at a time, as OSL requires.
+// Gabor noise from gabor_lattice.glsl without its structs: for GLSL, ESSL, Vulkan, WGSL, MSL and Slang. tools/translate copies
+// the functions between the marks from the drop-in, and generates ../genosl and ../genmdl from this file. As OSL requires,
+// vectors are read and built one component at a time.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -94,7 +94,7 @@ vec2 mx_gabor_sum(vec2 a, vec2 b, vec2 c, vec3 weights, vec2 turn)
     return weights.x * before + weights.y * b + weights.z * after;
 }
 
-// The same of two sums at once.
+// The same for two sums at once.
 vec4 mx_gabor_sums(vec4 a, vec4 b, vec4 c, vec3 weights, vec2 turn)
 {
     vec2 first = mx_gabor_sum(vec2(a.x, a.y), vec2(b.x, b.y), vec2(c.x, c.y), weights, turn);
@@ -102,7 +102,7 @@ vec4 mx_gabor_sums(vec4 a, vec4 b, vec4 c, vec3 weights, vec2 turn)
     return vec4(first.x, first.y, second.x, second.y);
 }
 
-// A row of nodes, with the windows along x and with their slopes.
+// A row of nodes, with the windows along x and their slopes.
 vec4 mx_gabor_row(uint row, uint before, uint middle, uint after, vec3 windows, vec3 slopes, vec2 turn)
 {
     vec2 a = mx_gabor_amplitude(before * row);
@@ -113,7 +113,7 @@ vec4 mx_gabor_row(uint row, uint before, uint middle, uint after, vec3 windows, 
     return vec4(value.x, value.y, slope.x, slope.y);
 }
 
-// Noise, quadrature and the noise's gradient per kernel radius, at p in kernel radii, of a wave in cycles per radius.
+// Noise, quadrature and the noise's gradient per kernel radius. p is in kernel radii, the wave in cycles per radius.
 vec4 mx_gabor_field2d(vec2 p, vec2 wave, int seed)
 {
     float x = 1.5 * p.x;
@@ -149,7 +149,7 @@ vec4 mx_gabor_field2d(vec2 p, vec2 wave, int seed)
     return vec4(value.y, value.x, slope_x.y + 6.2831853 * wave.x * value.x, slope_y.y + 6.2831853 * wave.y * value.x);
 }
 
-// A slice of nodes in space, with the windows along x and with their slopes; along y with other weights.
+// A slice of nodes in space, with the windows along x and their slopes, and with other weights along y.
 vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before, uint middle, uint after, vec3 windows,
                     vec3 slopes, vec2 turn, vec3 weights, vec2 turn_y)
 {
@@ -159,7 +159,7 @@ vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before,
     return mx_gabor_sums(a, b, c, weights, turn_y);
 }
 
-// Noise and its gradient in space, likewise.
+// Noise and its gradient in space, in the same units.
 vec4 mx_gabor_field3d(vec3 p, vec3 wave, int seed)
 {
     float x = 1.5 * p.x;
