@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from exr import Exr
+
 PROGRAM = os.environ["GABOR_PROGRAM"]
 NAME = pathlib.Path(PROGRAM).name
 LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, where it is
@@ -64,3 +66,14 @@ class ProgramTest(unittest.TestCase):
 
     def assert_refused(self, words, *arguments, **options):
         self.assert_fails(2, words, *arguments, **options)
+
+
+class RenderTest(ProgramTest):
+    def render(self, *flags, output="out.exr", **options):
+        """Renders with these flags and --name=value of each option; returns the file."""
+        options = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+        self.succeed("render", "-o", output, *flags, *options)
+        return Exr(self.folder / output)
+
+    def assert_same_bits(self, a, b):
+        self.assertEqual((a.shape, a.tobytes()), (b.shape, b.tobytes()))
