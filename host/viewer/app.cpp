@@ -1,8 +1,6 @@
 #include "viewer/app.hpp"
 
 #include "viewer/document_json.hpp"
-#include "viewer/effect.hpp"
-#include "viewer/gallery.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
@@ -55,16 +53,6 @@ Placement placement(const Options& options, const Settings& settings) {
     return placement;
 }
 
-vk::raii::CommandPool make_pool(const vulkan::Device& device) {
-    return {device.state().device,
-            {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, device.state().family}};
-}
-
-vk::raii::CommandBuffer make_commands(const vulkan::Device& device, const vk::raii::CommandPool& pool) {
-    vk::raii::CommandBuffers buffers(device.state().device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
-    return std::move(buffers.front());
-}
-
 } // namespace
 
 App::App(const Options& options)
@@ -72,8 +60,7 @@ App::App(const Options& options)
       device_(options.device, window_.presentation()), swapchain_(device_, window_.handle()),
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
-      painter_(device_, swapchain_.render_pass()), pool_(make_pool(device_)),
-      commands_(make_commands(device_, pool_)),
+      painter_(device_, swapchain_.render_pass()), commands_(device_),
       session_(options.document.value_or(document_of({})), options.device), canvas_(device_),
       sampler_(device_), remember_(!options.screenshot) {
     if (remember_)
@@ -121,11 +108,11 @@ void App::restore(const Options& options) {
 }
 
 void App::save_session() {
-    if (!remember_ || (offering_ && session_.question)) // what is on offer must stay
+    if (!remember_ || (offering_ && session_.question)) // keep the session that is offered
         return;
     Document document = session_.document();
     if (session_.playing)
-        document.request.time = 0; // or each moment would be another session
+        document.request.time = 0; // playing alone must not cause a save
     const bool unsaved = session_.closing != Closing::now && is_changed(session_);
     Settings settings{window_.placement(), session_.panels,         session_.ui_scale,
                       to_json(document),   document.path,           session_.export_target.path,
@@ -267,7 +254,7 @@ void App::paint(vk::CommandBuffer commands, const Area& view) {
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
-// The photograph lies where the noise has its picture, pixel by pixel.
+// Paints the photograph where the noise has its picture, at the same scale.
 void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     if (photograph_ != session_.fitter.photograph()) {
         photograph_ = session_.fitter.photograph();
@@ -318,15 +305,11 @@ void App::draw(const Target& target) {
     swapchain_.present(commands);
 }
 
-void App::write_window_png(const std::string& path) {
-    const Extent extent = window_.pixels();
+void App::write_png(Extent extent, const std::string& path,
+                    const std::function<void(vk::CommandBuffer)>& draw) {
     swapchain_.wait();
     save_png(
-        device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); },
-        [&](vk::CommandBuffer commands) {
-            paint(commands, view_area(extent));
-            gui_.draw(commands);
-        });
+        device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); }, draw);
 }
 
 void App::save_picture(const std::string& path) {
@@ -335,12 +318,9 @@ void App::save_picture(const std::string& path) {
     const Extent extent{document.request.width, document.request.height};
     while (canvas_.refine(drawing, render::default_camera(document.request), extent, resting_budget)) {
     }
-    swapchain_.wait();
-    save_png(
-        device_, extent, path, [&](vk::CommandBuffer commands) { painter_.prepare(commands); },
-        [&](vk::CommandBuffer commands) {
-            painter_.paint(commands, canvas_, {0, 0, extent.width, extent.height}, document);
-        });
+    write_png(extent, path, [&](vk::CommandBuffer commands) {
+        painter_.paint(commands, canvas_, {0, 0, extent.width, extent.height}, document);
+    });
 }
 
 bool App::frame(const FrameHook& hook) {
@@ -379,7 +359,10 @@ bool App::frame(const FrameHook& hook) {
     const Extent extent = window_.pixels();
     busy_ = refine(extent);
     if (window_png_)
-        write_window_png(*std::exchange(window_png_, {}));
+        write_png(extent, *std::exchange(window_png_, {}), [&](vk::CommandBuffer commands) {
+            paint(commands, view_area(extent));
+            gui_.draw(commands);
+        });
     if (const Target* target = swapchain_.acquire(extent)) {
         draw(*target);
         if (session_.metered) {

@@ -60,7 +60,8 @@ class App {
     void paint(vk::CommandBuffer commands, const Area& view);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void paint_presets(vk::CommandBuffer commands, const Area& view);
-    void write_window_png(const std::string& path);
+    void write_png(Extent extent, const std::string& path,
+                   const std::function<void(vk::CommandBuffer)>& draw);
     Document shown() const; ///< the document, from the camera that shows it
 
     Settings settings_;
@@ -69,8 +70,7 @@ class App {
     Swapchain swapchain_;
     Gui gui_;
     Painter painter_;
-    vk::raii::CommandPool pool_;
-    vk::raii::CommandBuffer commands_ = nullptr;
+    Commands commands_;
     Session session_;
     Canvas canvas_;
     ValueSampler sampler_;

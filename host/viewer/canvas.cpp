@@ -9,7 +9,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr int rows_at_once = 8; // at least, of the passes' groups
+constexpr int rows_at_once = 8; // at least: the rows of a work group
 constexpr int sample_columns = 256;
 constexpr int most_sample_rows = 256;
 
@@ -50,7 +50,7 @@ void ValueGrid::fill(const render::Renderer& renderer, int rows, Cost& cost) {
     renderer.submit(*job_, {first, filled}, first * extent_.width, copy);
     job_->wait();
     next_row_ = whole ? -1 : first + filled;
-    // Not by the device's own clock: lavapipe stops it before the work is done.
+    // The device's own clock will not do: lavapipe stops it before the work is done.
     cost.add(seconds_since(before), static_cast<double>(filled) * extent_.width);
 }
 

@@ -9,7 +9,7 @@
 
 namespace gabor::viewer {
 
-/// Seconds per value, as measured while grids are filled: a first guess that the first frames correct.
+/// Running average of the seconds per value; the first frames correct the initial guess.
 class Cost {
   public:
     void add(double seconds, double values);
@@ -19,20 +19,20 @@ class Cost {
     double cost_ = 1e-6;
 };
 
-/// A grid of values on the device, filled in one go or row by row.
+/// A grid of values on the device, filled at once or row by row.
 class ValueGrid {
   public:
     explicit ValueGrid(const vulkan::Device& device);
 
-    /// Begins anew. `renderer` keeps its plan as long as the grid is being filled.
+    /// Starts over. `renderer` must keep its plan until the grid is filled.
     void start(const render::Renderer& renderer);
-    /// Fills up to `rows` rows from the next one on, and adds what it took to `cost`.
+    /// Fills up to `rows` more rows, and adds their time to `cost`.
     void fill(const render::Renderer& renderer, int rows, Cost& cost);
 
     bool filling() const { return next_row_ >= 0; }
     Extent extent() const { return extent_; }
     const vulkan::Buffer& values() const { return values_; }
-    /// The values on the host, once they are filled.
+    /// The values on the host, once the grid is filled.
     std::span<const float> read();
 
   private:
@@ -40,29 +40,29 @@ class ValueGrid {
     Extent extent_;
     std::size_t count_ = 0;
     vulkan::Buffer values_;
-    std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; ///< if the host cannot read the device's memory
     std::optional<vulkan::Job> job_;
     int next_row_ = -1; ///< -1: all are filled
 };
 
-/// The values of a drawing on a grid of the view's pixels: coarse while it moves, then finer and finer, in
-/// short slices that keep the window responsive.
+/// Draws values for the view's pixels: coarse while it moves, then refined in short slices that keep the
+/// window responsive.
 class Canvas {
   public:
     explicit Canvas(const vulkan::Device& device);
 
-    /// Works for about `seconds` at what the camera shows of the drawing in `extent` pixels, and returns
-    /// whether there is more to do. Where that is something else than before it is answered at once, as
-    /// finely as the time allows. Throws RequestError where its paint cannot be read.
+    /// Works for about `seconds` on what the camera shows of the drawing in `extent` pixels. Returns whether
+    /// there is more to do. A new view is drawn at once, as finely as the time allows. Throws RequestError if
+    /// its paint cannot be read.
     bool refine(const Drawing& drawing, const Camera& camera, Extent extent, double seconds);
 
-    /// All of it at once, one value for `stride` x `stride` pixels.
+    /// Draws all of it at once, with one value for `stride` x `stride` pixels.
     void draw(const Drawing& drawing, const Camera& camera, Extent extent, int stride);
 
     const vulkan::Buffer& values() const { return grids_[front_].values(); }
     const std::vector<std::string>& channels() const { return channels_; } ///< of each value
     Extent grid() const { return grids_[front_].extent(); }
-    int stride() const { return stride_; } ///< pixels per value; 0 before anything was drawn
+    int stride() const { return stride_; } ///< pixels per value; 0 if nothing was drawn yet
     bool fine() const { return stride_ == 1; }
     /// The values on the host: valid until the next work.
     std::span<const float> pixels() { return grids_[front_].read(); }
@@ -77,20 +77,19 @@ class Canvas {
     std::string paint_path_;
     render::Paint paint_;
     render::Renderer renderer_;
-    std::array<ValueGrid, 2> grids_; ///< the one that is shown, and a finer one that is being filled
+    std::array<ValueGrid, 2> grids_; ///< the one shown, and a finer one being filled
     std::vector<std::string> channels_;
     std::size_t front_ = 0;
     int stride_ = 0; ///< of the one shown
     Cost cost_;
 };
 
-/// Values of a noise at random points, for their statistics.
+/// Samples a noise at random points, for statistics.
 class ValueSampler {
   public:
     explicit ValueSampler(const vulkan::Device& device);
 
-    /// As many values of a `value_request` as fit about `seconds`; another `draw`, other points of another
-    /// instance.
+    /// Draws values of a `value_request` for about `seconds`. Each `draw` uses other points and instances.
     std::span<const float> sample(const render::Request& request, std::uint32_t draw, double seconds);
 
   private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_steps = 1000;
 
-// The document without what changes by looking around or by itself.
+// The document without its viewpoint.
 Document without_viewpoint(const Document& document) {
     Document content = content_of(document);
     if (auto* body = std::get_if<render::Body>(&content.request.view))
@@ -107,6 +107,50 @@ void History::go_to(std::size_t step) {
     steps_[at_] = now;
     at_ = step;
     now = steps_[at_];
+}
+
+std::string_view disabled_reason(const Document& document, std::string_view control) {
+    const render::Request& request = document.request;
+    const Output output = document.output;
+    const bool space = render::in_space(request);
+    const bool painted = !request.paint.empty();
+    if (control == "tiles") {
+        const auto* plane = std::get_if<render::Plane>(&request.view);
+        return plane && plane->tileable ? "" : "Tiles need a tileable picture";
+    }
+    if (render::has_material(request)) {
+        if (control == "colours" || control == "output")
+            return "A material has its own colours";
+        if (control == "contrast" && document.look != Look::height)
+            return "For a material, contrast affects only its height";
+        return control == "contrast" || (control != "recipe" && render::applies_to_material(control))
+                   ? ""
+                   : "A material does not use this";
+    }
+    if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
+        return "A photograph's noise keeps its colours";
+    if (control == "recipe" && space)
+        return "Noise in space has one recipe, the lattice";
+    if (control == "orientation" && space && request.lobes.size() == 1 &&
+        render::is_isotropic(request.lobes.front()))
+        return "With an orientation spread of 90 degrees, waves have all orientations";
+    if ((control == "frequency" || control == "orientation") && painted)
+        return "Frequency and orientation are painted";
+    if (control == "lobes" && painted)
+        return "Paint replaces the frequency and orientation of a single lobe";
+    if (control == "paint" && !std::holds_alternative<render::Plane>(request.view))
+        return "Paint requires the view flat";
+    if (control == "paint" && request.lobes.size() > 1)
+        return "Paint requires a single lobe";
+    if (control == "colours" && output == Output::gradient)
+        return "A gradient is shown as a normal map";
+    if (control == "contrast" && output == Output::phase)
+        return "A phase uses all colours once";
+    if (control == "contrast" && output == Output::variance)
+        return "The share of the variance always goes from 0 to 1";
+    if (control == "contrast" && output == Output::phasor)
+        return "A phasor has the same contrast everywhere";
+    return {};
 }
 
 } // namespace gabor::viewer

@@ -56,10 +56,10 @@ class History {
 
     Document now;
 
-    /// Makes a step of what has changed since the last one. Call while nothing is being dragged. Moving the
-    /// camera and playing time add no step.
+    /// Adds a step if anything has changed since the last one. Call while nothing is being dragged. Moving
+    /// the camera and playing time add no step.
     void commit();
-    /// Notes that `now` was saved. Earlier steps with its path belong to the same file.
+    /// Notes that `now` was saved. Other steps with its path belong to the same file.
     void saved_as(const std::string& path);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
@@ -72,5 +72,9 @@ class History {
     std::vector<Document> steps_;
     std::size_t at_ = 0;
 };
+
+/// Tells the user why a control changes nothing in the window; empty if it does. `control`: the name of a
+/// parameter, or `colours`, `contrast` or `tiles`.
+std::string_view disabled_reason(const Document& document, std::string_view control);
 
 } // namespace gabor::viewer

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace gabor::viewer {
 
 namespace {
 
-// The highest frequency in the picture, in cycles per pixel of it.
+// The highest frequency, in cycles per pixel of the picture.
 double highest_frequency(const render::Request& request, const render::Paint& paint) {
     if (!request.paint.empty())
         return render::highest_frequency(paint) / request.scale;
@@ -45,14 +46,14 @@ render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Exten
 
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom) {
     constexpr int coarsest = 16;
-    constexpr int coarsest_baked = 4; // where blocks are still full
+    constexpr int coarsest_baked = 4; // blocks are still full then
     constexpr double least_per_wave = 3;
     const render::Request& request = drawing.request;
     const bool blocks = uses_blocks(request, viewport_of(drawing, {{}, {}, zoom}, {1, 1}));
     int stride = blocks ? coarsest_baked : coarsest;
     if (request.filter || !render::is_flat(request.view) || (request.paint.empty() && !request.quadrature))
         return stride;
-    const double pixels = zoom / highest_frequency(request, paint); // of the shortest wave
+    const double pixels = zoom / highest_frequency(request, paint); // in the shortest wave
     while (stride > 1 && pixels < least_per_wave * stride)
         stride /= 2;
     return stride;
@@ -76,8 +77,7 @@ render::Plan random_points(render::Request request, Extent grid, std::uint32_t d
     request.seed = draw * 0x9e3779b1u;
     const double widest = std::ranges::max(request.lobes, {}, &noise::Lobe::radius).radius;
     if (render::in_space(request)) {
-        // Points further apart than two impulses of one kernel can be, at all places of a cell; on bodies at
-        // all normals.
+        // Points too far apart to share a kernel, at all places of a cell, and on bodies at all normals.
         request.width = grid.width;
         request.height = grid.height;
         request.scale = 1 / ((4 + std::numbers::phi) * widest);
@@ -96,7 +96,7 @@ render::Plan random_points(render::Request request, Extent grid, std::uint32_t d
                                                .blocks = render::Blocks::none});
     if (render::in_space(request))
         return plan;
-    // Further apart than two impulses of one kernel can be: a diameter and a cell.
+    // Too far apart to share a kernel: a diameter and a cell.
     std::mt19937 generator(draw);
     const auto lines = [&](int count, int side) {
         std::vector<double> cells; // per kernel radius
@@ -118,6 +118,26 @@ render::Plan random_points(render::Request request, Extent grid, std::uint32_t d
     plan.tables[0] = lines(grid.width, request.width);
     plan.tables[1] = lines(grid.height, request.height);
     return plan;
+}
+
+Tiling tiling_of(const Document& document, Extent view) {
+    const render::Request& request = document.request;
+    const int parts = std::gcd(request.width, request.height);
+    const auto fitting = [&](int side, int available) { return available / 2 / (side / parts); };
+    const int kept = std::clamp(
+        std::min(fitting(request.width, view.width), fitting(request.height, view.height)), 1, parts);
+    Tiling tiling;
+    tiling.tile = {request.width / parts * kept, request.height / parts * kept};
+    tiling.camera = render::default_camera(request);
+    tiling.camera.zoom = static_cast<double>(kept) / parts;
+    const double scale = request.scale * tiling.camera.zoom;
+    const auto moved = [&](const Coordinate& from, const Coordinate& to, int side) {
+        const double by = (static_cast<double>(to.whole - from.whole) + (to.part - from.part)) * scale;
+        return static_cast<float>(std::floor(by - side * std::floor(by / side)));
+    };
+    tiling.moved = {moved(tiling.camera.x, document.camera.x, tiling.tile.width),
+                    moved(tiling.camera.y, document.camera.y, tiling.tile.height)};
+    return tiling;
 }
 
 } // namespace gabor::viewer

@@ -4,32 +4,45 @@
 #include "viewer/document.hpp"
 #include "viewer/extent.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace gabor::viewer {
 
-/// What the window draws of a document, wherever its camera is.
+/// What the window draws of a document, from any camera.
 struct Drawing {
-    render::Request request; ///< with the channels that the output needs
-    bool normals = false;    ///< as render::Viewport has it
+    render::Request request; ///< with the channels of the output
+    bool normals = false;    ///< as in render::Viewport
     bool operator==(const Drawing&) const = default;
 };
 
-/// The drawing of a document: its request with the channels of its output.
+/// The drawing of a document, with the channels of its output.
 Drawing drawing_of(const Document& document);
 
-/// What the camera shows of it in `extent` pixels.
+/// The viewport of a camera in a view of `extent` pixels.
 render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Extent extent, int stride = 1);
 
-/// The most pixels, a power of two, that a value may stand for while the view moves. Phases, which do not
-/// fade with their wave, and what is painted keep at least three values to each wave.
+/// The largest stride, a power of two, while the view moves. Phases, which do not fade with their wave, and
+/// painted noise keep at least three values per wave.
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom);
 
-/// The same noise, its value alone, sharp, and on a plane from above: for the statistics of its values.
+/// Reduces a noise to what its statistics need: its value, unfiltered, not on a horizon.
 render::Request value_request(const Drawing& drawing);
 
-/// Values of a `value_request` at points that are independent of each other, of an instance that `draw`
-/// tells. Where a ray meets no body their channel `A` is 0.
+/// Plans values of a `value_request` at independent points of instance `draw`. Channel `A` is 0 where a ray
+/// misses the body.
 render::Plan random_points(render::Request request, Extent grid, std::uint32_t draw);
+
+/// Four copies of a tileable picture, two by two, to look for seams.
+struct Tiling {
+    Extent tile;                  ///< pixels of a copy
+    Camera camera;                ///< that shows one copy
+    std::array<float, 2> moved{}; ///< pixels of the window, from 0 to the side of a tile
+    bool operator==(const Tiling&) const = default;
+};
+
+/// Copies as large as fit the view, in whole pixels, but no larger than the picture; sides without a common
+/// divisor keep their size. They move with the document's camera.
+Tiling tiling_of(const Document& document, Extent view);
 
 } // namespace gabor::viewer

@@ -47,7 +47,7 @@ Photograph read_photograph(const std::string& path, const fit::Advance& advance)
     return photograph;
 }
 
-// A GLSL name made from the file's.
+// Makes a GLSL name from the file's name.
 std::string glsl_name(const std::string& path) {
     std::string name = "texture_" + std::filesystem::path(path).stem().string();
     std::ranges::replace_if(
@@ -92,7 +92,7 @@ void Fitter::poll() {
         fitted_ = std::exchange(result_, {});
         error_ = work_.error();
         if (work_.was_cancelled())
-            begun_ = {}; // for a number of lobes that is wanted again
+            begun_ = {}; // the cancelled number of lobes is wanted again
         else if (!error_.empty() && !exemplar_)
             close();
     }

@@ -1,4 +1,3 @@
-#include "viewer/gallery.hpp"
 
 #include "viewer/panels.hpp"
 
@@ -10,7 +9,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr float usual_font = 14; // for which a picture has a pixel to each unit
+constexpr float usual_font = 14; // at this size a pixel of a picture is a unit
 
 } // namespace
 
@@ -52,7 +51,7 @@ void gallery_window(Session& session, float width, float height) {
         draw.PushClipRect(corner, end, true);
         label(draw, {corner.x + 2, end.y - ImGui::GetFrameHeight()}, name, text);
         if (index >= session.preset_pictures.drawn() && !session.preset_pictures.done())
-            label(draw, {corner.x + 2, corner.y + 2}, "is being drawn", text);
+            label(draw, {corner.x + 2, corner.y + 2}, "drawing", text);
         draw.PopClipRect();
         if (chosen) {
             open_preset(session, name);

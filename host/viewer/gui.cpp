@@ -1,5 +1,7 @@
 #include "viewer/gui.hpp"
 
+#include "viewer/target.hpp"
+
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
@@ -17,8 +19,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// Keys pressed since the last frame, with the modifiers held then: they may have been let go before the frame
-// begins, and must be seen all the same.
+// Keys pressed since the last frame, with their modifiers: a key released before the next frame still counts.
 struct KeyPress {
     int key;
     int modifiers;
@@ -36,7 +37,7 @@ void check_result(VkResult result) {
         throw std::runtime_error(vk::to_string(static_cast<vk::Result>(result)));
 }
 
-// Dark and quiet: the picture is what one looks at.
+// A dark style that does not distract from the picture.
 void set_style(float density) {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
@@ -75,7 +76,7 @@ void set_style(float density) {
 }
 
 void load_font(float density) {
-    // Whatever sans a desktop has; Dear ImGui's own pixel font where there is none.
+    // A sans font of the desktop, or else Dear ImGui's own.
     ImGuiIO& io = ImGui::GetIO();
     for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
@@ -88,14 +89,7 @@ void load_font(float density) {
 }
 
 void upload_font(const vulkan::Device& device) {
-    const vulkan::Device::State& state = device.state();
-    const vk::raii::CommandPool pool(state.device, {vk::CommandPoolCreateFlagBits::eTransient, state.family});
-    vk::raii::CommandBuffers commands(state.device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
-    commands.front().begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    ImGui_ImplVulkan_CreateFontsTexture(*commands.front());
-    commands.front().end();
-    state.queue.submit(vk::SubmitInfo({}, {}, *commands.front()));
-    state.queue.waitIdle();
+    Commands(device).run(ImGui_ImplVulkan_CreateFontsTexture);
     ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
@@ -111,7 +105,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
          float scale)
     : descriptors_(make_descriptors(device)), density_(window.density()), scale_(scale), font_scale_(scale) {
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // settings.hpp remembers
+    ImGui::GetIO().IniFilename = nullptr; // see settings.hpp
     set_style(density_ * scale);
     load_font(density_ * scale);
     glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls it
@@ -157,8 +151,8 @@ void Gui::begin() {
     const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
     io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    // A frame takes the presses up to the first with other modifiers, or of a key that must be seen released
-    // before it is pressed again: one that the last frame or this one has seen pressed.
+    // Take presses up to the first with other modifiers, or of a key that must first be seen released because
+    // this frame or the last one has seen it pressed.
     std::vector<int> taken;
     const auto is_taken = [&](int key) { return std::ranges::find(taken, key) != taken.end(); };
     const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;

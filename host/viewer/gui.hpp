@@ -9,30 +9,30 @@ struct ImDrawData;
 
 namespace gabor::viewer {
 
-/// Dear ImGui on a window: its style, its font at the desktop's density, and its drawing.
+/// Dear ImGui in a window, with its style and font.
 class Gui {
   public:
-    /// `scale`: how much larger panels and text are than the desktop asks for.
+    /// `scale`: size of panels and text relative to the desktop's.
     Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images,
         float scale);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Another scale; letters are as sharp as the first one had them.
+    /// Changes the scale; the font keeps its first resolution.
     void set_scale(float scale);
-    /// Begins a frame with the input that the window has had since the last.
+    /// Begins a frame with the input since the last one.
     void begin();
-    /// Ends it; then `draw` may record what it came to, inside a render pass.
+    /// Ends the frame; `draw` then records it inside a render pass.
     void end();
     void draw(vk::CommandBuffer commands) const;
 
   private:
     vk::raii::DescriptorPool descriptors_;
     float density_;
-    float scale_;               ///< as it is now
-    float font_scale_;          ///< that the font was made for
-    std::vector<int> released_; ///< keys held down for this frame alone
+    float scale_;               ///< the current one
+    float font_scale_;          ///< of the font
+    std::vector<int> released_; ///< keys to release after this frame
 };
 
 } // namespace gabor::viewer

@@ -1,5 +1,4 @@
 #include "viewer/document_json.hpp"
-#include "viewer/effect.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
@@ -66,7 +65,7 @@ void next_choice(Session& session, std::string_view name) {
     auto at = static_cast<std::size_t>(std::ranges::find(all, std::get<std::string>(*parameter.get(now))) -
                                        all.begin());
     for (std::size_t i = 1; i < all.size(); ++i) {
-        at = at + 1 < all.size() ? at + 1 : 0; // a recipe may be none of the list
+        at = at + 1 < all.size() ? at + 1 : 0; // a custom recipe is not in the list
         Document next = session.document();
         set_parameter(next, name, std::string(all[at]));
         if (next.request.material == now.material && next.request.paint == now.paint) {
@@ -77,79 +76,57 @@ void next_choice(Session& session, std::string_view name) {
     notify(session, fmt::format("No other {} keeps the material and the paint", name));
 }
 
-// Says why a control has no effect.
-bool has_effect(Session& session, std::string_view control) {
-    const std::string_view dead = disabled_reason(session.document(), control);
-    if (!dead.empty())
-        notify(session, std::string(dead));
-    return dead.empty();
-}
-
 bool pressed(int key) {
     return ImGui::IsKeyPressed(key, false);
 }
+
+constexpr int ctrl = 1 << 16; // added to a key
 
 struct Shortcut {
     const char* name;
     const char* effect;
     int key = 0; ///< 0 for what is handled elsewhere
-    bool control = false;
     void (*act)(Session&) = nullptr;
+    std::string_view control = {}; ///< control that must have an effect; empty for none
 };
 
 constexpr std::array shortcuts{
     Shortcut{"drag", "move the plane or turn the body"},
     Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
     Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
-    Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, false, reset_camera},
+    Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, reset_camera},
     Shortcut{"1 to 7",
              "show value, gradient, phase, intensity, variance, phasor or lit; for a material, its looks"},
-    Shortcut{"V", "the next view", GLFW_KEY_V, false, [](Session& s) { next_choice(s, "view"); }},
-    Shortcut{"F", "filter on and off", GLFW_KEY_F, false,
+    Shortcut{"V", "the next view", GLFW_KEY_V, [](Session& s) { next_choice(s, "view"); }},
+    Shortcut{"F", "filter on and off", GLFW_KEY_F,
+             [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); },
+             "filter"},
+    Shortcut{"C", "the next colour map", GLFW_KEY_C,
              [](Session& s) {
-                 if (has_effect(s, "filter"))
-                     set_parameter(s.document(), "filter", !s.document().request.filter);
-             }},
-    Shortcut{"C", "the next colour map", GLFW_KEY_C, false,
-             [](Session& s) {
-                 if (has_effect(s, "colours"))
-                     s.document().colours =
-                         (s.document().colours + 1) % static_cast<int>(colour_names.size());
-             }},
-    Shortcut{"R", "the next recipe", GLFW_KEY_R, false,
-             [](Session& s) {
-                 if (has_effect(s, "recipe"))
-                     next_choice(s, "recipe");
-             }},
-    Shortcut{"N", "the next seed", GLFW_KEY_N, false, [](Session& s) { ++s.document().request.seed; }},
-    Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB, false,
-             [](Session& s) {
-                 if (s.fitter.photograph())
-                     s.photograph_beside = !s.photograph_beside;
-             }},
-    Shortcut{"T", "a tileable picture two by two, to look for seams", GLFW_KEY_T, false,
-             [](Session& s) {
-                 if (has_effect(s, "tiles"))
-                     s.tiles = !s.tiles;
-             }},
-    Shortcut{"P", "the presets as pictures", GLFW_KEY_P, false, [](Session& s) { s.gallery = !s.gallery; }},
-    Shortcut{"M", "frame rate and latency", GLFW_KEY_M, false, [](Session& s) { s.metered = !s.metered; }},
-    Shortcut{"Space", "play time, in a loop", GLFW_KEY_SPACE, false,
-             [](Session& s) {
-                 if (has_effect(s, "time"))
-                     s.playing = !s.playing;
-             }},
-    Shortcut{"Ctrl Z", "undo", GLFW_KEY_Z, true,
+                 s.document().colours = (s.document().colours + 1) % static_cast<int>(colour_names.size());
+             },
+             "colours"},
+    Shortcut{"R", "the next recipe", GLFW_KEY_R, [](Session& s) { next_choice(s, "recipe"); }, "recipe"},
+    Shortcut{"N", "the next seed", GLFW_KEY_N, [](Session& s) { ++s.document().request.seed; }},
+    Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
+             [](Session& s) { s.photograph_beside ^= s.fitter.photograph() != nullptr; }},
+    Shortcut{"T", "a tileable picture two by two, to look for seams", GLFW_KEY_T,
+             [](Session& s) { s.tiles = !s.tiles; }, "tiles"},
+    Shortcut{"P", "the presets as pictures", GLFW_KEY_P, [](Session& s) { s.gallery = !s.gallery; }},
+    Shortcut{"M", "frame rate and latency", GLFW_KEY_M, [](Session& s) { s.metered = !s.metered; }},
+    Shortcut{"Space", "play time in a loop", GLFW_KEY_SPACE, [](Session& s) { s.playing = !s.playing; },
+             "time"},
+    Shortcut{"Ctrl Z", "undo", ctrl + GLFW_KEY_Z,
              [](Session& s) { ImGui::GetIO().KeyShift ? s.history.redo() : s.history.undo(); }},
-    Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", GLFW_KEY_Y, true, [](Session& s) { s.history.redo(); }},
-    Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", GLFW_KEY_O, true, ask_for_file},
-    Shortcut{"Ctrl S", "save the preset", GLFW_KEY_S, true, save_preset},
-    Shortcut{"Ctrl C", "copy the GLSL of this view", GLFW_KEY_C, true, copy_glsl},
-    Shortcut{"Ctrl E", "export EXR and PNG", GLFW_KEY_E, true, start_export},
-    Shortcut{"H", "hide and show the panels", GLFW_KEY_H, false, [](Session& s) { s.panels = !s.panels; }},
+    Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", ctrl + GLFW_KEY_Y, [](Session& s) { s.history.redo(); }},
+    Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", ctrl + GLFW_KEY_O, ask_for_file},
+    Shortcut{"Ctrl S", "save the preset", ctrl + GLFW_KEY_S, save_preset},
+    Shortcut{"Ctrl C", "copy the GLSL of this view", ctrl + GLFW_KEY_C, copy_glsl},
+    Shortcut{"Ctrl E", "export EXR and PNG", ctrl + GLFW_KEY_E, start_export},
+    Shortcut{"H", "hide and show the panels", GLFW_KEY_H, [](Session& s) { s.panels = !s.panels; }},
     Shortcut{"F11", "full screen"},
     Shortcut{"F1", "this page"},
-    Shortcut{"Ctrl Q", "quit", GLFW_KEY_Q, true, [](Session& s) { s.closing = Closing::asked; }},
+    Shortcut{"Ctrl Q", "quit", ctrl + GLFW_KEY_Q, [](Session& s) { s.closing = Closing::asked; }},
 };
 
 // Keys that repeat while held, and the row of digits.
@@ -201,9 +178,12 @@ void keys(Session& session) {
         session.help = session.gallery = false;
     if (io.WantTextInput)
         return;
-    for (const Shortcut& shortcut : shortcuts)
-        if (shortcut.key && shortcut.control == io.KeyCtrl && pressed(shortcut.key))
-            shortcut.act(session);
+    for (const auto& [name, effect, key, act, control] : shortcuts) {
+        if (!key || (key >= ctrl) != io.KeyCtrl || !pressed(key % ctrl))
+            continue;
+        const std::string_view dead = control.empty() ? "" : disabled_reason(session.document(), control);
+        dead.empty() ? act(session) : notify(session, std::string(dead));
+    }
     if (!io.KeyCtrl)
         held_keys(session);
 }
@@ -269,10 +249,10 @@ void help_window(Session& session) {
         }
         ImGui::Separator();
         ImGui::TextUnformatted(
-            "Ctrl and a click on a slider lets you type, a double click sets it back. Hold the pointer over\n"
-            "anything to read what it is. In the drawing of the frequency plane a click selects a lobe, a "
-            "drag\n"
-            "moves it, a double click adds one, Delete removes the selected one.");
+            "Ctrl-click a slider to type a number; double-click to set it back. Hold the pointer over "
+            "anything\n"
+            "to read what it is. In the frequency plane, click a lobe to select it, drag to move it,\n"
+            "double-click to add one, and press Delete to remove the selected one.");
     }
     ImGui::End();
     ImGui::PopStyleColor();

@@ -38,20 +38,20 @@ class Measurer {
   public:
     /// Forgets everything but the spectrum, which stays in view until there is another.
     void reset();
-    /// Adds values of a noise, one in `channels`, except where the channel `coverage`, unless it is -1, is 0.
+    /// Adds the first of every `channels` values. Skips those whose channel `coverage` is 0; -1 skips none.
     /// Call this and the next only when idle.
     void add_samples(std::span<const float> values, int channels, int coverage);
     /// Replaces the spectrum by that of a flat picture. `scale`: pixels per kernel radius.
     void add_picture(std::span<const float> values, int channels, Extent extent, double scale);
 
-    /// Collects the last result: true once nothing is under way.
+    /// Collects the last result. Returns true when nothing is running.
     bool idle();
     const Measurements& measured() const { return measured_; }
 
   private:
     Measurements measured_;
     Measurements part_;    ///< belongs to the thread while it runs
-    bool pending_ = false; ///< `part_` is to be added to what is known
+    bool pending_ = false; ///< `part_` is not yet in `measured_`
     Background work_;
 };
 

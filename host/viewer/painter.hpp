@@ -1,8 +1,8 @@
 #pragma once
 
 #include "viewer/canvas.hpp"
+#include "viewer/drawing.hpp"
 #include "viewer/show.hpp"
-#include "viewer/tiling.hpp"
 #include "vulkan/state.hpp"
 
 #include <array>
@@ -19,21 +19,19 @@ struct Area {
     int height = 0;
 };
 
-/// Shows a canvas through a colour map: shaders/viewer/show.vert and show.frag.
+/// Paints values through a colour map: shaders/viewer/show.vert and show.frag.
 class Painter {
   public:
     Painter(const vulkan::Device& device, vk::RenderPass pass);
 
-    /// Makes the values of a canvas visible to `paint`; outside a render pass, once what was painted before
-    /// has been drawn.
+    /// Makes new values visible to `paint`. Call outside a render pass, when earlier painting is done.
     void prepare(vk::CommandBuffer commands);
-    /// Records the drawing of a canvas, inside a render pass. `tiling`: how copies of it stand in the middle
-    /// of the area, where it is that of a tile.
+    /// Paints a canvas, inside a render pass. `tiling`: repeats it as tiles in the middle of the area.
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                const std::optional<Tiling>& tiling = {});
 
-    /// The same of red, green and blue of each cell of a grid, `stride` pixels apart, whose corner is at
-    /// `origin` in the framebuffer.
+    /// Paints a grid of red, green and blue, its cells `stride` pixels apart and its corner at `origin` in
+    /// the framebuffer.
     void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
                        std::array<float, 2> origin, float stride, const Area& within);
 
@@ -50,7 +48,7 @@ class Painter {
     vk::RenderPass pass_;
     vk::raii::ShaderModule vertex_;
     vk::raii::ShaderModule fragment_;
-    std::map<ShowConstants, vk::raii::Pipeline> pipelines_; ///< made when first wanted
+    std::map<ShowConstants, vk::raii::Pipeline> pipelines_; ///< made on first use
 };
 
 } // namespace gabor::viewer

@@ -2,8 +2,6 @@
 
 #include "render/load.hpp"
 #include "viewer/document_json.hpp"
-#include "viewer/effect.hpp"
-#include "viewer/slider.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -117,27 +115,6 @@ void recipe_ingredients(render::Request& request) {
         request.recipe = noise::find_recipe(noise::to_string(recipe));
 }
 
-// Parameters that other panels show; the rest stand beside the export.
-constexpr std::string_view placed[]{"material",
-                                    "recipe",
-                                    "scale",
-                                    "seed",
-                                    "paint",
-                                    "time",
-                                    "view",
-                                    "tileable",
-                                    "depth",
-                                    "solid",
-                                    "yaw",
-                                    "pitch",
-                                    "zoom",
-                                    "filter",
-                                    "lobes",
-                                    "frequency",
-                                    "orientation",
-                                    "frequency_spread",
-                                    "orientation_spread"};
-
 constexpr const char* output_tips[]{
     "The noise itself, of mean 0 and variance 1",
     "Its analytic gradient, as a normal map",
@@ -161,7 +138,7 @@ void resettable(const char* label, float& value, float low, float high, const ch
         value = by_default;
 }
 
-// Beside the field for a painted file.
+// Draws a button beside the field for paint.
 void paint_button(Session& session) {
     ImGui::SameLine();
     explained(disabled_reason(session.document(), "paint"), "Choose a file", [&] {
@@ -169,6 +146,12 @@ void paint_button(Session& session) {
             ask_for_paint(session);
     });
 }
+
+constexpr std::string_view exports[]{"a picture", "an animation", "a texture"}; // as in ExportAs
+constexpr const char* export_tips[]{
+    "An EXR of 32-bit floats with its parameters in the header",
+    "NAME.0001.exr and so on: the frames of one period, which loops",
+    "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two."};
 
 } // namespace
 
@@ -282,10 +265,38 @@ void files_panel(Session& session) {
     tooltip("Size of panels and text; text is sharp after a restart");
 }
 
-void other_parameters(Session& session) {
-    for (const render::Parameter& parameter : render::parameters())
-        if (std::ranges::find(placed, parameter.name) == std::end(placed))
-            control(session, parameter.name);
+void export_panel(Session& session) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
+    for (const char* name : {"width", "height", "quadrature", "gradient", "phasor", "values"})
+        control(session, name);
+    ExportTarget& target = session.export_target;
+    choose("as", target.as, exports, export_tips);
+    if (target.as == ExportAs::frames) {
+        slider("frames", target.frames, 2, 240, "%d");
+        target.frames = std::clamp(target.frames, 1, render::most_frames);
+    }
+    if (target.as == ExportAs::texture)
+        ImGui::Checkbox("16-bit floats", &target.half);
+    explained(target.as == ExportAs::texture ? "A texture is an EXR" : "", "Also write what the window shows",
+              [&] { ImGui::Checkbox("PNG beside it", &target.png); });
+    ImGui::InputText("file", &target.path);
+    tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
+    if (session.exporter.running()) {
+        ImGui::ProgressBar(static_cast<float>(session.exporter.progress()), {half, 0});
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel", {half, 0}))
+            session.exporter.cancel();
+    } else {
+        if (ImGui::Button("Export", {half, 0}))
+            start_export(session);
+        tooltip("Ctrl E: render in the background, as gabor render does");
+        ImGui::SameLine();
+        if (ImGui::Button("Export as...", {half, 0}))
+            ask_where_to_export(session);
+    }
+    if (const std::string result = session.exporter.result(); !result.empty())
+        ImGui::TextWrapped("%s", result.c_str());
 }
 
 void view_overlay(const Session& session) {
@@ -304,7 +315,7 @@ void message_overlay(const Session& session, float height) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     const ImU32 red = IM_COL32(255, 120, 100, 255);
-    const auto say = [&](int line, const std::string& what, ImU32 colour) { // lines count from below
+    const auto say = [&](int line, const std::string& what, ImU32 colour) { // counts lines from the bottom
         const float up = static_cast<float>(line) * (ImGui::GetFrameHeight() + 4);
         label(draw, {margin, height - up - margin}, what, colour);
     };

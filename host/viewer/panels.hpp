@@ -25,9 +25,6 @@ void message_overlay(const Session& session, float height);
 /// Handles keys, and the mouse over a view of this size, unless a panel has taken them.
 void handle_input(Session& session, float width, float height);
 
-/// The controls of all parameters that no other panel shows.
-void other_parameters(Session& session);
-
 /// A slider over the usual part of a range; all of the range can be typed, and a double click sets it back.
 /// Returns whether the value was changed.
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
@@ -60,5 +57,20 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);
 
 /// Explains the last item once the pointer rests on it.
 void tooltip(std::string_view text);
+
+/// Where the pictures of the presets are in a view, in Dear ImGui's units.
+struct GalleryPlace {
+    float x;
+    float y;
+    float scale; ///< units per pixel of PresetPictures
+};
+GalleryPlace gallery_place(float width, float height);
+
+/// Labels the pictures, and opens the preset that is clicked.
+void gallery_window(Session& session, float width, float height);
+
+/// A slider that shows its number away from the grab. For float and int.
+template <typename T>
+bool slider(const char* label, T& value, T low, T high, const char* format, ImGuiSliderFlags flags = 0);
 
 } // namespace gabor::viewer

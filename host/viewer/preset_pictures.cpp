@@ -30,7 +30,7 @@ void PresetPictures::begin() {
     const Extent all = extent();
     colours_.assign(
         std::size_t{3} * static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height), 0);
-    work_.start([this] { work(); }); // where it fails, presets have only their names
+    work_.start([this] { work(); }); // if it fails, presets show only their names
 }
 
 Extent PresetPictures::extent() {

@@ -1,6 +1,5 @@
 #include "viewer/session.hpp"
 #include "viewer/document_json.hpp"
-#include "viewer/material_snippet.hpp"
 #include "viewer/photograph.hpp"
 #include "viewer/snippet.hpp"
 
@@ -212,12 +211,7 @@ void start_export(Session& session) {
 }
 
 void copy_glsl(Session& session) {
-    const Document& document = session.document();
-    const std::optional<std::string> fitted = fitted_glsl(session);
-    const std::string code = fitted ? *fitted
-                             : render::has_material(document.request)
-                                 ? material_snippet(document, session.view)
-                                 : snippet(document, session.view);
+    const std::string code = fitted_glsl(session).value_or(snippet(session.document(), session.view));
     ImGui::SetClipboardText(code.c_str());
     notify(session, "copied the GLSL of this view");
 }

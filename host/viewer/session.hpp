@@ -1,13 +1,13 @@
 #pragma once
 
 #include "viewer/document.hpp"
+#include "viewer/drawing.hpp"
 #include "viewer/export.hpp"
 #include "viewer/file_dialog.hpp"
 #include "viewer/fitting.hpp"
 #include "viewer/frame_meter.hpp"
 #include "viewer/measurements.hpp"
 #include "viewer/preset_pictures.hpp"
-#include "viewer/tiling.hpp"
 
 #include <functional>
 #include <map>

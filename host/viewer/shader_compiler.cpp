@@ -20,7 +20,7 @@ const EmbeddedShader* find(std::string_view path) {
     return found == embedded_shaders().end() ? nullptr : &*found;
 }
 
-// Finds what a shader includes, beside it or from the top of the folder.
+// Finds included files beside the shader, or from the top of the folder.
 class Includer : public glslang::TShader::Includer {
   public:
     IncludeResult* includeLocal(const char* name, const char* from, std::size_t) override {
@@ -40,7 +40,7 @@ EShLanguage language_of(std::string_view path) {
                                      : EShLangCompute;
 }
 
-// glslang says "ERROR: file:line: 'token' : message"; the first such line is the cause of the rest.
+// glslang reports "ERROR: file:line: 'token' : message"; the first such line matters most.
 std::string first_error(const std::string& log) {
     constexpr std::string_view prefix = "ERROR: ";
     std::istringstream lines(log);
@@ -55,12 +55,12 @@ std::string first_error(const std::string& log) {
 std::vector<std::uint32_t> compile_shader(std::string_view path) {
     static const bool initialized = glslang::InitializeProcess();
     if (!initialized)
-        throw std::runtime_error("the shader compiler does not start");
+        throw std::runtime_error("cannot start the shader compiler");
     const std::string name(path);
     const EShLanguage language = language_of(name);
     const EmbeddedShader* found = find(name);
     if (!found)
-        throw std::runtime_error(fmt::format("there is no shader {}", name));
+        throw std::runtime_error(fmt::format("no shader is named {}", name));
     const char* source = found->text.data();
     const int length = static_cast<int>(found->text.size());
     const char* label = name.c_str();

@@ -12,11 +12,11 @@ struct EmbeddedShader {
     std::string_view text;
 };
 
-/// The shaders as they were when the program was built.
+/// The shaders built into the program.
 std::span<const EmbeddedShader> embedded_shaders();
 
-/// SPIR-V of a shader. `path`: relative to shaders/; its extension tells the stage. Throws std::runtime_error
-/// with the compiler's first complaint as "file:line: message".
+/// Compiles a shader to SPIR-V. `path`: relative to shaders/; its extension is the stage. Throws
+/// std::runtime_error with the first error, "file:line: message".
 std::vector<std::uint32_t> compile_shader(std::string_view path);
 
 } // namespace gabor::viewer

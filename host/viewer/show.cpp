@@ -13,11 +13,11 @@ namespace gabor::viewer {
 
 namespace {
 
-// Of output_shown in shaders/viewer/show.glsl, after the outputs.
+// Values of output_shown in shaders/viewer/show.glsl that follow the outputs.
 constexpr std::int32_t coloured = 7;
 constexpr std::int32_t first_look = 8;
 
-// The first channel that the output needs beside the noise.
+// The channel that an output needs besides the noise; for a vector, the first one.
 std::string_view companion(Output output) {
     switch (output) {
     case Output::gradient:
@@ -44,7 +44,7 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
         return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
     };
     const std::int32_t beside = find(companion(document.output));
-    // All of the variance is there where no filter removed any.
+    // Without a filter, all of the variance is left.
     const bool there = beside >= 0 || document.output == Output::variance;
     const bool colour = channels.front() == "R";
     const auto shown = render::has_material(document.request)
@@ -99,12 +99,10 @@ FileColours::FileColours(const vulkan::Device& device, const Document& document,
       push_(show_push(document, 1)), channels_(channels.size()), values_(device, 4, vulkan::Memory::upload),
       colours_(device, 4, vulkan::Memory::readback) {
     if (render::has_material(document.request) && document.look == Look::normal)
-        throw RequestError(
-            "normals take neighbours, which the window has and a PNG has not: export the height");
+        throw RequestError("a PNG cannot show the normals of a material: export the height");
     if (!render::has_material(document.request) && document.output == Output::lit &&
         std::holds_alternative<render::Body>(document.request.view))
-        throw RequestError(
-            "noise lit on a body is shown by the window alone: export another output, or no PNG");
+        throw RequestError("a PNG cannot show noise lit on a body: export another output, or no PNG");
     push_.grid = {document.request.width, document.request.height};
     push_.size = {static_cast<float>(push_.grid.x), static_cast<float>(push_.grid.y)};
 }

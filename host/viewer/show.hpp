@@ -16,33 +16,31 @@ namespace gabor::viewer {
 /// The specialization constants of shaders/viewer/show.glsl.
 using ShowConstants = std::array<std::int32_t, 8>;
 
-/// `channels`: of the values, as render::channels names them, or red, green and blue. Where the output's own
-/// are not among them it is the value that is shown. `coarse`: whether the values are further apart than the
-/// pixels. `tiles`: whether they are repeated, two by two.
+/// `channels`: of the values, as in render::channels. Without those that the output needs, the value is
+/// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.
 ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
                              bool tiles = false);
 
-/// Those that show red, green and blue as they are.
+/// Constants that show red, green and blue unchanged.
 ShowConstants colours_constants();
 
-/// What the document decides of the push constants. `stride`: pixels of the picture per value.
+/// Push constants that the document decides. `stride`: pixels of the picture per value.
 passes::ShowPush show_push(const Document& document, double stride);
 
-/// The standard deviation of a derivative, on average over the directions, per kernel radius.
+/// The standard deviation of a derivative per kernel radius, averaged over directions.
 double slope_deviation(const render::Request& request);
 
-/// Whether a PNG of `gabor render` shows the same: the noise in grey, the colours of a photograph, a lit
-/// material.
+/// Whether a PNG of `gabor render` looks the same.
 bool shows_plainly(const Document& document);
 
-/// Shows the pixels of files, one after the other, as the window would: shaders/viewer/show.comp.
+/// Colours the pixels of a file as the window does: shaders/viewer/show.comp.
 class FileColours {
   public:
-    /// `channels`: of the file's pixels. Throws RequestError where the window alone can show it.
+    /// `channels`: of the file's pixels. Throws RequestError for outputs that only the window can show.
     FileColours(const vulkan::Device& device, const Document& document,
                 std::span<const std::string> channels);
 
-    /// Red, green and blue of each pixel of the next rows, from 0 to 1; valid until the next call.
+    /// Returns red, green and blue of each pixel of the next rows, from 0 to 1; valid until the next call.
     std::span<const float> of(std::span<const float> values);
 
   private:

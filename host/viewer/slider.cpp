@@ -1,4 +1,4 @@
-#include "viewer/slider.hpp"
+#include "viewer/panels.hpp"
 
 #include <imgui_internal.h>
 
@@ -11,7 +11,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// Whether the grab is in the left half, which the logarithm of a range below 1 may well be.
+// Whether the grab is in the left half.
 bool is_low(double value, double low, double high, bool logarithmic) {
     return logarithmic ? value * value < low * high : value < (low + high) / 2;
 }
@@ -24,7 +24,7 @@ bool slider(const char* label, T& value, T low, T high, const char* format, ImGu
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcItemWidth();
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID(label));
-    if (!typing) // it would draw the number in the middle
+    if (!typing) // hides the number that ImGui draws in the middle
         ImGui::PushStyleColor(ImGuiCol_Text, {0, 0, 0, 0});
     const bool moved = ImGui::SliderScalar(label, type, &value, &low, &high, format, flags);
     if (typing)

@@ -6,6 +6,7 @@
 #include "viewer/shader_compiler.hpp"
 #include "viewer/show.hpp"
 
+#include "passes/material_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 
@@ -22,13 +23,13 @@ using noise::literal;
 using noise::vec2;
 using noise::vec3;
 
-// What an output is made of, summed over the waves.
+// A quantity that an output shows, summed over the waves.
 struct Quantity {
     std::string_view is;
     std::string_view type;
-    std::string_view name;  // of the function that has it, before _of_wave, _of_view or _of_body
-    std::string_view plane; // of a GaborField `field`, and `removed` where it is filtered
-    std::string_view space; // of a GaborField3d `field`
+    std::string_view name;  // start of its function's name: NAME_of_wave, NAME_of_view or NAME_of_body
+    std::string_view plane; // from a GaborField `field`, and `removed` if filtered
+    std::string_view space; // from a GaborField3d `field`
     std::string_view sky;   // above a horizon
 };
 
@@ -47,7 +48,7 @@ constexpr Quantity complex_value{"The noise as a complex number: its quadrature,
 constexpr Quantity removed{
     "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};
 
-// Of each wave; what they are is made of three sums.
+// Computed from three sums over the waves.
 constexpr Quantity colour{"The colour.",
                           "vec3",
                           "colour",
@@ -79,20 +80,20 @@ render::Plan pixel_plan(const render::Request& request) {
     return render::plan(request, viewport);
 }
 
-// The waves that add up, of a table of the plan.
+// The waves in a table of the plan.
 template <typename Wave>
 std::vector<Wave> waves_of(const render::Request& request, std::size_t table) {
     return render::values_of<Wave>(pixel_plan(request).tables.at(table));
 }
 
-// The sums over the waves; `type`: of the quantity, which a gradient has another one of in space.
+// Declares the sums. `type`: of the quantity; in space a gradient has another one.
 std::string sums(const Quantity& of, std::string_view type) {
     if (&of == &quantities::colour)
         return "    vec3 wave, z = vec3(0.0), removed = vec3(0.0);\n";
     return fmt::format("    {0} sum = {0}(0.0);\n", type);
 }
 
-// What a passes::PixelsWave or SolidWave adds, of which `call` has the quantity.
+// Adds a wave, a passes::PixelsWave or SolidWave; `call` computes its quantity.
 template <typename Wave>
 std::string added(const Quantity& of, const Wave& wave, const std::string& call) {
     if (&of == &quantities::colour) {
@@ -116,7 +117,7 @@ std::string_view summed(const Quantity& of) {
     return &of == &quantities::colour ? "    return noise_colour(z, removed);\n}\n" : "    return sum;\n}\n";
 }
 
-// A function for one wave of the sum, in kernel radii of its own.
+// The function for one wave, in its own kernel radii.
 std::string of_wave(const render::Request& request, const Quantity& of) {
     const std::string_view sharp = "    GaborField field = gabor_field(place, kernel, seed);\n";
     const std::string_view filtered =
@@ -174,7 +175,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                 fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / scale, 0), vec2(0, 1 / scale));
     }
 
-    // The middle of the first pixel; or where the camera stands.
+    // The middle of the first pixel, or the place of the camera.
     const auto corner = [&](const Coordinate& middle, int pixels, double cells) {
         return render::cell_at(horizon ? middle : middle.moved((0.5 - pixels / 2.0) / scale), cells);
     };
@@ -212,7 +213,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     return text.append(summed(of));
 }
 
-// In space there are several kinds of noise.
+// Calls the kind of noise in space that a wave needs.
 std::string field_in_space(const render::Request& request, const passes::SolidWave& wave) {
     const bool on_surface = render::along_surface(request);
     const std::string frequency = literal(wave.frequency);
@@ -260,7 +261,7 @@ std::string of_space(const render::Request& request, const Quantity& of) {
     return text.append(summed(of));
 }
 
-// The gradient along the picture's right and down.
+// The gradient to the picture's right and down.
 std::string gradient_in_picture(const render::Request& request) {
     std::string right = vec3(1, 0, 0);
     std::string down = vec3(0, 1, 0);
@@ -275,7 +276,7 @@ std::string gradient_in_picture(const render::Request& request) {
                        right, down);
 }
 
-// As the window shows it.
+// The colours that the window shows.
 std::string of_colours(const Document& document, const Quantity& of) {
     const bool space = render::in_space(document.request);
     const auto map = document.colours;
@@ -289,7 +290,7 @@ std::string of_colours(const Document& document, const Quantity& of) {
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
     switch (document.output) {
-    case Output::lit: // the light is the window's own: this is the normal map that it falls on
+    case Output::lit: // without the window's light: its normal map
     case Output::gradient:
         text += fmt::format("    return viewer_gradient(seen, {}, {}, {});\n",
                             literal(slope_deviation(document.request)), contrast,
@@ -314,10 +315,89 @@ std::string of_colours(const Document& document, const Quantity& of) {
     return text + "}\n";
 }
 
+// A call at a place, with the steps to the next pixels if it is filtered.
+std::string call(const render::Request& request, std::string_view p, std::string_view dx,
+                 std::string_view dy) {
+    std::string function = request.material;
+    std::ranges::replace(function, '-', '_');
+    return request.filter
+               ? fmt::format("gabor_{}_filtered({}, {}, {}, {}u)", function, p, dx, dy, request.seed)
+               : fmt::format("gabor_{}({}, {}u)", function, p, request.seed);
+}
+
+std::string material_of_body(const render::Request& request) {
+    const auto on = [&](std::string_view plane) {
+        return call(request, plane, fmt::format("dFdx({})", plane), fmt::format("dFdy({})", plane));
+    };
+    return fmt::format(R"(
+// p: a point of the body, in units of the material. normal: of the surface there, of length 1. The material lies on the
+// planes of the axes, and is seen on those that the surface faces.
+GaborMaterial material_of_body(vec3 p, vec3 normal)
+{{
+    vec3 share = pow(abs(normal), vec3(8.0));
+    share /= share.x + share.y + share.z;
+    vec2 on_x = vec2(p.y, -p.z);
+    vec2 on_y = vec2(p.x, -p.z);
+    vec2 on_z = p.xy;
+    GaborMaterial x = {};
+    GaborMaterial y = {};
+    GaborMaterial z = {};
+    return GaborMaterial(share.x * x.colour + share.y * y.colour + share.z * z.colour,
+                         dot(share, vec3(x.height, y.height, z.height)),
+                         dot(share, vec3(x.roughness, y.roughness, z.roughness)),
+                         dot(share, vec3(x.metalness, y.metalness, z.metalness)));
+}}
+)",
+                       on("on_x"), on("on_y"), on("on_z"));
+}
+
+std::string material_of_plane(const render::Request& request, const passes::MaterialPush& push,
+                              Extent extent) {
+    std::string text = fmt::format(R"(
+// pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
+GaborMaterial material_of_view(vec2 pixel)
+{{
+)",
+                                   extent.width, extent.height);
+    if (push.sky > 0)
+        text += fmt::format(
+            "    vec2 at = pixel - {0};\n"
+            "    float near = {1} / max(at.y, 1e-3); // units of the material per pixel; above is the sky\n"
+            "    vec2 p = {2} + near * vec2(at.x, {3});\n"
+            "    vec2 dx = vec2(near, 0.0);\n"
+            "    vec2 dy = near / max(at.y, 1e-3) * vec2(-at.x, {4});\n",
+            vec2(double{push.center.x}, double{push.sky}), literal(double{push.pixel}),
+            vec2(double{push.corner.x}, double{push.corner.y}), literal(-extent.width),
+            literal(extent.width));
+    else
+        text += fmt::format("    vec2 p = {0} + {1} * pixel;\n"
+                            "    vec2 dx = vec2({1}, 0.0);\n"
+                            "    vec2 dy = vec2(0.0, {1});\n",
+                            vec2(double{push.corner.x}, double{push.corner.y}), literal(double{push.pixel}));
+    return text + fmt::format("    return {};\n}}\n", call(request, "p", "dx", "dy"));
+}
+
+std::string material_snippet(const Document& document, Extent extent) {
+    const render::Request& request = document.request;
+    const std::string text = R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
+#include "gabor_lattice.glsl" // or paste it here
+#include "gabor_spectrum.glsl" // and this one
+#include "gabor_materials.glsl" // and this one
+)";
+    if (render::in_space(request))
+        return text + material_of_body(request);
+    const render::Plan plan =
+        render::plan(request, viewport_of(drawing_of(document), document.camera, extent));
+    const auto push = render::values_of<passes::MaterialPush>(plan.steps.front().push).front();
+    return text + material_of_plane(request, push, extent);
+}
+
 } // namespace
 
 std::string snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
+    if (render::has_material(request))
+        return material_snippet(document, extent);
     const bool space = render::in_space(request);
     const noise::Recipe recipe = render::drawing_recipe(request);
     const Quantity& of = quantity(document);

@@ -1,4 +1,3 @@
-#include "viewer/effect.hpp"
 #include "viewer/panels.hpp"
 
 #include <fmt/format.h>

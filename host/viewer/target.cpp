@@ -19,7 +19,7 @@ std::uint32_t device_memory(const vulkan::Device::State& device, std::uint32_t a
         if ((allowed >> i & 1) &&
             properties.memoryTypes[i].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal)
             return i;
-    throw std::runtime_error(fmt::format("{} has no memory for pictures", device.info.name));
+    throw std::runtime_error(fmt::format("{} has no memory for images", device.info.name));
 }
 
 vk::raii::SurfaceKHR make_surface(const vulkan::Device& device, GLFWwindow* window) {
@@ -29,11 +29,11 @@ vk::raii::SurfaceKHR make_surface(const vulkan::Device& device, GLFWwindow* wind
     return {device.state().instance, surface};
 }
 
-} // namespace
+constexpr vk::Format target_format = vk::Format::eB8G8R8A8Unorm;
 
-vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::Format format,
-                                      vk::ImageLayout final_layout) {
-    const vk::AttachmentDescription colour({}, format, vk::SampleCountFlagBits::e1,
+// A render pass with one colour attachment, cleared first.
+vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::ImageLayout final_layout) {
+    const vk::AttachmentDescription colour({}, target_format, vk::SampleCountFlagBits::e1,
                                            vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                            vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
                                            vk::ImageLayout::eUndefined, final_layout);
@@ -49,23 +49,38 @@ vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::Format
     return {device, vk::RenderPassCreateInfo({}, colour, subpass, dependencies)};
 }
 
-Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image, vk::Format format,
-                   Extent extent) {
+Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image, Extent extent) {
     Target target;
     target.image = image;
     target.extent = extent;
-    target.view =
-        vk::raii::ImageView(device, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format, {},
-                                                            {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
+    target.view = vk::raii::ImageView(
+        device, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, target_format, {},
+                                        {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
     target.framebuffer = vk::raii::Framebuffer(
         device, vk::FramebufferCreateInfo({}, pass, *target.view, static_cast<std::uint32_t>(extent.width),
                                           static_cast<std::uint32_t>(extent.height), 1));
     return target;
 }
 
+} // namespace
+
+Commands::Commands(const vulkan::Device& device)
+    : state_(device.state()),
+      pool_(state_.device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, state_.family}),
+      buffer_(std::move(
+          vk::raii::CommandBuffers(state_.device, {*pool_, vk::CommandBufferLevel::ePrimary, 1}).front())) {}
+
+void Commands::run(const std::function<void(vk::CommandBuffer)>& record) const {
+    buffer_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    record(*buffer_);
+    buffer_.end();
+    state_.queue.submit(vk::SubmitInfo({}, {}, *buffer_));
+    state_.queue.waitIdle();
+}
+
 Swapchain::Swapchain(const vulkan::Device& device, GLFWwindow* window)
     : device_(device), surface_(make_surface(device, window)),
-      pass_(make_render_pass(device.state().device, target_format, vk::ImageLayout::ePresentSrcKHR)),
+      pass_(make_render_pass(device.state().device, vk::ImageLayout::ePresentSrcKHR)),
       acquired_(device.state().device, vk::SemaphoreCreateInfo()),
       done_(device.state().device, vk::FenceCreateInfo()) {
     const vulkan::Device::State& state = device.state();
@@ -99,7 +114,7 @@ void Swapchain::wait() {
 void Swapchain::rebuild(Extent wanted) {
     const vulkan::Device::State& state = device_.state();
     wait();
-    state.device.waitIdle(); // presentation too holds on to images and semaphores
+    state.device.waitIdle(); // presentation also uses images and semaphores
     const vk::SurfaceCapabilitiesKHR can = state.physical.getSurfaceCapabilitiesKHR(*surface_);
     vk::Extent2D extent = can.currentExtent;
     if (extent.width == std::numeric_limits<std::uint32_t>::max())
@@ -125,7 +140,7 @@ void Swapchain::rebuild(Extent wanted) {
                           can.currentTransform, alpha, vk::PresentModeKHR::eFifo, VK_TRUE, *old));
     drawn_.clear();
     for (const VkImage image : swapchain_.getImages()) {
-        targets_.push_back(make_target(state.device, *pass_, image, target_format, extent_));
+        targets_.push_back(make_target(state.device, *pass_, image, extent_));
         drawn_.emplace_back(state.device, vk::SemaphoreCreateInfo());
     }
 }
@@ -143,7 +158,7 @@ const Target* Swapchain::acquire(Extent wanted) {
         return &targets_[index];
     } catch (const vk::OutOfDateKHRError&) {
         rebuild(wanted);
-        return nullptr; // the next frame will be shown
+        return nullptr; // the next frame is shown
     }
 }
 
@@ -179,30 +194,24 @@ void save_png(const vulkan::Device& device, Extent extent, const std::filesystem
     const vk::raii::DeviceMemory memory(state.device,
                                         {needs.size, device_memory(state, needs.memoryTypeBits)});
     image.bindMemory(*memory, 0);
-    const vk::raii::RenderPass pass =
-        make_render_pass(state.device, target_format, vk::ImageLayout::eTransferSrcOptimal);
-    const Target target = make_target(state.device, *pass, *image, target_format, extent);
+    const vk::raii::RenderPass pass = make_render_pass(state.device, vk::ImageLayout::eTransferSrcOptimal);
+    const Target target = make_target(state.device, *pass, *image, extent);
     const vulkan::Buffer pixels(device, std::size_t{4} * width * height, vulkan::Memory::readback);
 
-    const vk::raii::CommandPool pool(state.device, {vk::CommandPoolCreateFlagBits::eTransient, state.family});
-    const vk::raii::CommandBuffers buffers(state.device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
-    const vk::CommandBuffer commands = *buffers.front();
-    commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
-    prepare(commands);
-    const vk::ClearValue black(vk::ClearColorValue(std::array{0.0f, 0.0f, 0.0f, 1.0f}));
-    commands.beginRenderPass({*pass, *target.framebuffer, {{0, 0}, {width, height}}, black},
-                             vk::SubpassContents::eInline);
-    draw(commands);
-    commands.endRenderPass();
-    commands.copyImageToBuffer(
-        *image, vk::ImageLayout::eTransferSrcOptimal, *pixels.state().buffer,
-        vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, {width, height, 1}));
-    commands.pipelineBarrier(
-        vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {},
-        vk::MemoryBarrier(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead), {}, {});
-    commands.end();
-    state.queue.submit(vk::SubmitInfo({}, {}, commands));
-    state.queue.waitIdle();
+    Commands(device).run([&](vk::CommandBuffer commands) {
+        prepare(commands);
+        const vk::ClearValue black(vk::ClearColorValue(std::array{0.0f, 0.0f, 0.0f, 1.0f}));
+        commands.beginRenderPass({*pass, *target.framebuffer, {{0, 0}, {width, height}}, black},
+                                 vk::SubpassContents::eInline);
+        draw(commands);
+        commands.endRenderPass();
+        commands.copyImageToBuffer(
+            *image, vk::ImageLayout::eTransferSrcOptimal, *pixels.state().buffer,
+            vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, {width, height, 1}));
+        commands.pipelineBarrier(
+            vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {},
+            vk::MemoryBarrier(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead), {}, {});
+    });
 
     image::PngWriter png(path, extent.width, extent.height, 3);
     std::vector<float> row(std::size_t{3} * width);

@@ -9,7 +9,7 @@
 
 namespace gabor::viewer {
 
-/// An image that can be drawn into, one of a swapchain or one to read back.
+/// An image to draw into, of a swapchain or to read back.
 struct Target {
     vk::Image image;
     vk::raii::ImageView view = nullptr;
@@ -17,15 +17,22 @@ struct Target {
     Extent extent;
 };
 
-/// How both kinds of target are drawn into: one colour attachment, cleared.
-vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::Format format,
-                                      vk::ImageLayout final_layout);
-Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image, vk::Format format,
-                   Extent extent);
+/// A command buffer with its pool.
+class Commands {
+  public:
+    explicit Commands(const vulkan::Device& device);
 
-constexpr vk::Format target_format = vk::Format::eB8G8R8A8Unorm;
+    vk::CommandBuffer operator*() const { return *buffer_; }
+    /// Records commands, submits them, and waits until the device has executed them.
+    void run(const std::function<void(vk::CommandBuffer)>& record) const;
 
-/// The images of a window, made anew whenever its size changes.
+  private:
+    const vulkan::Device::State& state_;
+    vk::raii::CommandPool pool_;
+    vk::raii::CommandBuffer buffer_;
+};
+
+/// The images of a window, rebuilt when its size changes.
 class Swapchain {
   public:
     Swapchain(const vulkan::Device& device, GLFWwindow* window);
@@ -34,11 +41,11 @@ class Swapchain {
     vk::RenderPass render_pass() const { return *pass_; }
     std::uint32_t images() const { return static_cast<std::uint32_t>(targets_.size()); }
 
-    /// The image to draw into next; nothing where the window has no pixels just now.
+    /// Returns the next image to draw into, or nothing while the window has no pixels.
     const Target* acquire(Extent wanted);
-    /// Submits what draws into it, and shows it.
+    /// Submits commands that draw into it, and shows it.
     void present(vk::CommandBuffer commands);
-    /// Waits until the last submission has been drawn.
+    /// Waits for the last submission.
     void wait();
 
   private:
@@ -50,16 +57,15 @@ class Swapchain {
     vk::raii::SwapchainKHR swapchain_ = nullptr;
     std::vector<Target> targets_;
     vk::raii::Semaphore acquired_;
-    std::vector<vk::raii::Semaphore> drawn_; ///< one for each image: presentation holds on to it
+    std::vector<vk::raii::Semaphore> drawn_; ///< one per image, since presentation keeps it
     vk::raii::Fence done_;
     bool under_way_ = false;
     std::uint32_t current_ = 0;
     Extent extent_;
 };
 
-/// Draws into an image of its own and writes it as a PNG. `draw` records, with the render pass not yet begun
-/// when `prepare` is called.
-/// Throws RequestError where the device has no images of that size.
+/// Draws into a separate image and writes it as a PNG. Calls `prepare` before the render pass, and `draw`
+/// inside it. Throws RequestError if the device has no images of that size.
 void save_png(const vulkan::Device& device, Extent extent, const std::filesystem::path& path,
               const std::function<void(vk::CommandBuffer)>& prepare,
               const std::function<void(vk::CommandBuffer)>& draw);
