@@ -1,4 +1,4 @@
-"""What a program that was killed may leave: each of its files complete, or as it was before."""
+"""Checks that a killed program left each of its files complete or as it was before."""
 
 import os
 import re

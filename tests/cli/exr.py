@@ -14,7 +14,7 @@ PIXEL_TYPES = ("<u4", "<f2", "<f4")
 
 
 class Exr:
-    """A file of which every value is finite. attributes: name -> (type, bytes). channels: name -> array of height x width."""
+    """A file whose values are all finite. attributes: name -> (type, bytes). channels: name -> array of height x width."""
 
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()

@@ -1,4 +1,4 @@
-"""Runs the program under test, `GABOR_PROGRAM`, and checks what it owes to every caller."""
+"""Runs the program under test, `GABOR_PROGRAM`, and checks its exit status and messages."""
 
 import glob
 import os
@@ -15,8 +15,8 @@ LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
 
 
 def environment(**changes):
-    """Ours, with validation on unless that says otherwise: any message of Vulkan's validation layers is then a failure.
-    None removes a variable."""
+    """This process's environment with these changes; None removes a variable. Validation is on unless GABOR_VALIDATION says
+    otherwise: any message of Vulkan's validation layers is then a failure."""
     merged = {"GABOR_VALIDATION": "1", **os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}
 
@@ -33,7 +33,7 @@ def start(*arguments, cwd, command=(PROGRAM,)):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with an empty folder of its own, in which the program runs."""
+    """A test that runs the program in an empty folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")

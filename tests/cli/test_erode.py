@@ -44,7 +44,7 @@ class Erode(ProgramTest):
         self.succeed("erode", map, "-o", "out.exr", *options)
         return Exr(self.folder / "out.exr").channels
 
-    def test_gullies_are_added_and_said(self):
+    def test_gullies_are_added_and_reported(self):
         out = self.eroded()
         self.assertEqual(set(out), {"height", "slope.x", "slope.y", "ridge", "erosion"})
         np.testing.assert_allclose(out["height"], self.map + out["erosion"], atol=1e-6)

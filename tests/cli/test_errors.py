@@ -13,7 +13,7 @@ from program import LAVAPIPE, PROGRAM, ProgramTest, gabor
 
 class ErrorTest(ProgramTest):
     def refuse_render(self, words, *options, **settings):
-        """Neither is a file made, nor an existing one touched."""
+        """No file is made, and an existing one stays as it was."""
         (self.folder / "old.exr").write_text("older")
         for output in ("old.exr", "new.exr"):
             self.assert_refused(words, "render", "-o", output, *options, **settings)
@@ -82,7 +82,7 @@ class Words(ErrorTest):
         self.assert_refused(["did you mean --frequency?", "gabor render --help"], "render", "--freqency=3")
         self.assert_refused(["did you mean render?"], "rendr")
 
-    def test_what_belongs_to_others(self):
+    def test_conflicting_options(self):
         self.refuse_render(["solid requires the views sphere and torus, not flat"], "--solid")
         self.refuse_render(["depth requires the view slice, not horizon"], "--depth=3", "--view=horizon")
         self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
@@ -90,7 +90,7 @@ class Words(ErrorTest):
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
         self.refuse_render(["lobes.json", "unknown 'freq' in a lobe", "frequency, orientation"], "--lobes=lobes.json")
 
-    def test_channels_that_are_not_there(self):
+    def test_missing_channels(self):
         self.succeed("render", "-o", "plain.exr", "--size=16x16")
         self.refuse_render(["plain.exr", "there is no channel 'frequency': it has Y"], "--paint=plain.exr")
         self.assert_refused(["there is no channel 'Z': it has Y"], "stats", "plain.exr", "--channel=Z")
@@ -108,7 +108,7 @@ class Words(ErrorTest):
 
 
 class Outputs(ErrorTest):
-    def test_there_can_be_no_such_file(self):
+    def test_impossible_output_paths(self):
         (self.folder / "file").write_text("a regular file")
         (self.folder / "folder").mkdir()
         for output in ("missing/out.exr", "file/out.exr", "folder", "folder/", ".", "/", ""):
@@ -174,7 +174,7 @@ class LikeFiles(ErrorTest):
             with self.subTest(len(text)):
                 self.refuse_render(["cannot read", "preset.json", "1 MiB"], "--preset", "preset.json")
 
-    def test_what_is_absent_keeps_its_default(self):
+    def test_missing_parameters_take_their_defaults(self):
         write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, '{"seed": 7}')
         self.succeed("render", "-o", "of_like.exr", "--like", "like.exr")
         self.succeed("render", "-o", "plain.exr", "--seed=7", "--region=0,0,4,4")
@@ -187,7 +187,7 @@ class Devices(ErrorTest):
         for selector in ("99", "-1", "no such name", "4294967296"):
             self.refuse_render(["--device", selector, "0 ("], "--device", selector)
 
-    def test_a_name_that_several_devices_share(self):
+    def test_an_ambiguous_device_name(self):
         if not LAVAPIPE:
             self.skipTest("needs Mesa's lavapipe, to have it twice")
         shutil.copy(LAVAPIPE, self.folder / "again.json")
@@ -236,7 +236,7 @@ class Disk(ErrorTest):
             self.assertEqual((result.returncode, result.stdout), (1, "old.exr\nolder\n"))
             self.assertRegex(result.stderr, rf"\Agabor: cannot write {output}: No space [^\n]+\n\Z")
 
-    def test_nobody_listens(self):
+    def test_a_full_standard_output(self):
         with open("/dev/full", "w") as full:
             for arguments in (["devices"], ["--version"], ["--help"], ["render", "--help"]):
                 with self.subTest(arguments):

@@ -1,4 +1,4 @@
-"""`gabor render` with spectra, the filter, views, paint, several values and the phasor: what is in the files."""
+"""Files of `gabor render` with spectra, the filter, views, paint, several values and the phasor."""
 
 import json
 import unittest
@@ -30,7 +30,7 @@ def window_power(f):
 
 
 def pieces(c):
-    """Power and place, from -1 to 1, of the pieces of a spread: int(c) of them, of which the last fifth fades."""
+    """Power and place, from -1 to 1, of each piece of a spread: int(c) pieces, and between counts a blend of both."""
     kept = min(5 - 5 * (c % 1), 1)
     return [(share / n, (2 * i + 1) / n - 1) for n, share in ((int(c), kept), (int(c) + 1, 1 - kept)) if share
             for i in range(n)]
@@ -44,8 +44,7 @@ class SpectraTest(RenderTest):
 
 class Spectra(SpectraTest):
     def assert_energies(self, values, scale, lobes):
-        """Each lobe's share of the energy within 3 % of what was asked for, around it and out to half way to the
-        others."""
+        """Each lobe's share of the energy, out to half way to the others, is within 3 % of what was asked for."""
         measured = power(values)
         x, y = frequencies(len(values), scale)
         total = sum(lobe["power"] for lobe in lobes)
@@ -82,7 +81,7 @@ class Spectra(SpectraTest):
         radius = np.hypot(x, y)
         self.assertAlmostEqual((measured * radius).sum() / measured.sum(), 2.513, delta=0.02)
 
-    def test_spreads_fill_what_they_say(self):
+    def test_spreads_have_the_widths_asked_for(self):
         values = self.render("--tileable", orientation=30, orientation_spread=10, frequency=2.4,
                              frequency_spread=0.25, size="2048x2048", scale=8).pixels
         measured = power(values)
@@ -153,7 +152,7 @@ class Spectra(SpectraTest):
         shown = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
         self.assertLess(np.abs(read_colour_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
 
-    def test_requests_that_make_no_sense(self):
+    def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
         for words, arguments in [
             (["--lobes", "cannot read", "absent.json"], ["--lobes=absent.json"]),
@@ -184,7 +183,7 @@ class Spectra(SpectraTest):
 
 
 class Filter(SpectraTest):
-    def test_it_goes_with_time_and_with_tiles(self):
+    def test_it_works_with_time_and_tiles(self):
         # Through pixels this small the filter changes the noise by 2 % at most: the same time, and the same tile.
         options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
         for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
@@ -215,7 +214,7 @@ class Filter(SpectraTest):
             turn = 2 * np.pi * seen["phase"]
             np.testing.assert_allclose(seen["intensity"] * np.sin(turn), seen["Y"], atol=1e-5)
 
-    def test_what_it_takes_is_as_calculated(self):
+    def test_removed_variance_matches_theory(self):
         # A lobe of variance 1/12 along each axis, which is Hann's window's, under a filter of variance S.
         for frequency, scale in ((1, 4), (3, 6), (2, 16)):
             s = 0.25 / scale ** 2
@@ -224,7 +223,7 @@ class Filter(SpectraTest):
             removed = self.render("--filter", frequency=frequency, scale=scale, size="8x8").channels["removed"]
             self.assertAlmostEqual(removed[0, 0] / (1 - kept), 1, delta=0.001)
 
-    def test_what_it_takes_is_in_a_channel_of_its_own(self):
+    def test_removed_variance_has_its_own_channel(self):
         exr = self.render("--filter", frequency=3, scale=6, size="1024x1024")
         removed = exr.channels["removed"]
         self.assertEqual(removed.min(), removed.max())
@@ -243,7 +242,7 @@ class Filter(SpectraTest):
 
 
 class Space(SpectraTest):
-    def test_bodies_cover_what_they_cover(self):
+    def test_alpha_is_the_shape_of_the_body(self):
         sphere = self.render("--filter", view="sphere", size="200x200", scale=12, orientation_spread=90)
         self.assertEqual(set(sphere.channels), {"Y", "A"})
         covered = sphere.channels["A"] == 1
@@ -254,7 +253,7 @@ class Space(SpectraTest):
         solid = self.render("--solid", view="torus", size="200x200", scale=12)
         self.assertTrue((solid.channels["A"] == torus.channels["A"]).all() and (solid.pixels != torus.pixels).any())
 
-    def test_slices_at_other_depths_are_others_of_the_same_noise(self):
+    def test_slices_at_different_depths_cut_one_noise(self):
         slices = [self.render(view="slice", size="256x256", scale=4, frequency=1, depth=depth).pixels
                   for depth in (0, 0.01, 5)]
         correlation = [np.mean(slices[0] * other) / slices[0].var() for other in slices]
@@ -307,7 +306,7 @@ class Channels(SpectraTest):
             turn = 2 * np.pi * pixels.channels["phase"]
             np.testing.assert_allclose(pixels.channels["intensity"] * np.sin(turn), pixels.pixels, atol=1e-4)
 
-    def test_headers_name_the_recipe_that_drew(self):
+    def test_headers_name_the_recipe_used(self):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
                                 ("one", ["--orientation-spread=90"]), ("paper", ["--preset=figure6"])):
             self.assertEqual(self.render(*options, size="64x64", recipe=recipe).parameters["recipe"], recipe)

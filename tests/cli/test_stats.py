@@ -55,7 +55,7 @@ class Rendered(StatsTest):
         self.assertLess(stats["cvm"]["low"], stats["cvm"]["value"])
         self.assertLess(stats["cvm"]["value"], stats["cvm"]["high"])
 
-    def test_a_body_is_measured_without_what_is_around_it(self):
+    def test_pixels_outside_a_body_do_not_count(self):
         for options in (("--view=sphere",), ("--view=torus", "--solid", "--quadrature", "--region=20,40,300,310")):
             self.render("--size=384x384", "--scale=24", "--seed=5", *options)
             channels = Exr(self.folder / "in.exr").channels
@@ -211,7 +211,7 @@ class Laws(StatsTest):
         self.assert_known(slopes[0], "gradient.x")
         self.assert_known(slopes[1], "gradient.y")
 
-    def test_what_is_not_known_is_measured(self):
+    def test_unknown_laws_are_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
                                  ("quadrature", ["--quadrature", "--recipe=paper"]),
@@ -222,7 +222,7 @@ class Laws(StatsTest):
             self.assertAlmostEqual(stats["reference_mean"], stats["mean"], delta=1e-12)
             self.assertAlmostEqual(stats["reference_variance"] / stats["variance"], 1, delta=1e-12)
 
-    def test_what_the_picture_is_too_small_for(self):
+    def test_pictures_too_small_to_test(self):
         self.render()
         self.assertGreater(self.stats()["smallest_cvm"], 0.5)
         self.assertRegex(self.succeed("stats", "in.exr"), r"too small to test its distribution; render (\d+) x \1 for that")
@@ -234,7 +234,7 @@ class Laws(StatsTest):
         self.render(size="300x7")
         self.assertIn("smaller than 16 x 16 pixels", self.succeed("stats", "in.exr"))
 
-    def test_numbers_that_do_not_exist(self):
+    def test_undefined_numbers_are_null(self):
         self.render(size="1x1")
         self.assertEqual((self.stats()["skewness"], self.stats()["excess_kurtosis"]), (None, None))
         text = self.succeed("stats", "in.exr")
@@ -274,14 +274,14 @@ class Foreign(StatsTest):
         self.write(Z=green, id=np.ones(red.shape, "u4"))
         self.assertEqual(self.stats()["channel"], "Z")
 
-    def test_normal_samples_are_found_normal(self):
+    def test_normal_samples_pass_as_normal(self):
         self.write(Y=self.normal(512, 512))
         stats = self.stats()
         self.assertEqual(stats["cvm_reference"], "measured")
         self.assertLess(stats["cvm"]["low"], 0.5)
         self.assertLess(stats["cvm"]["high"], 20)
 
-    def test_uniform_samples_are_found_not_normal(self):
+    def test_uniform_samples_do_not_pass_as_normal(self):
         truth = 399.77 # 2^18 times the integral of (F - Phi)^2 dPhi, for the uniform law of mean 0 and variance 1
         self.write(Y=self.random.uniform(-1, 1, (512, 512)).astype("f4"))
         cvm = self.stats()["cvm"]
@@ -331,12 +331,12 @@ class Foreign(StatsTest):
         self.assertEqual({stats[name] for name in ("mean", "variance", "minimum", "maximum", "cvm")}, {None})
         self.succeed("stats", "in.exr")
 
-    def test_broken_parameters_are_no_obstacle(self):
+    def test_broken_parameters_are_ignored(self):
         for parameters in ("", "{", "[1]", "7", '{"scale": "x"}', '{"scale": -1}', '{"scale": 1e999}'):
             self.write(parameters, Y=self.normal())
             self.assertEqual(self.stats()["channel"], "Y", parameters)
 
-    def test_parameters_nested_without_end(self):
+    def test_deeply_nested_parameters(self):
         self.write('[' * 200000 + ']' * 200000, Y=np.zeros((4, 4), "f4"))
         self.assertIsNone(self.stats()["parameters"])
         self.assert_refused(["not a JSON object"], "render", "--like", "in.exr", "-o", "out.exr")

@@ -1,4 +1,4 @@
-"""`gabor render --texture`: tiles and levels, each of which is the flat picture of its size, seen through the filter."""
+"""`gabor render --texture`: each level of the tiled file is the filtered flat picture of its size."""
 
 import struct
 import unittest
@@ -41,14 +41,14 @@ class Levels(TextureTest):
                 for channel in ("Y", "removed"):
                     np.testing.assert_array_equal(texture.levels[k][channel], flat.channels[channel], f"level {k}")
 
-    def test_a_line_of_pixels_is_halved_in_every_channel(self):
+    def test_the_last_level_is_averaged_in_every_channel(self):
         texture = self.texture(256, 128, "--quadrature", "--gradient", scale=100)
         last, before = texture.levels[8], texture.levels[7]
         self.assertEqual(len({values[0, 0] for values in last.values()}), len(last))
         for channel, values in last.items():
             self.assertEqual(values[0, 0], (before[channel][0, 0] + before[channel][0, 1]) / 2, channel)
 
-    def test_levels_lose_the_variance_that_is_said_to_be_removed(self):
+    def test_levels_lose_the_variance_in_the_channel_removed(self):
         texture = self.texture(512, 512, scale=8)
         kept = [(level["Y"].astype(float)**2).mean() for level in texture.levels]
         said = [1 - level["removed"].mean() for level in texture.levels]
@@ -101,7 +101,7 @@ class Joined(TextureTest):
         self.assertEqual(flat.parameters, Exr(self.folder / "level.exr").parameters)
         self.assertEqual(self.files()["level.exr"], self.files()["flat.exr"])
 
-    def test_what_are_no_levels(self):
+    def test_wrong_levels(self):
         regions = self.levels(32, 16, [*NOISE, "--scale=8"], strips=2)
         join = "join", "--texture", "-o", "new.exr"
         self.assert_refused(["no region is of level 2, 8 x 4 pixels"], *join, *(r for r in regions if "level2" not in r))
@@ -123,7 +123,7 @@ class Joined(TextureTest):
 
 
 class Attributes(TextureTest):
-    def test_those_of_a_texture(self):
+    def test_attributes_of_a_texture(self):
         texture = self.texture(256, 128)
         self.assertEqual(text(texture, "textureformat"), "Plain Texture")
         self.assertEqual(text(texture, "wrapmodes"), "black,black")
@@ -153,7 +153,7 @@ class Attributes(TextureTest):
 
 
 class Refused(TextureTest):
-    def test_what_is_no_texture(self):
+    def test_wrong_requests(self):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
             "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],

@@ -1,5 +1,5 @@
-"""Disks, folders and readers that fail while the program works, and its own sudden end: the file under its name is the
-old one, the complete new one, or none; the status says whose fault it was, in one line."""
+"""Disks, folders and readers that fail while the program works. The output file stays as it was, is complete, or is missing;
+one line says what failed, and the exit status whether the request was wrong."""
 
 import contextlib
 import os
@@ -18,7 +18,7 @@ LARGE = ("--size=4000x4000", "--compression=zip")
 
 
 class Folders(ProgramTest):
-    def test_a_folder_that_may_only_be_read(self):
+    def test_a_read_only_folder(self):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         read_only = "mount -t tmpfs -o size=1m tmpfs . && cd . && echo older >old.exr && mount -o remount,ro . && "
         if subprocess.run([*mount, read_only + ":"], cwd=self.folder, capture_output=True).returncode != 0:
@@ -42,7 +42,7 @@ class Folders(ProgramTest):
             self.assertEqual(self.files(), {})
 
     def open_files(self, process):
-        """The names of those that a running process has open, less what it closes meanwhile."""
+        """The names of the files that a running process has open."""
         for link in pathlib.Path(f"/proc/{process.pid}/fd").glob("*"):
             with contextlib.suppress(FileNotFoundError):
                 yield os.readlink(link)

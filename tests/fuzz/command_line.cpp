@@ -1,4 +1,4 @@
-// The command line, a word in each line of the input, up to where a device is needed.
+// Parses a command line, one word per line of the input, and stops where a device is needed.
 
 #include "program.hpp"
 

@@ -1,4 +1,4 @@
-// `gabor render --like` a file of any bytes, up to where a device is needed.
+// Runs `gabor render --like` on a file of arbitrary bytes, and stops where a device is needed.
 
 #include "program.hpp"
 

@@ -1,5 +1,5 @@
-// In place of host/vulkan when it is linked: a machine without Vulkan. A request then goes as far
-// as it can without a device, thousands of times in a second.
+// Replaces host/vulkan by a machine without Vulkan: requests stop where they need a device, thousands of times
+// per second.
 
 #include "error.hpp"
 #include "vulkan/buffer.hpp"

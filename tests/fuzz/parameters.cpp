@@ -1,5 +1,4 @@
-// A request as JSON, from the header of a file: refused, or the same again when written and
-// read.
+// Reads a request as JSON: it is refused, or stays the same when it is written and read again.
 
 #include "render/parameters.hpp"
 #include "error.hpp"

@@ -13,8 +13,8 @@
 
 namespace gabor::fuzz {
 
-/// Runs the program in this process. Whatever it is given, it must not fail while working, which is status 1:
-/// a wrong request is 2. Relative names of files lead nowhere: it works in a folder where none can be made.
+/// Runs the program in this process, which must end with status 0 or 2: status 1 is a failure while working.
+/// It runs in a folder where no file can be made.
 inline void run(const std::vector<std::string>& arguments) {
     static const bool nowhere = chdir("/proc/self/fdinfo") == 0;
     std::vector<const char*> pointers{"gabor"};
@@ -26,7 +26,7 @@ inline void run(const std::vector<std::string>& arguments) {
         std::abort();
 }
 
-/// A file of these bytes, without a place on any disk.
+/// A file in memory.
 class MemoryFile {
   public:
     explicit MemoryFile(std::span<const std::uint8_t> bytes)

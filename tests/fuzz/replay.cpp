@@ -1,4 +1,4 @@
-// Feeds every file of the folders named to the target, once: what libFuzzer's own main does with -runs=0.
+// Runs the target once on every file in the given folders, like libFuzzer's main with -runs=0.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// `gabor stats` on a file of any bytes: the EXR reader, the statistics of whatever pixels, and their JSON.
+// Runs `gabor stats` on a file of arbitrary bytes: the EXR reader, the statistics and their JSON.
 
 #include "program.hpp"
 

@@ -1,4 +1,4 @@
-"""What `cmake --install` lays down, and that it is enough for a project that knows nothing else of ours."""
+"""Checks the files that `cmake --install` writes, and builds a separate project that has nothing else."""
 
 import json
 import os
@@ -61,7 +61,7 @@ class Install(unittest.TestCase):
         run(CMAKE, "-S", pathlib.Path(__file__).parent / "consumer", "-B", self.build, "-G", os.environ["GENERATOR"],
             f"-DCMAKE_PREFIX_PATH={self.prefix}", *options)
 
-    def test_the_tree_has_just_what_it_should(self):
+    def test_the_tree_has_the_listed_files_and_no_others(self):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*") if not path.is_dir()}
         self.assertEqual(files - {"bin/gabor-viewer"}, INSTALLED)  # the viewer needs more than Debian may have
 
