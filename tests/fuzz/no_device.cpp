@@ -1,5 +1,4 @@
-// Replaces host/vulkan by a machine without Vulkan: requests stop where they need a device, thousands of times
-// per second.
+// Replaces host/vulkan by a machine without Vulkan, so that requests stop where they need a device.
 
 #include "error.hpp"
 #include "vulkan/buffer.hpp"
