@@ -68,8 +68,8 @@
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-//     twice as much where the normal is 30 to 45 degrees from the z axis. The law is that of gabor_noise_3d_isotropic,
-//     for derivatives along the surface.
+//     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives
+//     along the surface have the distribution of gabor_noise_3d_isotropic.
 
 // ---- By place: large worlds, periods, time and pixels together -----------------------------------------------------
 

@@ -160,8 +160,8 @@ fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, directio
 }
 
 // Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-// twice as much where the normal is 30 to 45 degrees from the z axis. The law is that of gabor_noise_3d_isotropic,
-// for derivatives along the surface.
+// twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives
+// along the surface have the distribution of gabor_noise_3d_isotropic.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
