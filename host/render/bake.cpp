@@ -11,9 +11,9 @@ namespace gabor::render {
 
 namespace {
 
-// A CPU has few lanes to fill and large caches. A GPU wants many small blocks, whose impulses fit its
-// registers. A lattice's cells are narrow, and to begin a block is most of its cost: few blocks of even
-// width. `scale`: pixels per radius of the kernels.
+// A GPU needs many small blocks whose impulses fit its registers. A CPU has few lanes and large caches, and
+// starting a block of the lattice is most of its cost: use few blocks of equal width. `scale`: pixels per
+// radius of the kernels.
 Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, double scale) {
     if (device == DeviceKind::gpu)
         return recipe.is_lattice() ? Block{8, 16} : Block{noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
@@ -30,20 +30,20 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// `scale`: pixels per radius of its kernels.
+// `scale`: pixels per radius of the wave's kernels.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
     const double frequency = wave.frequency * wave.radius;
     const double wave_x = frequency * std::cos(wave.angle);
     const double wave_y = frequency * std::sin(wave.angle);
-    // The sparse noise's variance is in proportion to the number of impulses per unit area.
+    // The variance of sparse noise is proportional to its impulses per unit area.
     const double normalized =
         recipe.is_lattice()
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, frequency, wave.angle, request.time));
-    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours have weights
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights
     passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
                             turn(wave_x / scale),
                             turn(wave_y / scale),
@@ -62,7 +62,7 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
     const auto cell_of = [&](int pixel) {
         return static_cast<std::int32_t>(std::floor(position(pixel) - radius));
     };
-    // The first pixel that visits no cell before this one: an estimate, which rounding may have put one off.
+    // The first pixel that visits no cell before this one: an estimate, then a correction for rounding.
     const auto start_of = [&](std::int32_t cell) {
         int pixel = static_cast<int>(std::ceil((cell + radius - origin) / cells_per_pixel - 0.5));
         while (cell_of(pixel) >= cell)

@@ -7,7 +7,7 @@
 
 namespace gabor::render {
 
-/// A coordinate in kernel radii, as precise far away as near by: whole + part, part in [0, 1).
+/// A coordinate in kernel radii, whole + part with part in [0, 1): equally precise everywhere.
 struct Coordinate {
     std::int64_t whole = 0;
     double part = 0;
@@ -16,7 +16,7 @@ struct Coordinate {
     bool operator==(const Coordinate&) const = default;
 };
 
-/// The point of the plane in the middle of the view, or under the camera of a horizon, and a magnification.
+/// The point in the middle of the view, or below the camera of a horizon, and a magnification.
 struct Camera {
     Coordinate x;
     Coordinate y;
@@ -26,14 +26,14 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// The camera of the request's own picture.
+/// The camera that gabor render uses.
 Camera default_camera(const Request& request);
 
-/// The cell at a coordinate, and the place in it. `cells`: per kernel radius. Cells wrap around at 2^31, as
-/// those of the drop-ins do.
+/// Returns the cell at a coordinate, and the place in it. `cells`: per kernel radius. Cells wrap around at
+/// 2^31, as in the drop-ins.
 std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cells);
 
-/// The cells along a side of a picture: the recipe's, or as many whole ones as fit a tileable picture.
+/// The cells along a side of a picture; a tileable picture has a whole number of them.
 struct Axis {
     double radius;       ///< cells per kernel radius
     std::int32_t period; ///< in cells, 0 for none
@@ -42,7 +42,7 @@ struct Axis {
 /// `side`: width or height of the request. `radius`: of the kernels, as noise::Wave has it.
 Axis axis_along(const Request& request, int side, double radius = 1);
 
-/// Rows above the horizon of a picture of so many rows.
+/// Rows above the horizon in a picture of `height` rows.
 constexpr double sky_rows(double height) {
     return height / 4;
 }

@@ -11,50 +11,50 @@
 
 namespace gabor::render {
 
-/// A noise as it is shown, as gabor_unorm in GLSL: the mean at 0.5, two standard deviations at 0 and 1.
+/// Maps noise from -2...2 to 0...1, as gabor_unorm does in GLSL.
 constexpr float unorm(float noise) {
     return 0.5f + 0.25f * noise;
 }
 
-/// Light as it is shown: from linear to the values of sRGB (IEC 61966-2-1), within [0, 1].
+/// Encodes linear light as sRGB (IEC 61966-2-1), clamped to [0, 1].
 float srgb(float light);
 
-/// Shows pixels as a PNG does, from 0 to 1: the noise in grey, three of them or a photograph's colours as
-/// colours, a material by its look.
+/// Converts pixels to what a PNG shows, from 0 to 1: grey noise, colours from three noises or a photograph,
+/// or the lit material.
 void show(const Request& request, std::span<const float> values, std::vector<float>& shown);
-/// How many values each pixel then has, 1 or 3.
+/// How many values such a pixel has: 1 or 3.
 int shown_channels(const Request& request);
 
 constexpr int most_frames = 9999;
 
-/// One of `frames` frames of the animation of a request, which takes a period.
+/// Frame `frame` of an animation that takes one period in `frames` frames.
 Request frame_of(Request request, int frame, int frames);
 
-/// NAME.exr becomes NAME.0001.exr for the first of several frames.
+/// Numbers the files of several frames: NAME.exr becomes NAME.0001.exr.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames);
 
-/// Where the time of rendering a file went, in seconds.
+/// How long each part of rendering a file took, in seconds.
 struct FileTimes {
     Times rendering;
     double writing = 0;
-    double closing = 0; ///< until the file was on the disk
+    double closing = 0; ///< flushing to disk
 
     FileTimes& operator+=(const FileTimes& other);
 };
 
-/// What rendered a picture, as its header says: pixels agree between files where this does.
+/// Names version, device and driver for a file's header. Where they agree, so do pixels.
 std::string software(const vulkan::Device& device);
 
 struct Files {
     std::optional<std::filesystem::path> exr;
-    std::optional<std::filesystem::path> png; ///< of the noise, or in colour of three, to look at
+    std::optional<std::filesystem::path> png; ///< a picture to look at
     std::string_view compression = "none";
-    /// Red, green and blue of a band's pixels, from 0 to 1, that the PNG is to show in place of that.
+    /// Converts a band to the red, green and blue, from 0 to 1, that the PNG shows instead.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
 };
 
-/// Renders `region` of a checked request into an EXR, a PNG or both. `advance` is called with the number of
-/// pixels of each band before they are written; what it throws ends everything, and leaves no file.
+/// Renders `region` of a checked request to an EXR, a PNG or both. Calls `advance` with the number of pixels
+/// in each band before writing it; if that throws, no file is left.
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);
 

@@ -16,7 +16,7 @@ namespace gabor::render {
 
 namespace {
 
-// Of files that are small, so that a wrong name cannot fill the memory.
+// Limits the size, so that a wrong name cannot fill the memory.
 std::string read_text(const std::string& path) {
     constexpr std::size_t most = 1 << 20;
     std::ifstream file(path, std::ios::binary);
@@ -31,15 +31,15 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-// One channel of a painted EXR, and its window.
+// Reads one channel of a painted EXR, and its window.
 std::pair<std::vector<float>, image::Rect> paint_channel(const std::string& path, const char* channel) {
     constexpr std::size_t most = std::size_t{1} << 24;
     image::ExrReader file(path, channel);
     const auto width = static_cast<std::size_t>(file.window().width);
     const auto height = static_cast<std::size_t>(file.window().height);
     if (width * height > most)
-        throw RequestError(
-            fmt::format("paint '{}' has {} x {} pixels: it may have {} in all", path, width, height, most));
+        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
+                                       width, height, most));
     std::vector<float> values;
     while (values.size() < width * height) {
         const std::span<const float> rows = file.read_rows(256);

@@ -25,7 +25,7 @@ constexpr std::size_t most_lobes = 16;
 constexpr std::string_view one_lobe = "a single lobe";
 constexpr std::string_view bodies = "the views sphere and torus";
 
-// A view with its own values as by default, by its name.
+// A view with its default values.
 struct NamedView {
     std::string_view name;
     View view;
@@ -46,7 +46,7 @@ std::string_view name_of(const View& view) {
         ->name;
 }
 
-// The view of that name; what it has in common with the one before stays.
+// The view of that name; keeps values that the view before has too.
 View view_of(std::string_view name, const View& before) {
     const View& fresh = std::ranges::find(named_views, name, &NamedView::name)->view;
     if (fresh.index() != before.index())
@@ -59,7 +59,7 @@ View view_of(std::string_view name, const View& before) {
 
 // ---- The table ----
 
-// A row by a function that finds the value in a request, const or not, or returns a null pointer.
+// Makes a row from a function that finds the value in a request, or returns a null pointer.
 template <typename Find>
 Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
               std::string_view applies_to, std::string_view help, Find find) {
@@ -86,7 +86,7 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// A value that only one kind of view has.
+// Finds a value that only one kind of view has.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {
@@ -95,49 +95,24 @@ auto in_view(T OneView::*member) {
     };
 }
 
+constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
+                                 Range slider, std::string_view help, double Lobe::*member) {
+    return {name, kind, unit, range, slider, help, member};
+}
+
 constexpr std::array of_lobe{
-    LobeParameter{"frequency",
-                  Kind::number,
-                  "cycles per kernel radius",
-                  {0.001, 1024},
-                  {0.05, 64},
-                  "Waves per kernel radius",
-                  &Lobe::frequency},
-    LobeParameter{"orientation",
-                  Kind::angle,
-                  "degrees",
-                  {-36000, 36000},
-                  {-180, 180},
-                  "Direction of the waves: 0 is right, 90 is down",
-                  &Lobe::orientation},
-    LobeParameter{"frequency_spread",
-                  Kind::number,
-                  "fraction of the frequency",
-                  {0, 1},
-                  {0, 1},
-                  "Relative half-bandwidth",
-                  &Lobe::frequency_spread},
-    LobeParameter{"orientation_spread",
-                  Kind::angle,
-                  "degrees",
-                  {0, 90},
-                  {0, 90},
-                  "Half-width of the directions; 90 is isotropic",
-                  &Lobe::orientation_spread},
-    LobeParameter{"power",
-                  Kind::number,
-                  "relative to other lobes",
-                  {0, 1e9},
-                  {0, 1},
-                  "Share of the variance",
-                  &Lobe::power},
-    LobeParameter{"radius",
-                  Kind::number,
-                  "kernel radii",
-                  {0.01, 100},
-                  {0.1, 10},
-                  "Radius of its kernels; larger ones make the lobe narrower",
-                  &Lobe::radius},
+    lobe_row("frequency", Kind::number, "cycles per kernel radius", {0.001, 1024}, {0.05, 64},
+             "Waves per kernel radius", &Lobe::frequency),
+    lobe_row("orientation", Kind::angle, "degrees", {-36000, 36000}, {-180, 180},
+             "Direction of the waves: 0 is right, 90 is down", &Lobe::orientation),
+    lobe_row("frequency_spread", Kind::number, "fraction of the frequency", {0, 1}, {0, 1},
+             "Relative half-bandwidth", &Lobe::frequency_spread),
+    lobe_row("orientation_spread", Kind::angle, "degrees", {0, 90}, {0, 90},
+             "Half-width of the directions; 90 is isotropic", &Lobe::orientation_spread),
+    lobe_row("power", Kind::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
+             &Lobe::power),
+    lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
+             "Radius of its kernels; larger ones make the lobe narrower", &Lobe::radius),
 };
 
 Parameter single_lobe_row(const LobeParameter& p) {
@@ -210,12 +185,12 @@ std::vector<Parameter> make_table() {
     };
 }
 
-// ---- What excludes what ----
+// ---- Conflicts ----
 
 struct Exclusion {
     std::string_view parameter;
     std::string_view other;
-    bool (*conflicts)(const Request&); // whether both are asked for
+    bool (*conflicts)(const Request&); // whether both are set
     std::string_view because;
 };
 
@@ -241,11 +216,11 @@ const std::array exclusions{
               "noise in space always has the recipe lattice"},
 };
 
-// The parameters of a material.
+// Parameters that materials use.
 constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
                                  "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv};
 
-// Parameters that are set although a material has none such.
+// Parameters that are set but that a material does not use.
 std::vector<const Parameter*> unused_by_material(const Request& request) {
     std::vector<const Parameter*> found;
     if (has_material(request))
@@ -262,7 +237,7 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
            std::ranges::all_of(lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; });
 }
 
-// Whether there is something else in the picture that has no colours.
+// Whether the request has anything that cannot be coloured.
 bool is_colourless(const Request& request) {
     return request.quadrature || request.gradient || request.phasor || request.values > 1 ||
            !request.paint.empty() || has_material(request);
@@ -325,7 +300,7 @@ void check_value(const Parameter& p, const Value& value) {
     }
 }
 
-// What a message about a parameter begins with.
+// The start of a message about a parameter.
 std::string prefix(const Parameter& p) {
     return fmt::format("{}{} ", p.name, p.kind == Kind::lobes ? ":" : "");
 }
@@ -356,10 +331,11 @@ std::vector<std::string_view> choices(const Parameter& p) {
     if (p.name == "material") {
         names.push_back(no_material);
         names.insert(names.end(), materials.begin(), materials.end());
-    } else if (p.kind == Kind::choice)
+    } else if (p.kind == Kind::choice) {
         std::ranges::transform(named_views, std::back_inserter(names), &NamedView::name);
-    else
+    } else {
         std::ranges::transform(noise::recipes(), std::back_inserter(names), &noise::Recipe::name);
+    }
     return names;
 }
 
@@ -425,7 +401,7 @@ std::string to_text(const Value& value) {
 
 void set(Request& request, const Values& values) {
     for (const bool deciding : {true, false}) {
-        for (const auto& named : values) { // no structured binding: clang's lambdas do not capture these
+        for (const auto& named : values) { // no structured binding: clang's lambdas cannot capture them
             const Parameter* p = named.first;
             const Value& value = named.second;
             if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
@@ -454,7 +430,7 @@ bool is_set(const Request& request, std::string_view name) {
     const Parameter& p = parameter(name);
     const std::optional<Value> value = p.get(request);
     std::optional<Value> by_default = p.get(Request());
-    if (!by_default) { // one that only some views or lobes have
+    if (!by_default) { // only some views or lobes have it
         Request fresh;
         fresh.lobes = request.lobes;
         fresh.view = view_of(name_of(request.view), fresh.view);
@@ -483,20 +459,6 @@ void drop_conflicting(Request& request, std::string_view name) {
         request.colour.reset();
 }
 
-namespace {
-
-void check_colour(const Request& request) {
-    if (!are_of_colour(request.lobes, *request.colour))
-        throw RequestError(
-            "a colour requires weights for each lobe, and lobes with power and without spread: use the "
-            "lobes that came with it");
-    if (is_colourless(request))
-        throw RequestError(
-            "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
-}
-
-} // namespace
-
 bool applies_to_material(std::string_view name) {
     return std::ranges::find(of_material, name) != of_material.end();
 }
@@ -516,8 +478,13 @@ void check(const Request& request) {
     for (const Parameter* p : unused_by_material(request))
         throw RequestError(fmt::format("{} conflicts with material {}: it is a parameter of the noise",
                                        p->name, request.material));
-    if (request.colour)
-        check_colour(request);
+    if (request.colour && !are_of_colour(request.lobes, *request.colour))
+        throw RequestError(
+            "a colour requires weights for each lobe, and lobes with power and without spread: use the "
+            "lobes that came with it");
+    if (request.colour && is_colourless(request))
+        throw RequestError(
+            "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);

@@ -19,7 +19,7 @@ namespace gabor::render {
 
 namespace {
 
-constexpr double least_baked_cell = 8; // pixels: blocks are of one cell
+constexpr double least_baked_cell = 8; // pixels; a block lies within a cell
 
 std::uint32_t view_constant(const View& view) {
     if (std::holds_alternative<Horizon>(view))
@@ -46,7 +46,7 @@ Constants constants_of(const Request& request) {
     return constants;
 }
 
-// A pass with an invocation for each value.
+// A pass with one invocation per value.
 template <typename Push>
 Step step_of(std::string shader, const Constants& constants, const Push& push, std::uint32_t group) {
     const int side = static_cast<int>(group);
@@ -63,14 +63,14 @@ Push push_of(const image::Rect& region) {
 
 // ---- The plane, pixel by pixel ----
 
-// How long a pixel is, in kernel radii. In perspective, where the scale is that of the bottom row, the height
-// of the camera, of a picture of so many rows.
+// The length of a pixel in kernel radii; in perspective, the height of the camera, which gives the bottom one
+// of `height` rows the request's scale.
 double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
-// Where pixels are along an axis, for kernels of each radius. In perspective the cell is the camera's, and
-// the place counts pixels from the horizon's middle, `origin` pixels from the edge of the view.
+// The places of pixels along an axis, for kernels of each radius. In perspective the cell is the camera's,
+// and places count pixels from the middle of the horizon, `origin` pixels from the edge of the view.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, const Coordinate& middle,
                                 int view, int side, int first, int count, double origin) {
     const std::vector<double> radii = noise::radii(noise::waves(request.lobes, request.seed));
@@ -78,7 +78,7 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
     struct Table {
         std::int32_t cell;
-        double place; // of the start
+        double place; // of the first pixel
         double step;  // cells
     };
     std::vector<Table> tables;
@@ -101,7 +101,7 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     return result;
 }
 
-// Waves that follow the paint are as many as its highest frequency needs.
+// Painted noise has as many waves as its highest frequency needs.
 std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewport& viewport,
                                              const Paint& paint) {
     std::vector<noise::Lobe> lobes = request.lobes;
@@ -133,7 +133,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
             .seed = wave.seed,
             .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
             .weights = {}});
-        put_weights(made.weights, request, i); // in colour one wave for each lobe
+        put_weights(made.weights, request, i); // in colour each lobe has one wave
         if (!in_perspective(request) && request.paint.empty())
             fade(made, share_left(request, viewport, wave.frequency));
     }
@@ -150,10 +150,10 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
     if (!in_perspective(request))
         push.pixel *= stride;
-    push.focal_length = static_cast<float>(viewport.width) / stride; // a coarse view has fewer pixels
+    push.focal_length = static_cast<float>(viewport.width) / stride; // in coarse pixels
     push.waves = static_cast<int>(waves.size());
     push.tables = static_cast<int>(noise::radii(noise::waves(request.lobes, request.seed)).size());
-    // The paint lies over the picture, whose corner is the origin of the plane.
+    // The paint covers the picture, whose corner is the origin of the plane.
     const auto scale = [&](int samples, int side) {
         return static_cast<float>(viewport.stride * static_cast<double>(samples) / (side * camera.zoom));
     };
@@ -178,13 +178,13 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
 
 // ---- Bodies and slices ----
 
-// Side of a pixel in the plane at distance 1 from the eye, such that a sphere of radius 1 at distance 4
-// leaves a margin of 1/20 in a picture whose shorter side has so many.
+// The side of a pixel in the plane at distance 1 from the eye, such that a sphere of radius 1 at distance 4
+// leaves a margin of 1/20 along the shorter side.
 double pixel_side(int shorter_side) {
     return 2 * 1.05 * std::tan(std::asin(0.25)) / shorter_side;
 }
 
-// Kernel radii in the radius of the sphere: at distance 3 a unit takes 1 / (3 side) pixels.
+// The radius of the sphere in kernel radii: at distance 3, a unit takes 1 / (3 side) pixels.
 double sphere_radius(const Request& request) {
     return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
@@ -193,7 +193,7 @@ passes::vec2 direction(double angle) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// What passes/body.glsl is pushed.
+// Sets the push constants of passes/body.glsl.
 template <typename Push>
 void push_body(Push& push, const Request& request, const Viewport& viewport) {
     const Body& body = std::get<Body>(request.view);
@@ -220,7 +220,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
                               .seed = wave.seed,
                               .isotropic = wave.isotropic,
                               .weights = {}});
-        put_weights(made.weights, request, waves.size() - 1); // in colour one wave for each lobe
+        put_weights(made.weights, request, waves.size() - 1); // in colour each lobe has one wave
         if (is_flat(request.view))
             fade(made, share_left(request, viewport, wave.frequency));
     }
@@ -232,7 +232,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     push.waves = static_cast<int>(waves.size());
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
         const Camera& camera = viewport.camera;
-        // It begins where the camera is, to a whole value.
+        // Rounded, so that values fall on whole places.
         const auto first = [&](const Coordinate& middle, int pixels) {
             const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale * camera.zoom;
             return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / viewport.stride), -1e9, 1e9));
@@ -257,7 +257,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
 
 // ---- Materials ----
 
-// The light stands still over a flat view, as over a picture of the request's size.
+// In flat views the light stays in place over the picture.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
     const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);
@@ -365,7 +365,7 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
     if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
         !request.paint.empty() || request.filter || request.phasor || request.values > 1)
         return false;
-    // Isotropic noise in space has no wave that all nodes share.
+    // In isotropic noise in space, nodes share no wave.
     if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
         return false;
     const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};
@@ -391,7 +391,8 @@ std::vector<Band> bands(const Plan& plan, int most_rows) {
     if (plan.steps.front().runs.empty())
         for (int row = 0; row < plan.height; row += most_rows)
             bands.push_back({row, std::min(most_rows, plan.height - row)});
-    // Whole runs of the first step; those of others that cross a band's edge are evaluated on both sides.
+    // Bands hold whole runs of the first step. Runs of other steps that cross an edge are evaluated in both
+    // bands.
     for (const auto& [first, count] : plan.steps.front().runs) {
         const int end = std::min(first + count, plan.height);
         if (bands.empty() || end - bands.back().first_row > most_rows)

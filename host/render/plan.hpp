@@ -19,16 +19,16 @@ namespace gabor::render {
 
 using Bytes = std::vector<std::byte>;
 
-/// The specialization constants of a pass, by the ids in passes/constants.h, as 32 bits each.
+/// The specialization constants of a pass as 32-bit words, indexed by the ids in passes/constants.h.
 using Constants = std::array<std::uint32_t, passes::constant_count>;
 
-/// Those of passes/recipe.glsl, which come first.
+/// The constants of passes/recipe.glsl, which come first.
 std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::Recipe& recipe);
 
-/// The pass PASS for a recipe's drop-in: PASS, or PASS@TAPS for the lattice.
+/// The variant of a pass for a recipe: PASS, or PASS@TAPS for the lattice.
 std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe);
 
-/// The time within its period, in [0, 1), as the passes take it.
+/// The time within its period, in [0, 1).
 float wrapped_time(const Request& request);
 
 /// Columns and rows of invocations.
@@ -48,62 +48,62 @@ struct Band {
 struct Step {
     std::string shader; ///< PASS or PASS@VARIANT, as shaders/CMakeLists.txt lists them
     Constants constants{};
-    Bytes push;     ///< begins with passes::Band, that of the whole region
+    Bytes push;     ///< starts with passes::Band of the whole region
     int across = 0; ///< invocations along a row
-    Block group;    ///< that a work group covers
+    Block group;    ///< invocations in a work group
     std::vector<std::pair<int, int>>
-        runs; ///< first row and count; a row of groups each. Empty: group.rows each
+        runs; ///< first row and count of each row of groups; if empty, group.rows each
 };
 
-/// Everything that a device needs to draw values of a picture.
+/// Everything that a device needs to draw a picture.
 struct Plan {
-    std::vector<std::string> channels; ///< of each value, side by side
+    std::vector<std::string> channels; ///< of each value
     int width = 0;                     ///< values
     int height = 0;
     std::vector<Bytes> tables; ///< the storage buffers 1, 2, ...; buffer 0 has the values, row by row
-    std::vector<Step> steps;   ///< each sees what those before it wrote
+    std::vector<Step> steps;   ///< in order; each reads what earlier ones wrote
 };
 
-/// Whether a picture is filled block by block, which is faster than pixel by pixel. Colours and sums come out
-/// within 2e-5 of each other either way.
+/// When to fill a picture block by block, which is faster than pixel by pixel. The two differ by less than
+/// 2e-5.
 enum class Blocks {
-    fitted, ///< where that is possible, by blocks that fit the cells
-    fixed,  ///< where it is faster too, by blocks of one size: a window needs one pipeline at all scales
+    fitted, ///< whenever possible, with blocks that fit the cells
+    fixed,  ///< when it is faster, with blocks of one size: a window needs one pipeline at all scales
     none
 };
 
 enum class DeviceKind { cpu, gpu };
 
-/// What of a picture is drawn, and how finely.
+/// The part of a picture to draw, and how finely.
 struct Viewport {
     Camera camera;
-    int width = 0; ///< pixels of the view, which a horizon or a body fits
+    int width = 0; ///< pixels of the view, which a horizon or a body fills
     int height = 0;
-    image::Rect region; ///< of the view's values
-    int stride = 1;     ///< a value stands for stride x stride pixels; waves too fine for that fade
+    image::Rect region; ///< of values in the view
+    int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
-    bool normals = false; ///< of bodies: adds normal.x, normal.y, normal.z and gradient.z before `A`, along
-                          ///< the picture's right and down and to the eye
+    bool normals = false; ///< for bodies: add normal.x, normal.y, normal.z and gradient.z before `A`; x is
+                          ///< right in the picture, y down, z towards the eye
 };
 
-/// The viewport of a part of the request's own picture.
+/// The viewport of a region of the picture that gabor render draws.
 Viewport viewport_of(const Request& request, const image::Rect& region);
 
 /// Whether the picture is drawn block by block.
 bool uses_blocks(const Request& request, const Viewport& viewport);
 
-/// How to draw what the viewport shows of a checked request. `paint`: that of the request, load_paint.
+/// Plans the drawing of a checked request in a viewport. `paint`: load_paint of the request's.
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint = {},
           DeviceKind device = DeviceKind::cpu);
 
-/// The region cut into bands of at most `most_rows`, or the fewest rows that can be filled where that is
-/// more, from top to bottom.
+/// Cuts the region, from top to bottom, into bands of at most `most_rows`, or of the fewest rows that the
+/// plan can fill.
 std::vector<Band> bands(const Plan& plan, int most_rows);
 
-/// A line for each step: its pass, work groups and constants other than 0, and the sizes of the tables.
+/// Lists each step with its pass, work groups and non-zero constants, and the sizes of the tables.
 std::string to_string(const Plan& plan);
 
-/// In the paint, cycles per kernel radius.
+/// The highest frequency in the paint, in cycles per kernel radius.
 double highest_frequency(const Paint& paint);
 
 template <typename T>
@@ -117,7 +117,7 @@ Bytes bytes_of(const T& value) {
     return bytes_of(std::vector{value});
 }
 
-/// The values of a table, or the push constants in front.
+/// Reads the values of a table, or the leading push constants.
 template <typename T>
 std::vector<T> values_of(const Bytes& bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));

@@ -10,17 +10,17 @@
 
 namespace gabor::render {
 
-/// The corner of the view along an axis: for the request's own picture exactly 0.
+/// The corner of the view along an axis: exactly 0 for the picture that gabor render draws.
 inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request& request,
                             const Viewport& viewport) {
     return middle.moved(-pixels / 2.0 / (request.scale * viewport.camera.zoom));
 }
 
-/// The share of a wave's amplitude that is left in a value: without a filter of its own, one that stands for
-/// several pixels is seen through the filter of a pixel of its size. `frequency`: cycles per kernel radius.
+/// The share of a wave's amplitude that a value keeps. An unfiltered value that stands for several pixels is
+/// filtered as a pixel of its size. `frequency`: cycles per kernel radius.
 float share_left(const Request& request, const Viewport& viewport, double frequency);
 
-/// Leaves a share of a wave, in grey and in colour.
+/// Scales a wave, in grey and in colour.
 template <typename Wave>
 void fade(Wave& wave, float share) {
     wave.amplitude *= share;
@@ -28,10 +28,10 @@ void fade(Wave& wave, float share) {
         weight = {share * weight.x, share * weight.y};
 }
 
-/// What its colours are made of, zeros where there are none.
+/// The request's colour, or zeros if it has none.
 passes::PixelsColour colour_of(const Request& request);
 
-/// Of a lobe, the weights of its quadrature and its noise in the components of these colours: zeros likewise.
+/// Sets a lobe's weights in the colour, or leaves zeros if there is none.
 void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe);
 
 } // namespace gabor::render

@@ -39,7 +39,7 @@ class BandBuffer {
 
   private:
     vulkan::Buffer values_;
-    std::optional<vulkan::Buffer> staging_; // where the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; // if the host cannot read the device's memory
     vulkan::Job job_;
     std::size_t count_ = 0;
 };

@@ -11,25 +11,24 @@
 
 namespace gabor::render {
 
-/// The pipeline of a plan's step. `statistics`: as in vulkan::Pass::Interface.
+/// Builds the pipeline of a step. `statistics`: as in vulkan::Pass::Interface.
 vulkan::Pass make_pass(const vulkan::Device& device, const Plan& plan, const Step& step,
                        bool statistics = false);
 
-/// Carries out plans on a device, one after the other. Keeps pipelines, and tables as long as they are large
-/// enough.
+/// Executes plans on a device, one after the other. Reuses pipelines, and tables that are large enough.
 class Renderer {
   public:
     explicit Renderer(const vulkan::Device& device, Plan plan = {});
 
-    /// Another plan. Jobs of the one before must not be submitted again.
+    /// Sets the plan. Jobs of the one before must not be submitted again.
     void set(Plan plan);
     const Plan& plan() const { return plan_; }
     const vulkan::Device& device() const { return device_; }
 
-    /// A job that writes to `values`, which holds the values of a band, or of as many as are to be filled.
+    /// A job that fills bands in `values`.
     vulkan::Job job(const vulkan::Buffer& values) const;
 
-    /// Has `job` fill a band. `before`: values in its buffer before those of the band.
+    /// Submits a job that fills a band. `before`: values in its buffer before the band.
     void submit(vulkan::Job& job, const Band& band, int before = 0,
                 const std::optional<vulkan::Job::Copy>& copy = {}) const;
 
@@ -41,18 +40,18 @@ class Renderer {
     std::vector<vulkan::Buffer> tables_;
 };
 
-/// Work groups of a side of `group` that cover so many invocations.
+/// The number of work groups of `group` invocations that cover so many.
 constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
     return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
 }
 
-/// Where the values of a band are written: the device's memory, or that of the host where it is the same.
+/// The memory for values: the device's, or the host's if both are the same.
 vulkan::Memory values_memory(const vulkan::Device& device);
 
-/// `cpu` or `gpu`.
+/// Whether a device is a CPU or a GPU.
 DeviceKind kind_of(const vulkan::Device& device);
 
-/// A table on the device.
+/// Copies values to a buffer on the device.
 template <typename T>
 vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values) {
     vulkan::Buffer buffer(device, values.size() * sizeof(T), vulkan::Memory::upload);
@@ -66,13 +65,12 @@ struct Times {
     double gpu = 0;            ///< seconds that the passes took on the device, NaN where it cannot tell
 };
 
-/// Renders `region` of a checked request from top to bottom and hands whole rows to `sink`, band by band:
-/// while one band is taken the next is on the device. Memory does not grow with the height. What `sink`
-/// throws ends it.
+/// Renders `region` of a checked request from top to bottom and passes whole rows to `sink`, band by band,
+/// while the device draws the next band. Memory does not grow with the height. `sink` may throw.
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const std::function<void(std::span<const float>)>& sink);
 
-/// The same of a renderer's plan.
+/// Does the same for a renderer's plan.
 Times render_plan(const vulkan::Device& device, const Renderer& renderer,
                   const std::function<void(std::span<const float>)>& sink);
 

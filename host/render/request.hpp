@@ -13,14 +13,14 @@
 
 namespace gabor::render {
 
-/// The noise in the plane: pixel (x, y), rows growing downwards, shows it at
-/// ((x + 0.5) / scale, (y + 0.5) / scale) kernel radii.
+/// The plane: pixel (x, y), with y growing downwards, shows the noise at ((x + 0.5) / scale, (y + 0.5) /
+/// scale) kernel radii.
 struct Plane {
-    bool tileable = false; ///< continues from each edge at the opposite one; needs 2 kernel radii each way
+    bool tileable = false; ///< opposite edges match; each side must be at least 2 kernel radii
     bool operator==(const Plane&) const = default;
 };
 
-/// A plane in perspective, of the request's scale at its bottom row, under an empty sky.
+/// A plane in perspective under an empty sky, with the request's scale at its bottom row.
 struct Horizon {
     bool operator==(const Horizon&) const = default;
 };
@@ -33,22 +33,22 @@ struct Slice {
 
 enum class Shape { sphere, torus };
 
-/// A sphere or a torus around the axis z that carries noise, in perspective. It fits the shorter side of the
-/// picture, and has the request's scale where a sphere is nearest.
+/// A sphere or a torus around the z axis, in perspective. It fits the shorter side of the picture; the scale
+/// is that of the nearest point of a sphere.
 struct Body {
     Shape shape = Shape::sphere;
-    bool solid = false; ///< cut out of noise in space; else waves lie in the tangent plane of its surface
-    double yaw = 0;     ///< of the eye around the axis, degrees
-    double pitch = 30;  ///< of the eye above the equator, degrees
-    double zoom = 1;    ///< how much larger than to fit the picture the body is
+    bool solid = false; ///< carved out of noise in space; otherwise waves lie in the tangent plane
+    double yaw = 0;     ///< camera azimuth, degrees
+    double pitch = 30;  ///< camera elevation above the equator, degrees
+    double zoom = 1;    ///< 1 fits the picture
     bool operator==(const Body&) const = default;
 };
 
 using View = std::variant<Plane, Horizon, Slice, Body>;
 
-/// Everything that decides the pixels of a picture. render/parameters.hpp has the table of what is in it:
-/// names, units, ranges, help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency
-/// 4; above, and for the sine kernels of `paper` below 0.1, in proportion to the frequency and its inverse.
+/// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
+/// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above,
+/// the error grows with the frequency; below 0.1, for the sine kernels of `paper`, with its inverse.
 struct Request {
     int width = 1024;  ///< pixels
     int height = 1024; ///< pixels
@@ -56,52 +56,51 @@ struct Request {
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
-    double time = 0; ///< in periods of an animation that ends where it began
+    double time = 0; ///< in periods of the animation
     View view = Plane();
-    std::string material =
-        "none"; ///< what to make of noises of its own, in place of the noise: see render/material.hpp
-    bool filter = false;    ///< pixels are seen through a normal filter with a deviation of half a pixel
-    std::string paint = {}; ///< an EXR with channels `frequency` and `orientation`, in degrees, stretched
-                            ///< over the picture in place of those of the lobe; empty for none
+    std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
+    bool filter = false;           ///< antialias with a normal filter of half a pixel
+    std::string paint = {}; ///< EXR with channels `frequency` and `orientation` (degrees), stretched over the
+                            ///< picture; replaces those of the lobe; empty for none
 
-    // What stands beside the noise in each pixel.
+    // Additional channels.
     bool quadrature = false; ///< the noise with cosines for sines
-    bool gradient = false;   ///< derivatives per kernel radius; on a body along the picture's right and down
+    bool gradient = false;   ///< derivatives per kernel radius, to the picture's right and down
     bool phasor = false;     ///< phase, in turns, and intensity
-    int values = 1;          ///< uncorrelated noises, 1 to 4
+    int values = 1;          ///< independent noises, 1 to 4
 
-    /// Channels R, G and B in place of the noise. Its weights are of the lobes, in their order.
+    /// Channels R, G and B in place of the noise. Its weights are in the order of the lobes.
     std::optional<noise::Colour> colour = {};
 
     bool operator==(const Request&) const = default;
 };
 
-/// Whether a view shows a plane from above, at one scale.
+/// Whether a view shows a plane from above.
 bool is_flat(const View& view);
 
-/// Whether it is seen in perspective on a horizon.
+/// Whether the view is a horizon.
 bool in_perspective(const Request& request);
 
-/// Whether the waves run along a body's surface, and not through it.
+/// Whether the waves run along a body's surface instead of through it.
 bool along_surface(const Request& request);
 
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 
-/// Whether it is a picture of a material in place of the noise.
+/// Whether a material is drawn in place of the noise.
 bool has_material(const Request& request);
 
-/// The recipe that draws it: the one asked for, but in space always `lattice`.
+/// The recipe that draws the request: in space always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
-/// Whether its pixels can be filtered: in the plane by the recipe `lattice` alone.
+/// Whether pixels can be filtered: in the plane only with the recipe `lattice`.
 bool can_filter(const Request& request);
 
-/// Whether waves have all orientations: noise in space has one, or all.
+/// Whether the waves of a lobe have all orientations.
 bool is_isotropic(const noise::Lobe& lobe);
 
-/// The channels of a picture's pixels, in the order of their values, as EXR names them: `Y` is the noise, and
-/// in space `A`, the last one, the share of the pixel that is covered.
+/// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise and, in space, the last
+/// one `A` is the covered share of the pixel.
 std::vector<std::string> channels(const Request& request);
 
 } // namespace gabor::render

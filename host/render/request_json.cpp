@@ -17,7 +17,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using noise::Lobe;
 
-// Names of files may hold any bytes.
+// File names may hold any bytes.
 template <typename Json>
 std::string dumped(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -96,7 +96,7 @@ ordered_json json_of(const Parameter& p, const Value& value) {
     return std::get<bool>(value);
 }
 
-// Numbers in lists, of as many as the array has.
+// Reads nested lists of the array's length.
 template <typename T, std::size_t count>
 void read_numbers(std::array<T, count>& values, const json& list, std::string_view name) {
     if (!list.is_array() || list.size() != count)
@@ -162,7 +162,7 @@ std::string to_json(const Request& request) {
     Request drawn = request;
     drawn.recipe = drawing_recipe(request);
     ordered_json object;
-    // A single lobe is written by the values that have options of their own, where the others are by default.
+    // A single lobe is written as separate values if its other values are defaults.
     const Lobe& lobe = request.lobes.front();
     const bool by_values = request.lobes.size() == 1 && lobe.power == 1 && lobe.radius == 1;
     for (const Parameter& p : parameters())
@@ -177,12 +177,12 @@ Request from_json(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object())
         throw RequestError("the parameters are not a JSON object");
-    Values deciding; // which other parameters there are
+    Values deciding; // they decide which other parameters exist
     Values others;
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum" || name == "viewer") // of versions before 1.1.0; how gabor-viewer shows it
+        if (name == "sum" || name == "viewer") // from versions before 1.1.0, and for gabor-viewer
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);
@@ -192,7 +192,7 @@ Request from_json(std::string_view text) {
         const Value value = value_of(p, entry);
         const auto* lobes = std::get_if<std::vector<Lobe>>(&value);
         if (lobes && lobes->empty())
-            continue; // the lobe of the other values
+            continue; // the other values describe the lobe
         has_lobes |= lobes != nullptr;
         (lobes || p.kind == Kind::choice ? deciding : others).emplace_back(&p, value);
     }

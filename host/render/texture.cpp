@@ -48,7 +48,7 @@ int drawn_levels(const image::Rect& region) {
     return static_cast<int>(std::bit_width(static_cast<unsigned>(std::min(region.width, region.height))));
 }
 
-// Pixel centres are at (i + 0.5) / scale, so that this is the same noise under larger pixels.
+// Pixel centres are at (i + 0.5) / scale, so this is the same noise in larger pixels.
 Request texture_level(Request request, int level) {
     request.filter = true;
     request.width >>= level;
@@ -75,13 +75,13 @@ image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Req
 
 using Write = std::function<void(std::span<const float>)>;
 
-// Hands the rows of all levels to `write`: `draw` those that are drawn.
+// Passes the rows of all levels to `write`. `draw` draws a level.
 void write_levels(const image::Rect& region, std::size_t channels, const Write& write,
                   const std::function<void(int level, const Write&)>& draw) {
     int level = 0;
     for (; level + 1 < drawn_levels(region); ++level)
         draw(level, write);
-    // A line's levels have pixels that are no longer squares: averages of two.
+    // Below a line, pixels are not square: average two.
     std::vector<float> line;
     draw(level, [&](std::span<const float> values) {
         write(values);
@@ -137,7 +137,7 @@ image::Rect join_texture(std::span<const std::filesystem::path> regions, const s
                          bool half, const std::function<void(std::uint64_t)>& advance) {
     constexpr std::string_view accepted =
         "accepted are regions of one picture's levels, from gabor render --level";
-    // The files of each level, the largest first.
+    // The files of each level, largest level first.
     std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
     for (const std::filesystem::path& path : regions) {
         const image::Rect picture = image::ExrReader(path).picture();

@@ -19,7 +19,7 @@ struct Variances {
     double slope_y = 0;
 };
 
-// Of a wave along one axis, in its own kernel radii: its derivative and that of its windows are uncorrelated.
+// A wave along one axis, in its own kernel radii. Its slope and that of its windows are uncorrelated.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);
@@ -27,8 +27,7 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Of the lattice in the plane, the sum over its waves. None where a pixel is wider than the filter is made
-// for.
+// Sums over the waves of the lattice in the plane. None if a pixel is too wide for the filter.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
@@ -56,9 +55,9 @@ std::optional<Variances> variances(const Request& request) {
 std::optional<double> known_variance(const Request& request, std::string_view channel) {
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !in_space(request))
-        return {}; // the sky belongs to the picture too
+        return {}; // the picture includes the sky
     constexpr std::array noises{"Y", "second", "third", "fourth"};
-    // Two phases make sines, whose cosines have another variance.
+    // With two phases, the kernels' cosines have another variance.
     const bool noise = std::ranges::find(noises, channel) != noises.end() ||
                        (channel == "quadrature" && drawing_recipe(request).phases != 2);
     if (noise && !request.filter)
