@@ -45,6 +45,8 @@ const browser = await chromium.launch({
            "--disable-component-update", "--disable-sync", ...angle, ...flags,
            "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
 });
+// tools/test-engines ends this process after 600 s, but not the browser.
+setTimeout(() => browser.close(), 580000).unref();
 try {
     const tab = await browser.newPage();
     tab.on("console", message => console.error(message.text()));
