@@ -69,12 +69,13 @@ class Erode(ProgramTest):
                     np.testing.assert_array_equal(part[name], values[y:y + height, x:x + width], name)
 
     def test_tiles_close(self):
-        """From the last row and column to the first it is no further than from any to the next."""
+        """Across its edges a tile steps no further than inside; a map eroded without --tileable does."""
         def edges(values):
             return np.abs(values[0] - values[-1]).mean() + np.abs(values[:, 0] - values[:, -1]).mean()
         inner = lambda values: np.abs(np.diff(values, axis=0)).mean() + np.abs(np.diff(values, axis=1)).mean()
         tile, patch = self.eroded("--seed=3", "--tileable")["height"], self.eroded("--seed=3")["height"]
-        self.assertLess(edges(tile), 1.5 * inner(tile))
+        # Seeds 1 to 12 measure 0.90 to 1.05 for tiles and 1.26 to 1.90 for patches, on average 0.97 and 1.55.
+        self.assertLess(edges(tile), 1.15 * inner(tile))
         self.assertGreater(edges(patch), 1.3 * inner(patch))
 
     def test_bands_do_not_show(self):
