@@ -156,6 +156,8 @@ void compare(const Material& material) {
                    "far {:.3f}\n",
                    material.name, render::material_channels[channel], contrast, error, points, mean,
                    deviation_of(far, channel) / contrast);
+        // Seed 7 reaches 0.353 (scratches) and 0.0325 (fabric). The error depends on the seed: seeds 1 to 8
+        // reach 0.55 in scratches (on average 0.38) and 0.038 in fabric (on average 0.028).
         CHECK(error < 0.38);
         CHECK((channel == height_channel || error * contrast < 0.036));
         CHECK(std::abs(mean) < 0.05);
