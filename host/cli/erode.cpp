@@ -1,16 +1,14 @@
 #include "cli/commands.hpp"
+#include "cli/heights.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "image/exr.hpp"
-#include "image/output_file.hpp"
-#include "image/png.hpp"
 #include "image/raw16.hpp"
 #include "render/erosion.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +24,6 @@ namespace gabor::cli {
 namespace {
 
 constexpr int most_side = 16384;
-constexpr double preset_extent = 8; // hills of the presets are as wide as half of a map of this extent
 
 struct ErodeOptions {
     std::filesystem::path map;
@@ -34,51 +31,12 @@ struct ErodeOptions {
     std::vector<int> size;
     std::vector<int> region;
     std::vector<double> elevation;
-    double extent = preset_extent;
-    std::string preset = "alps";
-    std::vector<std::optional<double>> members; ///< of Erosion, in the order of its table
+    double extent = 2 * preset_hill;
+    GullyOptions gullies;
     std::uint32_t seed = 0;
     bool tileable = false;
     std::string device;
 };
-
-bool has_extension(const std::filesystem::path& path, std::string_view extension) {
-    std::string own = path.extension().string();
-    std::ranges::transform(own, own.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return own == extension;
-}
-
-std::string preset_names() {
-    std::string names;
-    for (const render::ErosionPreset& preset : render::erosion_presets())
-        names += (names.empty() ? "" : ", ") + std::string(preset.name);
-    return names;
-}
-
-// The preset's gullies, in the map's unit, and what was asked for instead.
-render::Erosion erosion_of(const ErodeOptions& options) {
-    const auto presets = render::erosion_presets();
-    const auto preset = std::ranges::find(presets, options.preset, &render::ErosionPreset::name);
-    if (preset == presets.end())
-        throw RequestError(fmt::format("--preset '{}': it takes {}", options.preset, preset_names()));
-    render::Erosion erosion = preset->erosion;
-    erosion.frequency *= preset_extent / options.extent;
-    const auto parameters = render::erosion_parameters();
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (!options.members[i])
-            continue;
-        const render::ErosionParameter& parameter = parameters[i];
-        const double value = *options.members[i];
-        const bool octaves = parameter.member == &render::Erosion::octaves;
-        if (!(value >= parameter.low && value <= parameter.high) || (octaves && value != std::floor(value)))
-            throw RequestError(fmt::format("--{} {}: it takes {} from {} to {}", parameter.name, value,
-                                           octaves ? "a whole number" : "a number", parameter.low,
-                                           parameter.high));
-        erosion.*parameter.member = value;
-    }
-    return erosion;
-}
 
 render::HeightMap map_of(const ErodeOptions& options) {
     render::HeightMap map;
@@ -107,68 +65,6 @@ render::HeightMap map_of(const ErodeOptions& options) {
     return map;
 }
 
-// Heights of 0 and 65535 in files of 16 bits.
-struct Elevation {
-    double low;
-    double high;
-};
-
-// A heightmap of 16 bits with a file beside it that says what its numbers mean.
-class HeightWriter {
-  public:
-    HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
-                 double pixel)
-        : elevation_(elevation), scale_(path.string() + ".json") {
-        if (has_extension(path, ".png"))
-            png_.emplace(path, region.width, region.height, 1, 16);
-        else
-            raw_.emplace(path);
-        const nlohmann::ordered_json scale{{"width", region.width},
-                                           {"height", region.height},
-                                           {"extent", {region.width * pixel, region.height * pixel}},
-                                           {"elevation", {elevation.low, elevation.high}}};
-        const std::string text = scale.dump(2) + "\n";
-        scale_.write(std::as_bytes(std::span(text)));
-    }
-
-    void write_rows(std::span<const float> eroded) {
-        levels_.clear();
-        for (std::size_t i = 0; i < eroded.size(); i += render::erosion_channels.size())
-            levels_.push_back(
-                static_cast<float>((eroded[i] - elevation_.low) / (elevation_.high - elevation_.low)));
-        if (png_)
-            png_->write_rows(levels_);
-        else
-            raw_->write_rows(levels_);
-    }
-
-    void commit() {
-        if (png_)
-            png_->commit();
-        else
-            raw_->commit();
-        scale_.commit();
-    }
-
-  private:
-    Elevation elevation_;
-    image::OutputFile scale_;
-    std::optional<image::PngWriter> png_;
-    std::optional<image::Raw16Writer> raw_;
-    std::vector<float> levels_;
-};
-
-image::Rect region_of(const ErodeOptions& options, const render::HeightMap& map) {
-    if (options.region.empty())
-        return {0, 0, map.width, map.height};
-    const image::Rect r{options.region[0], options.region[1], options.region[2], options.region[3]};
-    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > map.width - r.x ||
-        r.height > map.height - r.y)
-        throw RequestError(fmt::format("--region {},{},{},{} is not within the map of {} x {} pixels", r.x,
-                                       r.y, r.width, r.height, map.width, map.height));
-    return r;
-}
-
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
         throw RequestError(fmt::format("--extent {}: it takes the map's width, more than 0", options.extent));
@@ -180,9 +76,9 @@ void erode(const ErodeOptions& options) {
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself: it takes another file", options.output.string()));
-    const render::Erosion erosion = erosion_of(options);
+    const render::Erosion erosion = options.gullies.erosion(options.extent / 2);
     render::HeightMap map = map_of(options);
-    const image::Rect region = region_of(options, map);
+    const image::Rect region = region_within(options.region, map.width, map.height);
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
@@ -267,17 +163,7 @@ void add_erode_command(CLI::App& app) {
         ->type_name("RANGE")
         ->delimiter(',')
         ->expected(2);
-    command
-        ->add_option("--preset", options->preset,
-                     fmt::format("Shape of the gullies: {} [alps]", preset_names()))
-        ->type_name("NAME");
-    const auto parameters = render::erosion_parameters();
-    options->members.resize(parameters.size());
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        command
-            ->add_option(fmt::format("--{}", parameters[i].name), options->members[i],
-                         std::string(parameters[i].summary))
-            ->type_name("NUMBER");
+    options->gullies.add_to(*command);
     command->add_option("--seed", options->seed, "Another seed gives other gullies [0]")->type_name("NUMBER");
     command->add_flag("--tileable", options->tileable, "The map is a tile, and so is what comes out");
     command

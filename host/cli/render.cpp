@@ -406,6 +406,8 @@ void add_render_command(CLI::App& app) {
             "Only this level of what --texture draws, as a picture with its sides and its scale, for "
             "`gabor join --texture`: 0 is the largest")
         ->type_name("NUMBER");
+    command->add_flag_callback(
+        "--terrain", [] {}, "Draw eroded mountains instead, with the options of gabor terrain");
     command->add_flag("--verbose", options->verbose, "Also print where time and memory went");
     command->callback([options, start] { render_pictures(*options, start); });
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace gabor::render {
@@ -150,6 +151,7 @@ passes::ErodePush push_of(const HeightMap& map, const Erosion& erosion, std::uin
     push.seed = seed;
     push.map_width = map.width;
     push.tileable = map.tileable;
+    push.hills = !map.open;
     push.first_column = region.x;
     push.width = region.width;
     push.octaves = static_cast<int>(erosion.octaves);
@@ -189,7 +191,8 @@ void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& er
     const auto width = static_cast<std::size_t>(map.width);
     const int rows = std::clamp(static_cast<int>(most_band_pixels / width), 1, region.height);
     const auto most = static_cast<std::size_t>(rows);
-    const vulkan::Buffer heights(device, (most + 2 * map_halo) * width * sizeof(float),
+    const bool hills = !map.open;
+    const vulkan::Buffer heights(device, hills ? sizeof(float) : (most + 2 * map_halo) * width * sizeof(float),
                                  vulkan::Memory::upload);
     const std::size_t values = static_cast<std::size_t>(region.width) * passes::erode_channels;
     const vulkan::Buffer eroded(device, most * values * sizeof(float), vulkan::Memory::readback);
@@ -197,17 +200,21 @@ void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& er
     vulkan::Job job(device, pass, {heights, eroded});
 
     passes::ErodePush push = push_of(map, erosion, seed, region);
-    MapRows source(map, region.y);
+    std::optional<MapRows> source;
+    if (!hills)
+        source.emplace(map, region.y);
     const std::span<float> band = heights.as<float>();
     int filled = 0; // rows in the band's buffer
     for (int done = 0; done < region.height; done += push.height) {
         push.first_row = region.y + done;
         push.height = std::min(rows, region.height - done);
-        for (; filled < push.height + 2 * map_halo; ++filled)
-            source.next(band.subspan(static_cast<std::size_t>(filled) * width, width));
+        for (; source && filled < push.height + 2 * map_halo; ++filled)
+            source->next(band.subspan(static_cast<std::size_t>(filled) * width, width));
         job.submit(push, {groups(push.width, passes::erode_group), groups(push.height, passes::erode_group)});
         job.wait();
         write(eroded.as<float>().first(static_cast<std::size_t>(push.height) * values));
+        if (hills)
+            continue;
         const auto kept =
             static_cast<std::size_t>(2 * map_halo) * width; // the last rows are the next band's first
         std::ranges::copy(band.subspan(static_cast<std::size_t>(push.height) * width, kept), band.begin());

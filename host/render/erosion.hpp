@@ -47,12 +47,16 @@ struct ErosionPreset {
 };
 std::span<const ErosionPreset> erosion_presets();
 
+/// The hills of gabor_terrain stay within this of height 0: six deviations.
+inline constexpr double hill_reach = 2;
+
 /// The most that erosion raises or lowers a height, in the unit of 1 / frequency.
 double erosion_reach(const Erosion& erosion);
 
 /// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
 struct HeightMap {
-    std::function<std::unique_ptr<image::PictureReader>()> open; ///< one channel of heights
+    /// One channel of heights; empty for the hills of gabor_terrain, which are about four units wide.
+    std::function<std::unique_ptr<image::PictureReader>()> open;
     int width = 0;
     int height = 0;
     double pixel = 1;

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Erodes a band of a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
+// Erodes a band of a heightmap, or of the hills of gabor_terrain. A map's slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
 // binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
 
 #include "passes/erode_interface.h"
@@ -39,12 +39,16 @@ void main() {
     if (here.x >= width || here.y >= height)
         return;
     int column = first_column + here.x;
-    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
     GaborErosion erosion = GaborErosion(octaves, frequency, strength, lacunarity, gain, onset, detail, sharpness,
                                         ridge_rounding, crease_rounding, gully_weight, branching);
     vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
-    GaborTerrain terrain = gabor_eroded_at(GaborGround(ivec2(0), p, period), vec2(pixel, 0.0), vec2(0.0, pixel), base,
-                                           erosion, seed);
+    GaborGround ground = GaborGround(ivec2(0), p, period);
+    GaborTerrain base;
+    if (hills != 0)
+        base = gabor_terrain_at(ground, seed);
+    else
+        base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
+    GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
     int at = erode_channels * (here.y * width + here.x);
     eroded[at] = terrain.height;
     eroded[at + 1] = terrain.slope.x;

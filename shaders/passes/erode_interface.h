@@ -17,6 +17,7 @@ GABOR_PUSH_CONSTANTS(ErodePush) {
     uint seed;
     int map_width; // pixels
     int tileable;  // whether the map's columns repeat
+    int hills;     // 1: hills of gabor_terrain in place of a map
     int first_column;
     int first_row; // of the band in the map; the heights begin erode_halo rows above it
     int width;

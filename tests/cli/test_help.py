@@ -8,13 +8,17 @@ import unittest
 from program import ProgramTest
 
 
+GULLIES = ("--octaves", "--frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness", "--ridge-rounding",
+           "--crease-rounding", "--gully-weight", "--branching")
+
+
 class Help(ProgramTest):
     def test_version(self):
         self.assertRegex(self.succeed("--version"), r"\Agabor \d+\.\d+\.\d+\n\Z")
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "join", "erode", "stats", "fit", "devices", "recipes"):
+        for command in ("render", "terrain", "erode", "join", "stats", "fit", "devices", "recipes"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -24,11 +28,11 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
-                              "--zoom", "--material"),
-                   "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", "--octaves",
-                             "--frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness",
-                             "--ridge-rounding", "--crease-rounding", "--gully-weight", "--branching", "--seed", "--tileable",
-                             "--device"),
+                              "--zoom", "--material", "--terrain"),
+                   "terrain": ("-o,--output", "--png", "--heightmap", "--size", "--region", "--extent", "--hills", "--elevation", "--preset", *GULLIES,
+                               "--seed", "--tileable", "--device"),
+                   "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
+                             "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",)}

@@ -1,0 +1,93 @@
+"""`gabor terrain`, also as `gabor render --terrain`: eroded mountains in any unit, alike in regions and as a whole."""
+
+import json
+import unittest
+
+import numpy as np
+from exr import Exr
+from program import ProgramTest
+from test_erode import read_png16
+
+GROUND = "terrain", "--size=160x96", "--seed=5"
+
+
+class Terrain(ProgramTest):
+    def drawn(self, *options, size="160x96"):
+        self.succeed("terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
+        return Exr(self.folder / "out.exr").channels
+
+    def test_hills_and_what_erosion_adds_are_the_height(self):
+        hills, mountains = self.drawn("--octaves=0"), self.drawn()
+        self.assertEqual(set(mountains), {"height", "slope.x", "slope.y", "ridge", "erosion"})
+        self.assertGreater(hills["height"].std(), 0.1)
+        self.assertGreater(mountains["erosion"].std(), 0.01)
+        np.testing.assert_allclose(mountains["height"], hills["height"] + mountains["erosion"], atol=1e-6)
+        self.assertGreater(mountains["ridge"].std(), 0.2)
+
+    def test_the_hills_slope_is_their_heights_difference(self):
+        hills, pixel = self.drawn("--octaves=0", "--extent=1", "--hills=4"), 1 / 160
+        for name, axis in (("slope.x", 1), ("slope.y", 0)):
+            middle = np.take(hills[name], range(1, hills[name].shape[axis] - 1), axis)
+            upper, lower = (np.take(hills["height"], range(start, hills[name].shape[axis] - 2 + start), axis) for start in (2, 0))
+            np.testing.assert_allclose(middle, (upper - lower) / (2 * pixel), atol=0.002)
+
+    def test_every_gully_parameter_counts(self):
+        plain = self.drawn()["height"]
+        for option in ("octaves=3", "frequency=2", "strength=0.3", "lacunarity=3", "gain=0.7", "onset=2", "detail=0.5",
+                       "sharpness=9", "ridge-rounding=2", "crease-rounding=2", "gully-weight=0.1", "branching=0", "preset=canyon",
+                       "hills=3", "extent=9", "tileable"):
+            with self.subTest(option):
+                self.assertGreater(np.abs(self.drawn(f"--{option}")["height"] - plain).max(), 0.005)
+
+    def test_a_region_is_a_part_of_the_whole(self):
+        whole, part = self.drawn(), self.drawn("--region=37,50,90,31")
+        for name, values in part.items():
+            np.testing.assert_array_equal(values, whole[name][50:81, 37:127])
+
+    def test_tiles_close(self):
+        tile = self.drawn("--tileable", size="96x96")["height"]
+        for tile in (tile, tile.T):
+            steps = np.abs(np.diff(tile, axis=0))
+            self.assertLess(np.abs(tile[0] - tile[-1]).mean(), 2 * steps.mean())
+            self.assertLess(np.abs(tile[0] - tile[-1]).max(), 1.5 * steps.max())
+
+    def test_units(self):
+        small, large = self.drawn(), self.drawn("--extent=8000")
+        for name, factor in (("height", 1000), ("erosion", 1000), ("slope.x", 1), ("ridge", 1)):
+            np.testing.assert_allclose(large[name], factor * small[name], atol=2e-4 * factor)
+
+    def test_heightmaps_have_a_range_that_no_region_changes(self):
+        self.succeed(*GROUND, "--heightmap", "whole.png", "-o", "whole.exr", "--png", "view.png")
+        self.succeed(*GROUND, "--heightmap", "part.r16", "--region=10,20,40,30")
+        scales = [json.loads((self.folder / f"{name}.json").read_text()) for name in ("whole.png", "part.r16")]
+        self.assertEqual(scales[0]["elevation"], scales[1]["elevation"])
+        np.testing.assert_allclose([scale["extent"] for scale in scales], [[8, 4.8], [2, 1.5]])
+        levels = read_png16(self.folder / "whole.png")
+        part = np.frombuffer((self.folder / "part.r16").read_bytes(), "<u2").reshape(30, 40)
+        np.testing.assert_array_equal(part, levels[20:50, 10:50])
+        low, high = scales[0]["elevation"]
+        heights = Exr(self.folder / "whole.exr").channels["height"]
+        np.testing.assert_allclose(low + (high - low) * levels / 65535, heights, atol=(high - low) / 65535)
+        self.assertGreater((self.folder / "view.png").stat().st_size, 10000)
+
+    def test_render_draws_it_too(self):
+        expected = self.drawn()
+        self.succeed("render", "--terrain", *GROUND[1:], "-o", "again.exr")
+        np.testing.assert_array_equal(Exr(self.folder / "again.exr").channels["height"], expected["height"])
+
+    def test_wrong_requests(self):
+        for options, words in (([], ["nothing to write", "-o"]), (["-o", "a.png"], ["a.png", ".exr"]),
+                               (["--heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
+                               (["--png", "a.png", "--heightmap", "a.png"], ["same file"]),
+                               (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=0"], ["--extent"]),
+                               (["-o", "a.exr", "--hills=-1"], ["--hills"]), (["-o", "a.exr", "--preset=moon"], ["alps"]),
+                               (["-o", "a.exr", "--octaves=2.5"], ["whole number"]),
+                               (["-o", "a.exr", "--region=0,0,161,1"], ["--region"]),
+                               (["-o", "a.exr", "--elevation=2,1"], ["--elevation"])):
+            with self.subTest(options):
+                self.assert_refused(words, *GROUND, *options)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
