@@ -192,7 +192,8 @@ void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& er
     const int rows = std::clamp(static_cast<int>(most_band_pixels / width), 1, region.height);
     const auto most = static_cast<std::size_t>(rows);
     const bool hills = !map.open;
-    const vulkan::Buffer heights(device, hills ? sizeof(float) : (most + 2 * map_halo) * width * sizeof(float),
+    const vulkan::Buffer heights(device,
+                                 hills ? sizeof(float) : (most + 2 * map_halo) * width * sizeof(float),
                                  vulkan::Memory::upload);
     const std::size_t values = static_cast<std::size_t>(region.width) * passes::erode_channels;
     const vulkan::Buffer eroded(device, most * values * sizeof(float), vulkan::Memory::readback);
