@@ -5,6 +5,10 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     oak.rings = 20.0;
+//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
+//
 // One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -25,33 +29,206 @@ struct GaborMaterial {
     float metalness; // 0 or 1
 };
 
-// The material at p; the number of noises that it evaluates is in brackets.
-// GaborMaterial gabor_wood(vec2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
-// GaborMaterial gabor_fabric(vec2 p, uint seed)           linen: a plain weave of uneven threads [5]
-// GaborMaterial gabor_leather(vec2 p, uint seed)          pebbled grain: cells between creases [8]
-// GaborMaterial gabor_marble(vec2 p, uint seed)           white, with veins of four sizes [12]
-// GaborMaterial gabor_sand(vec2 p, uint seed)             wind ripples, steep on one side, and grains [7]
-// GaborMaterial gabor_ripples(vec2 p, uint seed)          water under a light wind [14]
-// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)    streaks along x [5]
-// GaborMaterial gabor_scratches(vec2 p, uint seed)        hairlines in a dark lacquer [28]
-// GaborMaterial gabor_zebra(vec2 p, uint seed)            stripes that fork, and hair [5]
-// GaborMaterial gabor_bark(vec2 p, uint seed)             furrows and plates, moss [11]
-// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)     a twill of black tows [3]
-// GaborMaterial gabor_strata(vec2 p, uint seed)           layers of sandstone, seen from the side [11]
+// ---- Where to draw -------------------------------------------------------------------------------------------------
 
-// The same averaged over a pixel. dx and dy are dFdx(p) and dFdy(p): the change of p from one pixel to the next. Noises
-// that only displace the pattern cost as much as unfiltered, all others as much as gabor_noise_filtered.
+// A place, and the area of its pixel.
+struct GaborPixel {
+    vec2 p;
+    vec2 dx; // change of p to the pixel on the right
+    vec2 dy; // and to the one below
+    bool filtered;
+    vec2 period; // 0 for none
+};
+
+// GaborPixel gabor_pixel(vec2 p)
+//     The place p.
+
+// GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
+//     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
+//     as unfiltered, all others as much as gabor_noise_filtered.
+
+// GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
+//     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
+//     period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
+//     as it does without one; in a shorter one its slow changes are faster.
+
+// ---- Materials -----------------------------------------------------------------------------------------------------
+//
+// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults. Colours
+// are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change the look.
+// The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
+
+// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+struct GaborWood {
+    vec3 early;      // colour of the early wood
+    vec3 late;       // colour of the late wood
+    float rings;     // year rings per unit, 2 to 60
+    float waviness;  // bends of the rings, 0 to 3
+    float pores;     // strength of the pores, 0 to 1
+    float roughness; // of the early wood, 0 to 1
+};
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed)
+// GaborMaterial gabor_wood(vec2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+struct GaborFabric {
+    vec3 warp;        // colour of the threads along y
+    vec3 weft;        // colour of the threads along x
+    float threads;    // threads per unit, 2 to 60
+    float unevenness; // of the threads' thickness, shade and course, 0 to 2
+    float relief;     // height of the weave, 0 to 3
+    float roughness;  // 0 to 1
+};
+// GaborFabric gabor_fabric_default()
+// GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
+// GaborMaterial gabor_fabric(vec2 p, uint seed)
 // GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Pebbled grain: cells between creases [8 noises; period 3 x 3].
+struct GaborLeather {
+    vec3 pebble;     // colour of the cells
+    vec3 crease;     // colour between them
+    float cells;     // cells per unit, 2 to 30
+    float wrinkles;  // bends of the rows of cells, 0 to 3
+    float relief;    // height of the cells, 0 to 3
+    float roughness; // of the cells, 0 to 0.7
+};
+// GaborLeather gabor_leather_default()
+// GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed)
+// GaborMaterial gabor_leather(vec2 p, uint seed)
 // GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Polished stone with veins of four sizes [12 noises; period 3 x 3].
+struct GaborMarble {
+    vec3 stone;       // colour of the stone
+    vec3 vein;        // colour of the darkest veins
+    float veins;      // strength of the veins, 0 to 1.3
+    float turbulence; // bends of the veins, 0 to 2
+    float clouds;     // darkening by clouds, 0 to 1
+    float roughness;  // 0 to 1
+};
+// GaborMarble gabor_marble_default()
+// GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed)
+// GaborMaterial gabor_marble(vec2 p, uint seed)
 // GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
+struct GaborSand {
+    vec3 trough;     // colour between the ripples
+    vec3 crest;      // colour on top of them
+    float ripples;   // ripples per unit, 1 to 20
+    float relief;    // height of the ripples, in units of p, 0 to 0.2
+    float grain;     // contrast of the grains, 0 to 0.25
+    float roughness; // 0 to 1
+};
+// GaborSand gabor_sand_default()
+// GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed)
+// GaborMaterial gabor_sand(vec2 p, uint seed)
 // GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Water under a light wind [14 noises; period 8 x 8].
+struct GaborRipples {
+    vec3 deep;       // colour of the troughs
+    vec3 shallow;    // colour of the crests
+    float waves;     // longest waves per unit, 0.1 to 5
+    float direction; // of the wind, -6.2832 to 6.2832 radians
+    float spread;    // range of the waves' directions, 0 to 6.2832 radians
+    float relief;    // height of the longest waves, in units of p, 0 to 0.2
+    float roughness; // 0 to 1
+};
+// GaborRipples gabor_ripples_default()
+// GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed)
+// GaborMaterial gabor_ripples(vec2 p, uint seed)
 // GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Streaks along x [5 noises; period 5 x 1].
+struct GaborBrushedMetal {
+    vec3 colour;     // colour of the metal
+    float streaks;   // widest streaks per unit, 1 to 50
+    float contrast;  // of the streaks, 0 to 0.5
+    float relief;    // height of the widest streaks, in units of p, 0 to 0.01
+    float roughness; // 0 to 1
+};
+// GaborBrushedMetal gabor_brushed_metal_default()
+// GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed)
+// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)
 // GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Hairlines in a lacquer [28 noises; period 8 x 8].
+struct GaborScratches {
+    vec3 lacquer;    // colour of the lacquer
+    vec3 scratch;    // colour in the scratches
+    float amount;    // how many scratches, 0.01 to 8
+    float reach;     // length of the scratches, in units of p, 0.3 to 10
+    float direction; // middle of their directions, -6.2832 to 6.2832 radians
+    float spread;    // range of their directions, 0 to 3.1416 radians
+    float depth;     // of the scratches, in units of p, 0 to 0.02
+    float roughness; // 0 to 1
+};
+// GaborScratches gabor_scratches_default()
+// GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed)
+// GaborMaterial gabor_scratches(vec2 p, uint seed)
 // GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Stripes that fork, and hair [5 noises; period 4 x 4].
+struct GaborZebra {
+    vec3 bright;     // colour between the stripes
+    vec3 stripe;     // colour of the stripes
+    float stripes;   // stripes per unit, 0.5 to 20
+    float direction; // across the stripes, -6.2832 to 6.2832 radians
+    float bends;     // change of their direction, 0 to 1.5 radians
+    float hair;      // contrast of the hair, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborZebra gabor_zebra_default()
+// GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed)
+// GaborMaterial gabor_zebra(vec2 p, uint seed)
 // GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+struct GaborBark {
+    vec3 plate;      // colour of the plates
+    vec3 furrow;     // colour of the furrows
+    vec3 moss;       // colour of the moss
+    float furrows;   // furrows per unit, 0.5 to 10
+    float cover;     // cover of moss, 0 to 1
+    float depth;     // of the furrows, in units of p, 0 to 0.4
+    float roughness; // 0 to 1
+};
+// GaborBark gabor_bark_default()
+// GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed)
+// GaborMaterial gabor_bark(vec2 p, uint seed)
 // GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// A twill of tows [3 noises; period 3 x 3].
+struct GaborCarbonFibre {
+    vec3 colour;     // colour of the fibres
+    float tows;      // tows per unit, 1 to 20
+    float contrast;  // of the fibres, 0 to 0.6
+    float relief;    // height of the tows, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborCarbonFibre gabor_carbon_fibre_default()
+// GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed)
+// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)
 // GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Layers of sandstone, seen from the side [11 noises; period 20 x 4].
+struct GaborStrata {
+    vec3 rock;       // colour of the darker rock
+    vec3 sandstone;  // colour of the lighter rock
+    vec3 red;        // colour of the soft layers
+    vec3 pale;       // colour of the thin layers
+    float layers;    // layers per unit, 1 to 30
+    float folds;     // bends of the layers, 0 to 3
+    float relief;    // height of the layers, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborStrata gabor_strata_default()
+// GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed)
+// GaborMaterial gabor_strata(vec2 p, uint seed)
 // GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // ====================================================================================================================
@@ -67,22 +244,21 @@ struct GaborMaterial {
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
-// A place and the steps to the neighbouring pixels.
-struct GaborPixel {
-    vec2 p;
-    vec2 dx;
-    vec2 dy;
-    bool filtered;
-};
+GaborPlace gabor_impl_place(GaborPixel pixel, vec2 density) {
+    if (pixel.period.x > 0.0)
+        return gabor_place_tiled(density * pixel.p, density * pixel.period);
+    return gabor_place(ivec2(0), GABOR_RADIUS * density * pixel.p);
+}
 
 // Two independent noises, the parts of a complex one, and the removed share of their variance.
 //   density  kernels per unit along x and y
 vec3 gabor_impl_layer(GaborPixel pixel, vec2 density, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place(ivec2(0), GABOR_RADIUS * density * pixel.p);
+    GaborPlace place = gabor_impl_place(pixel, density);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
     if (!pixel.filtered)
         return vec3(gabor_field(place, kernel, seed).value, 0.0);
     float removed;
+    density *= place.radius / GABOR_RADIUS;
     GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
     vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
     return vec3(value, removed);
@@ -110,28 +286,54 @@ vec3 gabor_impl_octaves(GaborPixel pixel, vec2 density, int count, float gain, u
 
 // Moves the place by two noises, and its steps accordingly.
 GaborPixel gabor_impl_warp(GaborPixel pixel, vec2 density, vec2 amplitude, uint seed) {
-    GaborPlace place = gabor_place(ivec2(0), GABOR_RADIUS * density * pixel.p);
-    GaborField field = gabor_field(place, gabor_kernel(0.0, 0.0), seed);
+    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
     vec2 along_x = amplitude * density.x * field.slope_x;
     vec2 along_y = amplitude * density.y * field.slope_y;
     return GaborPixel(pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
-                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered);
+                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
+// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
+// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
-    vec2 turn = gabor_impl_wave(-0.15915494 * angle);
-    return GaborPixel(gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
-                      gabor_impl_product(turn, pixel.dy), pixel.filtered);
+    vec2 turn = gabor_impl_wave(0.15915494 * angle);
+    vec2 x = turn;
+    vec2 y = vec2(-turn.y, turn.x);
+    vec2 period = vec2(0.0);
+    if (pixel.period.x > 0.0) {
+        vec2 whole = floor(3.0 * normalize(turn / pixel.period) + 0.5);
+        vec2 size = abs(whole);
+        vec2 signs = vec2(whole.x < 0.0 ? -1.0 : 1.0, whole.y < 0.0 ? -1.0 : 1.0);
+        if (size.x == size.y || size.x * size.y == 0.0) // (2, 2), (3, 0) and (0, 3)
+            whole = signs * min(size, vec2(1.0));
+        size = abs(whole);
+        vec2 other = size.x > 1.0 && size.y > 1.0 ? (size.x > size.y ? signs : -signs)
+                     : size.x == 1.0              ? vec2(0.0, whole.x)
+                                                  : vec2(-whole.y, 0.0);
+        period.x = length(whole * pixel.period);
+        period.y = pixel.period.x * pixel.period.y / period.x;
+        x = period.x * vec2(other.y, -other.x) / pixel.period;
+        y = period.y * vec2(-whole.y, whole.x) / pixel.period;
+    }
+    return GaborPixel(vec2(dot(x, pixel.p), dot(y, pixel.p)), vec2(dot(x, pixel.dx), dot(y, pixel.dx)),
+                      vec2(dot(x, pixel.dy), dot(y, pixel.dy)), pixel.filtered, period);
+}
+
+// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
+    if (pixel.period.x > 0.0)
+        return max(floor(pixel.period * (count / whole) + 0.5), vec2(1.0)) * whole / pixel.period;
+    return vec2(count);
 }
 
 // ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
+// 2e-5.
 float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float x = clamp((noise - threshold) * inversesqrt(softness * softness + removed), -8.0, 8.0);
-    return 1.0 / (1.0 + exp(-x * (1.5976 + 0.07056 * x * x)));
+    return 1.0 / (1.0 + exp(-x * (1.595435 + x * x * (0.0735975 - 0.0006319 * x * x))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -167,38 +369,40 @@ GaborMaterial gabor_impl_material(vec3 colour, float height, float roughness, fl
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
-// Rings are lines of equal x that slow noise bends until they close: a board cut beside the pith.
-GaborMaterial gabor_impl_wood(GaborPixel pixel, uint seed) {
-    GaborPixel board = gabor_impl_warp(pixel, vec2(1.1, 0.24), vec2(0.43, 0.0), gabor_lobe_seed(seed, 0));
-    board = gabor_impl_warp(board, vec2(4.0, 0.9), vec2(0.018, 0.0), gabor_lobe_seed(seed, 1));
-    GaborPixel years = gabor_impl_warp(board, vec2(6.5, 0.08), vec2(0.035, 0.0), gabor_lobe_seed(seed, 2));
-    float ring = gabor_impl_rise(0.97 * gabor_impl_turns(13.0 * years.p.x, 13.0 * years.dx.x, 13.0 * years.dy.x));
+// Rings are lines of equal x that slow noise bends until they close.
+GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
+    vec2 bends = vec2(0.43, 0.018) * wood.waviness;
+    GaborPixel board = gabor_impl_warp(pixel, vec2(1.1, 0.24), vec2(bends.x, 0.0), gabor_lobe_seed(seed, 0));
+    board = gabor_impl_warp(board, vec2(4.0, 0.9), vec2(bends.y, 0.0), gabor_lobe_seed(seed, 1));
+    GaborPixel years = gabor_impl_warp(board, vec2(6.5, 0.08), vec2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
+    float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
+    float ring = gabor_impl_rise(0.97 * gabor_impl_turns(rings * years.p.x, rings * years.dx.x, rings * years.dy.x));
     vec3 pore = gabor_impl_spots(pixel, vec2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     vec3 fibre = gabor_impl_spots(pixel, vec2(150.0, 2.0), gabor_lobe_seed(seed, 4));
     vec3 tone = gabor_impl_spots(board, vec2(3.5, 0.35), gabor_lobe_seed(seed, 5));
 
-    float pores = (1.0 - 0.75 * ring) * gabor_impl_above(pore.y, pore.z, 1.1, 0.25);
-    vec3 colour = mix(vec3(0.50, 0.275, 0.115), vec3(0.20, 0.078, 0.027), ring);
-    colour *= gabor_impl_tone(fibre.y, fibre.z, 0.11) * gabor_impl_tone(tone.y, tone.z, 0.13);
-    colour = mix(colour, vec3(0.09, 0.035, 0.014), 0.75 * pores);
-    float height = 0.0006 * ring - 0.0018 * pores + 0.0002 * fibre.y;
-    return gabor_impl_material(colour, height, 0.5 - 0.1 * ring, 0.0);
+    float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11) * gabor_impl_tone(tone.y, tone.z, 0.13);
+    float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1, 0.25); // a quarter as deep in late wood
+    vec3 colour = mix(mix(tones * wood.early, 0.45 * wood.late, pores),
+                      mix(tones * wood.late, 0.45 * wood.late, 0.25 * pores), ring);
+    float height = 0.0006 * ring - 0.0024 * (1.0 - 0.75 * ring) * pores + 0.0002 * fibre.y;
+    return gabor_impl_material(colour, height, wood.roughness * (1.0 - 0.2 * ring), 0.0);
 }
 
-GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
-    const float count = 12.0; // threads per unit
-    GaborPixel cloth = gabor_impl_warp(pixel, vec2(0.7), vec2(0.02), gabor_lobe_seed(seed, 0));
-    vec3 upright = gabor_impl_spots(cloth, vec2(0.7 * count, 1.1), gabor_lobe_seed(seed, 1)); // uneven along y
-    vec3 level = gabor_impl_spots(cloth, vec2(1.1, 0.7 * count), gabor_lobe_seed(seed, 2));
+GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
+    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
+    GaborPixel cloth = gabor_impl_warp(pixel, vec2(0.7), vec2(0.02 * fabric.unevenness), gabor_lobe_seed(seed, 0));
+    vec3 upright = gabor_impl_spots(cloth, vec2(0.7 * count.x, 1.1), gabor_lobe_seed(seed, 1)); // uneven along y
+    vec3 level = gabor_impl_spots(cloth, vec2(1.1, 0.7 * count.y), gabor_lobe_seed(seed, 2));
     vec3 upright_fibre = gabor_impl_spots(cloth, vec2(14.0, 2.0) * count, gabor_lobe_seed(seed, 3));
     vec3 level_fibre = gabor_impl_spots(cloth, vec2(2.0, 14.0) * count, gabor_lobe_seed(seed, 4));
 
     // A thread has a round profile, and goes over one crossing thread and under the next.
-    vec2 at = count * cloth.p + 0.13 * vec2(upright.x, level.x);
+    vec2 at = count * cloth.p + 0.13 * fabric.unevenness * vec2(upright.x, level.x);
     vec2 thread = floor(at);
     vec2 within = at - thread - 0.5;
     float parity = fract(0.5 * (thread.x + thread.y)) > 0.25 ? -1.0 : 1.0;
-    vec2 thick = 1.0 + 0.16 * vec2(upright.y, level.y);
+    vec2 thick = 1.0 + 0.16 * fabric.unevenness * vec2(upright.y, level.y);
     vec2 inside = 1.0 - 4.2 * within * within / (thick * thick);
     vec2 crest = thick * sqrt(max(inside, 0.0)) - 1.0
                  + 0.55 * parity * cos(3.1415927 * within.yx) * vec2(1.0, -1.0) - vec2(lessThan(inside, vec2(0.0)));
@@ -212,17 +416,19 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, uint seed) {
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
     float light = mix(0.87, smoothstep(-1.3, 0.5, top), kept);
     float share = mix(0.5, first ? 1.0 : 0.0, kept);
-    vec3 colour = mix(vec3(0.60, 0.53, 0.42), vec3(0.50, 0.43, 0.33), share) * mix(0.18, 1.0, light);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.09) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
-    return gabor_impl_material(colour, (0.3 * mix(0.146, top, kept) + 0.035 * fibre.y) / count, 0.85, 0.0);
+    vec3 colour = mix(fabric.weft, fabric.warp, share) * mix(0.18, 1.0, light);
+    colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
+    float height = fabric.relief / fabric.threads * (0.3 * mix(0.146, top, kept) + 0.035 * fibre.y);
+    return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
 // Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
-GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.07), gabor_lobe_seed(seed, 0));
-    skin = gabor_impl_warp(skin, vec2(4.0), vec2(0.014), gabor_lobe_seed(seed, 1));
-    vec3 one = gabor_impl_layer(skin, vec2(4.3), 1.6, 0.2, gabor_lobe_seed(seed, 2));
-    vec3 other = gabor_impl_layer(skin, vec2(4.3), 1.6, 2.2944, gabor_lobe_seed(seed, 3));
+GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
+    GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
+    skin = gabor_impl_warp(skin, vec2(4.0), vec2(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
+    vec2 density = vec2(leather.cells / 1.6);
+    vec3 one = gabor_impl_layer(skin, density, 1.6, 0.2, gabor_lobe_seed(seed, 2));
+    vec3 other = gabor_impl_layer(skin, density, 1.6, 2.2944, gabor_lobe_seed(seed, 3));
     vec3 fine = gabor_impl_octaves(pixel, vec2(18.0), 3, 0.75, gabor_lobe_seed(seed, 4));
     vec3 tone = gabor_impl_spots(pixel, vec2(0.8), gabor_lobe_seed(seed, 5));
 
@@ -234,22 +440,28 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, uint seed) {
     float kept = sqrt(shares.x * shares.y);
     float blur = 1.0 - kept;
     float pebble = mix(0.806, smoothstep(-1.45 - blur, -0.55 + blur, cells + 0.1 * fine.y), kept);
-    vec3 colour = mix(vec3(0.04, 0.014, 0.007), vec3(0.20, 0.068, 0.026), pebble);
+    vec3 colour = mix(leather.crease, leather.pebble, pebble);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.14) * gabor_impl_tone(fine.x, fine.z, 0.08);
     float dome = mix(0.236, smoothstep(-1.0, 3.0, cells), kept);
-    return gabor_impl_material(colour, 0.016 * pebble + 0.013 * dome + 0.0016 * fine.y, 0.55 - 0.15 * pebble, 0.0);
+    float height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * fine.y);
+    return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
 }
 
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
-float gabor_impl_vein(vec3 layer, float width, float threshold) {
-    return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5);
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
+// middle of a halo, with their widths and strengths.
+vec3 gabor_impl_vein(vec3 colour, vec3 layer, float threshold, vec3 halo, vec3 core, vec2 width, vec2 strength) {
+    float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
+    strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
+    strength.x *= open * gabor_impl_line(layer.x, layer.z, width.x) - strength.y;
+    return colour + strength.x * (halo - colour) + strength.y * (core - colour);
 }
 
-GaborMaterial gabor_impl_marble(GaborPixel pixel, uint seed) {
-    GaborPixel stone = gabor_impl_warp(pixel, vec2(1.1), vec2(0.17), gabor_lobe_seed(seed, 0));
-    stone = gabor_impl_warp(stone, vec2(4.0), vec2(0.038), gabor_lobe_seed(seed, 1));
-    stone = gabor_impl_warp(stone, vec2(13.0), vec2(0.010), gabor_lobe_seed(seed, 2));
-    stone = gabor_impl_warp(stone, vec2(40.0), vec2(0.003), gabor_lobe_seed(seed, 3));
+GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed) {
+    vec4 bends = vec4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
+    GaborPixel stone = gabor_impl_warp(pixel, vec2(1.1), vec2(bends.x), gabor_lobe_seed(seed, 0));
+    stone = gabor_impl_warp(stone, vec2(4.0), vec2(bends.y), gabor_lobe_seed(seed, 1));
+    stone = gabor_impl_warp(stone, vec2(13.0), vec2(bends.z), gabor_lobe_seed(seed, 2));
+    stone = gabor_impl_warp(stone, vec2(40.0), vec2(bends.w), gabor_lobe_seed(seed, 3));
     vec3 large = gabor_impl_layer(stone, vec2(0.95), 0.85, 0.65, gabor_lobe_seed(seed, 4));
     vec3 middle = gabor_impl_layer(stone, vec2(1.9), 0.95, -0.45, gabor_lobe_seed(seed, 5));
     vec3 thin = gabor_impl_layer(stone, vec2(4.5), 0.95, 0.95, gabor_lobe_seed(seed, 6));
@@ -257,122 +469,136 @@ GaborMaterial gabor_impl_marble(GaborPixel pixel, uint seed) {
     vec3 cloud = gabor_impl_octaves(stone, vec2(1.5), 3, 0.6, gabor_lobe_seed(seed, 8));
     vec3 crystal = gabor_impl_spots(pixel, vec2(75.0), gabor_lobe_seed(seed, 9));
 
-    vec3 colour = vec3(0.80, 0.79, 0.77) * (1.0 - 0.25 * gabor_impl_above(cloud.y, cloud.z, 0.5, 0.8));
+    vec3 colour = marble.stone * (1.0 - marble.clouds * gabor_impl_above(cloud.y, cloud.z, 0.5, 0.8));
     colour *= gabor_impl_tone(crystal.x, crystal.z, 0.02);
-    colour = mix(colour, vec3(0.36, 0.37, 0.385), 0.6 * gabor_impl_vein(middle, 0.25, 0.6));
-    colour = mix(colour, vec3(0.36, 0.37, 0.385), 0.55 * gabor_impl_vein(large, 0.35, -0.4));
-    colour = mix(colour, vec3(0.13, 0.135, 0.145), 0.75 * gabor_impl_vein(large, 0.05, -0.4));
-    colour = mix(colour, vec3(0.20, 0.20, 0.21), 0.6 * gabor_impl_vein(middle, 0.035, 0.4));
-    colour = mix(colour, vec3(0.32, 0.31, 0.30), 0.45 * gabor_impl_vein(thin, 0.04, 0.8));
-    colour = mix(colour, vec3(0.50, 0.47, 0.43), 0.45 * gabor_impl_vein(hair, 0.05, 1.1));
-    return gabor_impl_material(colour, 0.00012 * crystal.y, 0.2, 0.0);
+    vec3 grey = mix(marble.stone, marble.vein, 0.65);
+    colour = gabor_impl_vein(colour, middle, 0.5, grey, mix(marble.stone, marble.vein, 0.9), vec2(0.25, 0.035),
+                             vec2(0.6, 0.6) * marble.veins);
+    colour = gabor_impl_vein(colour, large, -0.4, grey, marble.vein, vec2(0.35, 0.05), vec2(0.55, 0.75) * marble.veins);
+    colour = gabor_impl_vein(colour, thin, 0.8, grey, grey, vec2(1.0, 0.04), vec2(0.0, 0.45) * marble.veins);
+    colour = gabor_impl_vein(colour, hair, 1.1, grey, mix(marble.stone, marble.vein, 0.45), vec2(1.0, 0.05),
+                             vec2(0.0, 0.45) * marble.veins);
+    return gabor_impl_material(colour, 0.00012 * crystal.y, marble.roughness, 0.0);
 }
 
-GaborMaterial gabor_impl_sand(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     GaborPixel dune = gabor_impl_warp(pixel, vec2(0.8), vec2(0.15), gabor_lobe_seed(seed, 0));
     dune = gabor_impl_warp(dune, vec2(3.0), vec2(0.02), gabor_lobe_seed(seed, 1));
-    vec3 wind = gabor_impl_layer(dune, vec2(0.9, 1.7), 2.3, 1.4, gabor_lobe_seed(seed, 2));
+    vec2 density = vec2(0.9, 1.7) / 3.87 * sand.ripples;
+    vec3 wind = gabor_impl_layer(dune, density, 2.3, 1.4, gabor_lobe_seed(seed, 2));
     vec3 grain = gabor_impl_spots(pixel, vec2(75.0), gabor_lobe_seed(seed, 3));
     vec3 large = gabor_impl_octaves(pixel, vec2(0.6), 3, 0.5, gabor_lobe_seed(seed, 4));
 
     float ripple = gabor_impl_rise(0.9 * gabor_impl_phase(wind));
-    vec3 colour = mix(vec3(0.43, 0.30, 0.17), vec3(0.60, 0.44, 0.265), ripple);
-    colour *= gabor_impl_tone(grain.x, grain.z, 0.16) * gabor_impl_tone(large.y, large.z, 0.06);
-    colour = mix(colour, vec3(0.10, 0.075, 0.05), 0.6 * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));
-    colour = mix(colour, vec3(0.85, 0.76, 0.62), 0.5 * gabor_impl_above(-grain.y, grain.z, 1.9, 0.15));
-    float height = 0.055 * ripple * (1.0 + 0.2 * large.x) + 0.03 * large.x + 0.0014 * grain.x;
-    return gabor_impl_material(colour, height, 0.9, 0.0);
+    vec3 colour = mix(sand.trough, sand.crest, ripple);
+    colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06);
+    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));
+    vec3 bright = mix(sand.crest, vec3(1.0), 0.6);
+    colour = mix(colour, bright, 3.0 * sand.grain * gabor_impl_above(-grain.y, grain.z, 1.9, 0.15));
+    float height = sand.relief * ripple * (1.0 + 0.2 * large.x) + 0.03 * large.x + 0.00875 * sand.grain * grain.x;
+    return gabor_impl_material(colour, height, sand.roughness, 0.0);
 }
 
 // A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
 // part has mean 0.
-GaborMaterial gabor_impl_ripples(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed) {
     float height = 0.0;
     float crest = 0.0;
     float removed = 0.0;
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
-        float waves = 0.6 * exp2(0.27 * float(i)); // per unit
-        float angle = 0.3 + 1.1 * fract(0.618034 * float(i) + 0.1);
+        float waves = ripples.waves * exp2(0.27 * float(i)); // per unit
+        float angle = ripples.direction + ripples.spread * (fract(0.618034 * float(i) + 0.1) - 0.5);
         vec3 wave = gabor_impl_layer(pixel, vec2(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
-        float amplitude = 0.018 / pow(waves, 1.3);
+        float amplitude = exp2(-0.351 * float(i));
         height += amplitude * (wave.x + 0.2 * (wave.x * wave.x - wave.y * wave.y));
         crest += amplitude * wave.x;
         removed += amplitude * amplitude * wave.z;
         power += amplitude * amplitude;
     }
     float light = gabor_impl_above(crest * inversesqrt(power), removed / power, 0.5, 1.0);
-    return gabor_impl_material(mix(vec3(0.004, 0.06, 0.085), vec3(0.03, 0.25, 0.27), light), height, 0.1, 0.0);
+    vec3 colour = mix(ripples.deep, ripples.shallow, light);
+    return gabor_impl_material(colour, ripples.relief * height, ripples.roughness, 0.0);
 }
 
-GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
     float height = 0.0;
     vec2 tone = vec2(0.0);
     for (int i = 0; i < 5; ++i) {
         float fine = exp2(float(i));
-        vec3 streak = gabor_impl_spots(pixel, vec2(0.3 + 0.12 * fine, 9.0 * fine), gabor_lobe_seed(seed, i));
-        height += 0.0012 / fine * streak.x;
+        vec2 density = vec2(0.3 + 0.12 * fine, metal.streaks * fine);
+        vec3 streak = gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
+        height += metal.relief / fine * streak.x;
         tone += vec2(0.4472136, 0.2) * streak.yz;
     }
-    return gabor_impl_material(vec3(0.55, 0.555, 0.565) * gabor_impl_tone(tone.x, tone.y, 0.09), height, 0.36, 1.0);
+    vec3 colour = metal.colour * gabor_impl_tone(tone.x, tone.y, metal.contrast);
+    return gabor_impl_material(colour, height, metal.roughness, 1.0);
 }
 
 // Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
-GaborMaterial gabor_impl_scratches(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed) {
     float whole = 1.0;
     float height = 0.0;
+    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // noise is above it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
         float size = exp2(-0.13 * float(i));
-        GaborPixel turned = gabor_impl_turned(pixel, 0.3 + 2.399963 * float(i));
+        float angle = scratches.direction + scratches.spread * (fract(0.763932 * float(i) + 0.0955) - 0.5);
+        GaborPixel turned = gabor_impl_turned(pixel, angle);
         turned = gabor_impl_warp(turned, vec2(0.3, 0.1), vec2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
-        vec3 noise = gabor_impl_spots(turned, vec2(0.33, 42.0) / size, gabor_lobe_seed(seed, 2 * i + 1));
-        float scratch = gabor_impl_above(noise.x, noise.z, 2.4, 0.2) * gabor_impl_above(noise.y, noise.z, 0.3, 0.7);
+        vec2 density = vec2(1.0 / scratches.reach, 42.0) / size;
+        vec3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
+        float scratch = gabor_impl_above(noise.x, noise.z, threshold, 0.2);
+        scratch *= gabor_impl_above(noise.y, noise.z, 0.3, 0.7);
         whole *= 1.0 - (0.25 + 0.7 * size) * scratch;
-        height -= 0.0025 * size * scratch;
+        height -= scratches.depth * size * scratch;
     }
-    vec3 colour = mix(vec3(0.60, 0.61, 0.62), vec3(0.035, 0.042, 0.05), whole);
-    return gabor_impl_material(colour, height, 0.3, 0.0);
+    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0);
 }
 
-GaborMaterial gabor_impl_zebra(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.14), gabor_lobe_seed(seed, 0));
-    float lean = gabor_field(gabor_place(ivec2(0), 0.6 * GABOR_RADIUS * pixel.p), gabor_kernel(0.0, 0.0),
-                             gabor_lobe_seed(seed, 1)).value.x;
-    vec3 stripe = gabor_impl_layer(skin, vec2(1.4), 1.4, 0.3 + 0.35 * lean, gabor_lobe_seed(seed, 2));
+    GaborPlace place = gabor_impl_place(pixel, vec2(0.6));
+    float lean = gabor_field(place, gabor_kernel(0.0, 0.0), gabor_lobe_seed(seed, 1)).value.x;
+    vec3 stripe = gabor_impl_layer(skin, vec2(zebra.stripes / 1.4), 1.4, zebra.direction + zebra.bends * lean,
+                                   gabor_lobe_seed(seed, 2));
     vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5), vec2(80.0, 6.0), gabor_lobe_seed(seed, 3));
     vec3 tone = gabor_impl_spots(pixel, vec2(1.2), gabor_lobe_seed(seed, 4));
 
     float intensity = length(stripe.xy); // at the zeros of stripe.x, the smaller its slope, the wider the edge
-    float dark = gabor_impl_above(stripe.x + 0.1 * intensity * hair.x, stripe.z + 0.01 * hair.z, 0.0,
+    float ragged = 0.1 * zebra.hair;
+    float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);
-    vec3 colour = mix(vec3(0.70, 0.64, 0.54), vec3(0.018, 0.014, 0.012), dark);
-    colour *= gabor_impl_tone(hair.y, hair.z, 0.14) * gabor_impl_tone(tone.y, tone.z, 0.08);
-    return gabor_impl_material(colour, 0.002 * hair.x, 0.7, 0.0);
+    vec3 colour = mix(zebra.bright, zebra.stripe, dark);
+    colour *= gabor_impl_tone(hair.y, hair.z, 0.14 * zebra.hair) * gabor_impl_tone(tone.y, tone.z, 0.08);
+    return gabor_impl_material(colour, 0.002 * zebra.hair * hair.x, zebra.roughness, 0.0);
 }
 
-GaborMaterial gabor_impl_bark(GaborPixel pixel, uint seed) {
+GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed) {
     GaborPixel trunk = gabor_impl_warp(pixel, vec2(0.8, 0.35), vec2(0.22, 0.1), gabor_lobe_seed(seed, 0));
     trunk = gabor_impl_warp(trunk, vec2(3.0, 1.6), vec2(0.05, 0.05), gabor_lobe_seed(seed, 1));
     trunk = gabor_impl_warp(trunk, vec2(10.0), vec2(0.013), gabor_lobe_seed(seed, 2));
-    vec3 furrow = gabor_impl_layer(trunk, vec2(1.7, 0.55), 1.3, 0.1, gabor_lobe_seed(seed, 3));
+    vec2 density = vec2(1.7, 0.55) / 2.21 * bark.furrows;
+    vec3 furrow = gabor_impl_layer(trunk, density, 1.3, 0.1, gabor_lobe_seed(seed, 3));
     vec3 crack = gabor_impl_layer(trunk, vec2(1.2, 1.3), 0.9, 1.5, gabor_lobe_seed(seed, 4));
     vec3 rough = gabor_impl_octaves(trunk, vec2(7.0, 3.0), 5, 0.75, gabor_lobe_seed(seed, 5));
     vec3 moss = gabor_impl_spots(pixel, vec2(1.1, 0.7), gabor_lobe_seed(seed, 6));
 
-    float plate = gabor_impl_above(furrow.x + 0.2 * rough.x, furrow.z + 0.04 * rough.z, -0.15, 0.35)
+    float shape = furrow.x + 0.2 * rough.x;
+    float plate = gabor_impl_above(shape, furrow.z + 0.04 * rough.z, -0.15, 0.35)
                   * (1.0 - 0.55 * gabor_impl_line(crack.x, crack.z, 0.13));
-    vec3 colour = mix(vec3(0.025, 0.014, 0.008), vec3(0.20, 0.145, 0.10), plate);
+    // Weighted by the tone exp(0.25 noise), the removed part of its noise has a mean of 0.25 of its variance.
+    float worn = 0.5 * gabor_impl_above(rough.y + 0.25 * rough.z, rough.z, 0.5, 0.4);
+    float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9, 0.5);
+    vec3 top = mix(bark.plate, mix(bark.plate, vec3(1.0), 0.13), worn);
+    vec3 colour = mix(mix(bark.furrow, bark.moss, covered), mix(top, bark.moss, 0.6 * covered), plate);
     colour *= gabor_impl_tone(rough.y, rough.z, 0.25);
-    colour = mix(colour, vec3(0.30, 0.27, 0.225), 0.5 * plate * gabor_impl_above(rough.x, rough.z, 0.5, 0.4));
-    colour = mix(colour, vec3(0.10, 0.13, 0.045),
-                 0.35 * gabor_impl_above(moss.y, moss.z, 0.9, 0.5) * (1.0 - 0.4 * plate));
-    float height = 0.13 * plate + 0.018 * rough.x * (0.4 + 0.6 * plate);
-    return gabor_impl_material(colour, height, 0.9, 0.0);
+    float height = bark.depth * plate + 0.018 * rough.x * (0.4 + 0.6 * plate);
+    return gabor_impl_material(colour, height, bark.roughness, 0.0);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed) {
-    const float count = 4.0; // tows per unit
+GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed) {
+    vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborPixel cloth = gabor_impl_warp(pixel, vec2(0.8), vec2(0.008), gabor_lobe_seed(seed, 0));
     vec3 upright = gabor_impl_spots(cloth, vec2(20.0, 0.6) * count, gabor_lobe_seed(seed, 1));
     vec3 level = gabor_impl_spots(cloth, vec2(0.6, 20.0) * count, gabor_lobe_seed(seed, 2));
@@ -387,127 +613,193 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, uint seed) {
 
     vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
-    float bulge = mix(0.51, sin(3.1415927 * along) * (1.0 - across * across * across * across), kept);
-    vec3 colour = vec3(0.028, 0.029, 0.031) * (0.35 + 0.65 * bulge) * gabor_impl_tone(fibre.x, fibre.z, 0.3);
-    return gabor_impl_material(colour, (0.16 * bulge + 0.006 * fibre.x) / count, 0.3, 0.0);
+    float bulge = mix(0.5093, sin(3.1415927 * along) * (1.0 - across * across * across * across), kept);
+    vec3 colour = fibres.colour * (0.35 + 0.65 * bulge) * gabor_impl_tone(fibre.x, fibre.z, fibres.contrast);
+    float height = fibres.relief / fibres.tows * (0.16 * bulge + 0.006 * fibre.x);
+    return gabor_impl_material(colour, height, fibres.roughness, 0.0);
 }
 
-GaborMaterial gabor_impl_strata(GaborPixel pixel, uint seed) {
-    GaborPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, 0.2), gabor_lobe_seed(seed, 0));
-    rock = gabor_impl_warp(rock, vec2(1.6, 2.6), vec2(0.016, 0.022), gabor_lobe_seed(seed, 1));
-    rock = gabor_impl_warp(rock, vec2(7.0, 10.0), vec2(0.004), gabor_lobe_seed(seed, 2));
-    vec3 broad = gabor_impl_spots(rock, vec2(0.1, 2.0), gabor_lobe_seed(seed, 3));
-    vec3 band = gabor_impl_spots(rock, vec2(0.14, 6.0), gabor_lobe_seed(seed, 4));
-    vec3 thin = gabor_impl_spots(rock, vec2(0.25, 17.0), gabor_lobe_seed(seed, 5));
-    vec3 lamina = gabor_impl_spots(rock, vec2(0.6, 50.0), gabor_lobe_seed(seed, 6));
+GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed) {
+    vec4 folds = vec4(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    GaborPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, folds.x), gabor_lobe_seed(seed, 0));
+    rock = gabor_impl_warp(rock, vec2(1.6, 2.6), vec2(folds.y, folds.z), gabor_lobe_seed(seed, 1));
+    rock = gabor_impl_warp(rock, vec2(7.0, 10.0), vec2(folds.w), gabor_lobe_seed(seed, 2));
+    vec2 layers = vec2(1.0, strata.layers);
+    vec3 broad = gabor_impl_spots(rock, vec2(0.1, 0.33333333) * layers, gabor_lobe_seed(seed, 3));
+    vec3 band = gabor_impl_spots(rock, vec2(0.14, 1.0) * layers, gabor_lobe_seed(seed, 4));
+    vec3 thin = gabor_impl_spots(rock, vec2(0.25, 2.8333333) * layers, gabor_lobe_seed(seed, 5));
+    vec3 lamina = gabor_impl_spots(rock, vec2(0.6, 8.3333333) * layers, gabor_lobe_seed(seed, 6));
     vec3 grain = gabor_impl_octaves(pixel, vec2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // red and washed-out layers
-    vec3 colour = mix(vec3(0.50, 0.22, 0.09), vec3(0.60, 0.35, 0.18), gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
-    colour = mix(colour, vec3(0.28, 0.075, 0.035), 0.8 * soft);
-    colour = mix(colour, vec3(0.74, 0.58, 0.40), 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));
-    colour = mix(colour, vec3(0.20, 0.06, 0.035), 0.6 * gabor_impl_above(thin.y, thin.z, 1.3, 0.15));
+    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // washed out
+    vec3 colour = mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
+    colour = mix(colour, strata.red, 0.8 * soft);
+    colour = mix(colour, strata.pale, 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));
+    colour = mix(colour, 0.75 * strata.red, 0.6 * gabor_impl_above(thin.y, thin.z, 1.3, 0.15));
     colour *= gabor_impl_tone(lamina.x, lamina.z, 0.13) * gabor_impl_tone(grain.x, grain.z, 0.11);
     float height = 0.02 * broad.y - 0.012 * soft + 0.006 * thin.x + 0.0015 * lamina.x + 0.003 * grain.y;
-    return gabor_impl_material(colour, height, 0.9, 0.0);
+    return gabor_impl_material(colour, strata.relief * height, strata.roughness, 0.0);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
+GaborPixel gabor_pixel(vec2 p) {
+    return GaborPixel(p, vec2(0.0), vec2(0.0), false, vec2(0.0));
+}
+
+GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy) {
+    return GaborPixel(p, dx, dy, true, vec2(0.0));
+}
+
+GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period) {
+    return GaborPixel(pixel.p - period * floor(pixel.p / period), pixel.dx, pixel.dy, pixel.filtered, period);
+}
+
+GaborWood gabor_wood_default() {
+    return GaborWood(vec3(0.50, 0.275, 0.115), vec3(0.20, 0.078, 0.027), 13.0, 1.0, 0.75, 0.5);
+}
+
+GaborFabric gabor_fabric_default() {
+    return GaborFabric(vec3(0.50, 0.43, 0.33), vec3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85);
+}
+
+GaborLeather gabor_leather_default() {
+    return GaborLeather(vec3(0.20, 0.068, 0.026), vec3(0.04, 0.014, 0.007), 6.88, 1.0, 1.0, 0.4);
+}
+
+GaborMarble gabor_marble_default() {
+    return GaborMarble(vec3(0.80, 0.79, 0.77), vec3(0.13, 0.135, 0.145), 1.0, 1.0, 0.25, 0.2);
+}
+
+GaborSand gabor_sand_default() {
+    return GaborSand(vec3(0.43, 0.30, 0.17), vec3(0.60, 0.44, 0.265), 3.87, 0.055, 0.16, 0.9);
+}
+
+GaborRipples gabor_ripples_default() {
+    return GaborRipples(vec3(0.004, 0.06, 0.085), vec3(0.03, 0.25, 0.27), 0.6, 0.85, 1.1, 0.035, 0.1);
+}
+
+GaborBrushedMetal gabor_brushed_metal_default() {
+    return GaborBrushedMetal(vec3(0.55, 0.555, 0.565), 9.0, 0.09, 0.0012, 0.36);
+}
+
+GaborScratches gabor_scratches_default() {
+    return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+                          0.3);
+}
+
+GaborZebra gabor_zebra_default() {
+    return GaborZebra(vec3(0.70, 0.64, 0.54), vec3(0.018, 0.014, 0.012), 1.96, 0.3, 0.35, 1.0, 0.7);
+}
+
+GaborBark gabor_bark_default() {
+    return GaborBark(vec3(0.20, 0.145, 0.10), vec3(0.025, 0.014, 0.008), vec3(0.10, 0.13, 0.045), 2.21, 0.35, 0.13,
+                     0.9);
+}
+
+GaborCarbonFibre gabor_carbon_fibre_default() {
+    return GaborCarbonFibre(vec3(0.028, 0.029, 0.031), 4.0, 0.3, 1.0, 0.3);
+}
+
+GaborStrata gabor_strata_default() {
+    return GaborStrata(vec3(0.50, 0.22, 0.09), vec3(0.60, 0.35, 0.18), vec3(0.28, 0.075, 0.035), vec3(0.74, 0.58, 0.40),
+                       6.0, 1.0, 1.0, 0.9);
+}
+
 GaborMaterial gabor_wood(vec2 p, uint seed) {
-    return gabor_impl_wood(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_wood_at(gabor_pixel(p), gabor_wood_default(), seed);
 }
 
 GaborMaterial gabor_fabric(vec2 p, uint seed) {
-    return gabor_impl_fabric(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_fabric_at(gabor_pixel(p), gabor_fabric_default(), seed);
 }
 
 GaborMaterial gabor_leather(vec2 p, uint seed) {
-    return gabor_impl_leather(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_leather_at(gabor_pixel(p), gabor_leather_default(), seed);
 }
 
 GaborMaterial gabor_marble(vec2 p, uint seed) {
-    return gabor_impl_marble(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_marble_at(gabor_pixel(p), gabor_marble_default(), seed);
 }
 
 GaborMaterial gabor_sand(vec2 p, uint seed) {
-    return gabor_impl_sand(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_sand_at(gabor_pixel(p), gabor_sand_default(), seed);
 }
 
 GaborMaterial gabor_ripples(vec2 p, uint seed) {
-    return gabor_impl_ripples(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_ripples_at(gabor_pixel(p), gabor_ripples_default(), seed);
 }
 
 GaborMaterial gabor_brushed_metal(vec2 p, uint seed) {
-    return gabor_impl_brushed_metal(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_brushed_metal_at(gabor_pixel(p), gabor_brushed_metal_default(), seed);
 }
 
 GaborMaterial gabor_scratches(vec2 p, uint seed) {
-    return gabor_impl_scratches(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_scratches_at(gabor_pixel(p), gabor_scratches_default(), seed);
 }
 
 GaborMaterial gabor_zebra(vec2 p, uint seed) {
-    return gabor_impl_zebra(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_zebra_at(gabor_pixel(p), gabor_zebra_default(), seed);
 }
 
 GaborMaterial gabor_bark(vec2 p, uint seed) {
-    return gabor_impl_bark(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_bark_at(gabor_pixel(p), gabor_bark_default(), seed);
 }
 
 GaborMaterial gabor_carbon_fibre(vec2 p, uint seed) {
-    return gabor_impl_carbon_fibre(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_carbon_fibre_at(gabor_pixel(p), gabor_carbon_fibre_default(), seed);
 }
 
 GaborMaterial gabor_strata(vec2 p, uint seed) {
-    return gabor_impl_strata(GaborPixel(p, vec2(0.0), vec2(0.0), false), seed);
+    return gabor_strata_at(gabor_pixel(p), gabor_strata_default(), seed);
 }
 
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
+    return gabor_wood_at(gabor_pixel_filtered(p, dx, dy), gabor_wood_default(), seed);
 }
 
 GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_fabric(GaborPixel(p, dx, dy, true), seed);
+    return gabor_fabric_at(gabor_pixel_filtered(p, dx, dy), gabor_fabric_default(), seed);
 }
 
 GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_leather(GaborPixel(p, dx, dy, true), seed);
+    return gabor_leather_at(gabor_pixel_filtered(p, dx, dy), gabor_leather_default(), seed);
 }
 
 GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_marble(GaborPixel(p, dx, dy, true), seed);
+    return gabor_marble_at(gabor_pixel_filtered(p, dx, dy), gabor_marble_default(), seed);
 }
 
 GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_sand(GaborPixel(p, dx, dy, true), seed);
+    return gabor_sand_at(gabor_pixel_filtered(p, dx, dy), gabor_sand_default(), seed);
 }
 
 GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_ripples(GaborPixel(p, dx, dy, true), seed);
+    return gabor_ripples_at(gabor_pixel_filtered(p, dx, dy), gabor_ripples_default(), seed);
 }
 
 GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_brushed_metal(GaborPixel(p, dx, dy, true), seed);
+    return gabor_brushed_metal_at(gabor_pixel_filtered(p, dx, dy), gabor_brushed_metal_default(), seed);
 }
 
 GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_scratches(GaborPixel(p, dx, dy, true), seed);
+    return gabor_scratches_at(gabor_pixel_filtered(p, dx, dy), gabor_scratches_default(), seed);
 }
 
 GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_zebra(GaborPixel(p, dx, dy, true), seed);
+    return gabor_zebra_at(gabor_pixel_filtered(p, dx, dy), gabor_zebra_default(), seed);
 }
 
 GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_bark(GaborPixel(p, dx, dy, true), seed);
+    return gabor_bark_at(gabor_pixel_filtered(p, dx, dy), gabor_bark_default(), seed);
 }
 
 GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_carbon_fibre(GaborPixel(p, dx, dy, true), seed);
+    return gabor_carbon_fibre_at(gabor_pixel_filtered(p, dx, dy), gabor_carbon_fibre_default(), seed);
 }
 
 GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_impl_strata(GaborPixel(p, dx, dy, true), seed);
+    return gabor_strata_at(gabor_pixel_filtered(p, dx, dy), gabor_strata_default(), seed);
 }
 
 #endif // GABOR_MATERIALS_GLSL

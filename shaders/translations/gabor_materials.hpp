@@ -6,6 +6,10 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     oak.rings = 20.0;
+//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
+//
 // One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -26,33 +30,206 @@ struct GaborMaterial {
     float metalness; // 0 or 1
 };
 
-// The material at p; the number of noises that it evaluates is in brackets.
-// GaborMaterial gabor_wood(vec2 p, uint seed)             a board: year rings cut lengthwise, pores, fibres [6]
-// GaborMaterial gabor_fabric(vec2 p, uint seed)           linen: a plain weave of uneven threads [5]
-// GaborMaterial gabor_leather(vec2 p, uint seed)          pebbled grain: cells between creases [8]
-// GaborMaterial gabor_marble(vec2 p, uint seed)           white, with veins of four sizes [12]
-// GaborMaterial gabor_sand(vec2 p, uint seed)             wind ripples, steep on one side, and grains [7]
-// GaborMaterial gabor_ripples(vec2 p, uint seed)          water under a light wind [14]
-// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)    streaks along x [5]
-// GaborMaterial gabor_scratches(vec2 p, uint seed)        hairlines in a dark lacquer [28]
-// GaborMaterial gabor_zebra(vec2 p, uint seed)            stripes that fork, and hair [5]
-// GaborMaterial gabor_bark(vec2 p, uint seed)             furrows and plates, moss [11]
-// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)     a twill of black tows [3]
-// GaborMaterial gabor_strata(vec2 p, uint seed)           layers of sandstone, seen from the side [11]
+// ---- Where to draw -------------------------------------------------------------------------------------------------
 
-// The same averaged over a pixel. dx and dy are dFdx(p) and dFdy(p): the change of p from one pixel to the next. Noises
-// that only displace the pattern cost as much as unfiltered, all others as much as gabor_noise_filtered.
+// A place, and the area of its pixel.
+struct GaborPixel {
+    gabor_vec2 p;
+    gabor_vec2 dx; // change of p to the pixel on the right
+    gabor_vec2 dy; // and to the one below
+    bool filtered;
+    gabor_vec2 period; // 0 for none
+};
+
+// GaborPixel gabor_pixel(vec2 p)
+//     The place p.
+
+// GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
+//     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
+//     as unfiltered, all others as much as gabor_noise_filtered.
+
+// GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
+//     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
+//     period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
+//     as it does without one; in a shorter one its slow changes are faster.
+
+// ---- Materials -----------------------------------------------------------------------------------------------------
+//
+// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults. Colours
+// are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change the look.
+// The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
+
+// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+struct GaborWood {
+    gabor_vec3 early;      // colour of the early wood
+    gabor_vec3 late;       // colour of the late wood
+    float rings;     // year rings per unit, 2 to 60
+    float waviness;  // bends of the rings, 0 to 3
+    float pores;     // strength of the pores, 0 to 1
+    float roughness; // of the early wood, 0 to 1
+};
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed)
+// GaborMaterial gabor_wood(vec2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+struct GaborFabric {
+    gabor_vec3 warp;        // colour of the threads along y
+    gabor_vec3 weft;        // colour of the threads along x
+    float threads;    // threads per unit, 2 to 60
+    float unevenness; // of the threads' thickness, shade and course, 0 to 2
+    float relief;     // height of the weave, 0 to 3
+    float roughness;  // 0 to 1
+};
+// GaborFabric gabor_fabric_default()
+// GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
+// GaborMaterial gabor_fabric(vec2 p, uint seed)
 // GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Pebbled grain: cells between creases [8 noises; period 3 x 3].
+struct GaborLeather {
+    gabor_vec3 pebble;     // colour of the cells
+    gabor_vec3 crease;     // colour between them
+    float cells;     // cells per unit, 2 to 30
+    float wrinkles;  // bends of the rows of cells, 0 to 3
+    float relief;    // height of the cells, 0 to 3
+    float roughness; // of the cells, 0 to 0.7
+};
+// GaborLeather gabor_leather_default()
+// GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed)
+// GaborMaterial gabor_leather(vec2 p, uint seed)
 // GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Polished stone with veins of four sizes [12 noises; period 3 x 3].
+struct GaborMarble {
+    gabor_vec3 stone;       // colour of the stone
+    gabor_vec3 vein;        // colour of the darkest veins
+    float veins;      // strength of the veins, 0 to 1.3
+    float turbulence; // bends of the veins, 0 to 2
+    float clouds;     // darkening by clouds, 0 to 1
+    float roughness;  // 0 to 1
+};
+// GaborMarble gabor_marble_default()
+// GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed)
+// GaborMaterial gabor_marble(vec2 p, uint seed)
 // GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
+struct GaborSand {
+    gabor_vec3 trough;     // colour between the ripples
+    gabor_vec3 crest;      // colour on top of them
+    float ripples;   // ripples per unit, 1 to 20
+    float relief;    // height of the ripples, in units of p, 0 to 0.2
+    float grain;     // contrast of the grains, 0 to 0.25
+    float roughness; // 0 to 1
+};
+// GaborSand gabor_sand_default()
+// GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed)
+// GaborMaterial gabor_sand(vec2 p, uint seed)
 // GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Water under a light wind [14 noises; period 8 x 8].
+struct GaborRipples {
+    gabor_vec3 deep;       // colour of the troughs
+    gabor_vec3 shallow;    // colour of the crests
+    float waves;     // longest waves per unit, 0.1 to 5
+    float direction; // of the wind, -6.2832 to 6.2832 radians
+    float spread;    // range of the waves' directions, 0 to 6.2832 radians
+    float relief;    // height of the longest waves, in units of p, 0 to 0.2
+    float roughness; // 0 to 1
+};
+// GaborRipples gabor_ripples_default()
+// GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed)
+// GaborMaterial gabor_ripples(vec2 p, uint seed)
 // GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Streaks along x [5 noises; period 5 x 1].
+struct GaborBrushedMetal {
+    gabor_vec3 colour;     // colour of the metal
+    float streaks;   // widest streaks per unit, 1 to 50
+    float contrast;  // of the streaks, 0 to 0.5
+    float relief;    // height of the widest streaks, in units of p, 0 to 0.01
+    float roughness; // 0 to 1
+};
+// GaborBrushedMetal gabor_brushed_metal_default()
+// GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed)
+// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)
 // GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Hairlines in a lacquer [28 noises; period 8 x 8].
+struct GaborScratches {
+    gabor_vec3 lacquer;    // colour of the lacquer
+    gabor_vec3 scratch;    // colour in the scratches
+    float amount;    // how many scratches, 0.01 to 8
+    float reach;     // length of the scratches, in units of p, 0.3 to 10
+    float direction; // middle of their directions, -6.2832 to 6.2832 radians
+    float spread;    // range of their directions, 0 to 3.1416 radians
+    float depth;     // of the scratches, in units of p, 0 to 0.02
+    float roughness; // 0 to 1
+};
+// GaborScratches gabor_scratches_default()
+// GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed)
+// GaborMaterial gabor_scratches(vec2 p, uint seed)
 // GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Stripes that fork, and hair [5 noises; period 4 x 4].
+struct GaborZebra {
+    gabor_vec3 bright;     // colour between the stripes
+    gabor_vec3 stripe;     // colour of the stripes
+    float stripes;   // stripes per unit, 0.5 to 20
+    float direction; // across the stripes, -6.2832 to 6.2832 radians
+    float bends;     // change of their direction, 0 to 1.5 radians
+    float hair;      // contrast of the hair, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborZebra gabor_zebra_default()
+// GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed)
+// GaborMaterial gabor_zebra(vec2 p, uint seed)
 // GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+struct GaborBark {
+    gabor_vec3 plate;      // colour of the plates
+    gabor_vec3 furrow;     // colour of the furrows
+    gabor_vec3 moss;       // colour of the moss
+    float furrows;   // furrows per unit, 0.5 to 10
+    float cover;     // cover of moss, 0 to 1
+    float depth;     // of the furrows, in units of p, 0 to 0.4
+    float roughness; // 0 to 1
+};
+// GaborBark gabor_bark_default()
+// GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed)
+// GaborMaterial gabor_bark(vec2 p, uint seed)
 // GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// A twill of tows [3 noises; period 3 x 3].
+struct GaborCarbonFibre {
+    gabor_vec3 colour;     // colour of the fibres
+    float tows;      // tows per unit, 1 to 20
+    float contrast;  // of the fibres, 0 to 0.6
+    float relief;    // height of the tows, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborCarbonFibre gabor_carbon_fibre_default()
+// GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed)
+// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)
 // GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+
+// Layers of sandstone, seen from the side [11 noises; period 20 x 4].
+struct GaborStrata {
+    gabor_vec3 rock;       // colour of the darker rock
+    gabor_vec3 sandstone;  // colour of the lighter rock
+    gabor_vec3 red;        // colour of the soft layers
+    gabor_vec3 pale;       // colour of the thin layers
+    float layers;    // layers per unit, 1 to 30
+    float folds;     // bends of the layers, 0 to 3
+    float relief;    // height of the layers, 0 to 3
+    float roughness; // 0 to 1
+};
+// GaborStrata gabor_strata_default()
+// GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed)
+// GaborMaterial gabor_strata(vec2 p, uint seed)
 // GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // ====================================================================================================================
@@ -68,22 +245,21 @@ struct GaborMaterial {
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
-// A place and the steps to the neighbouring pixels.
-struct GaborPixel {
-    gabor_vec2 p;
-    gabor_vec2 dx;
-    gabor_vec2 dy;
-    bool filtered;
-};
+GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel pixel, gabor_vec2 density) {
+    if (pixel.period.x > 0.0f)
+        return gabor_place_tiled(density * pixel.p, density * pixel.period);
+    return gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
+}
 
 // Two independent noises, the parts of a complex one, and the removed share of their variance.
 //   density  kernels per unit along x and y
 GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
+    GaborPlace place = gabor_impl_place(pixel, density);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
     if (!pixel.filtered)
         return gabor_vec3(gabor_field(place, kernel, seed).value, 0.0f);
     float removed;
+    density *= place.radius / GABOR_RADIUS;
     GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
     gabor_vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
     return gabor_vec3(value, removed);
@@ -111,28 +287,54 @@ GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density,
 
 // Moves the place by two noises, and its steps accordingly.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
-    GaborPlace place = gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
-    GaborField field = gabor_field(place, gabor_kernel(0.0f, 0.0f), seed);
+    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0f, 0.0f), seed);
     gabor_vec2 along_x = amplitude * density.x * field.slope_x;
     gabor_vec2 along_y = amplitude * density.y * field.slope_y;
     return GaborPixel{pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
-                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered};
+                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
-// Turns the axes by an angle.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
+// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
+// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
-    gabor_vec2 turn = gabor_impl_wave(-0.15915494f * angle);
-    return GaborPixel{gabor_impl_product(turn, pixel.p), gabor_impl_product(turn, pixel.dx),
-                      gabor_impl_product(turn, pixel.dy), pixel.filtered};
+    gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
+    gabor_vec2 x = turn;
+    gabor_vec2 y = gabor_vec2(-turn.y, turn.x);
+    gabor_vec2 period = gabor_vec2(0.0f);
+    if (pixel.period.x > 0.0f) {
+        gabor_vec2 whole = gabor_cpp_floor(3.0f * gabor_cpp_normalize(turn / pixel.period) + 0.5f);
+        gabor_vec2 size = gabor_cpp_abs(whole);
+        gabor_vec2 signs = gabor_vec2(whole.x < 0.0f ? -1.0f : 1.0f, whole.y < 0.0f ? -1.0f : 1.0f);
+        if (size.x == size.y || size.x * size.y == 0.0f) // (2, 2), (3, 0) and (0, 3)
+            whole = signs * gabor_cpp_min(size, gabor_vec2(1.0f));
+        size = gabor_cpp_abs(whole);
+        gabor_vec2 other = size.x > 1.0f && size.y > 1.0f ? (size.x > size.y ? signs : -signs)
+                     : size.x == 1.0f              ? gabor_vec2(0.0f, whole.x)
+                                                  : gabor_vec2(-whole.y, 0.0f);
+        period.x = gabor_cpp_length(whole * pixel.period);
+        period.y = pixel.period.x * pixel.period.y / period.x;
+        x = period.x * gabor_vec2(other.y, -other.x) / pixel.period;
+        y = period.y * gabor_vec2(-whole.y, whole.x) / pixel.period;
+    }
+    return GaborPixel{gabor_vec2(gabor_cpp_dot(x, pixel.p), gabor_cpp_dot(y, pixel.p)), gabor_vec2(gabor_cpp_dot(x, pixel.dx), gabor_cpp_dot(y, pixel.dx)),
+                      gabor_vec2(gabor_cpp_dot(x, pixel.dy), gabor_cpp_dot(y, pixel.dy)), pixel.filtered, period};
+}
+
+// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
+    if (pixel.period.x > 0.0f)
+        return gabor_cpp_max(gabor_cpp_floor(pixel.period * (count / whole) + 0.5f), gabor_vec2(1.0f)) * whole / pixel.period;
+    return gabor_vec2(count);
 }
 
 // ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
+// 2e-5.
 GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float x = gabor_cpp_clamp((noise - threshold) * gabor_cpp_inversesqrt(softness * softness + removed), -8.0f, 8.0f);
-    return 1.0f / (1.0f + gabor_cpp_exp(-x * (1.5976f + 0.07056f * x * x)));
+    return 1.0f / (1.0f + gabor_cpp_exp(-x * (1.595435f + x * x * (0.0735975f - 0.0006319f * x * x))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -168,38 +370,40 @@ GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, 
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
-// Rings are lines of equal x that slow noise bends until they close: a board cut beside the pith.
-GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(0.43f, 0.0f), gabor_lobe_seed(seed, 0));
-    board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(0.018f, 0.0f), gabor_lobe_seed(seed, 1));
-    GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.035f, 0.0f), gabor_lobe_seed(seed, 2));
-    float ring = gabor_impl_rise(0.97f * gabor_impl_turns(13.0f * years.p.x, 13.0f * years.dx.x, 13.0f * years.dy.x));
+// Rings are lines of equal x that slow noise bends until they close.
+GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
+    gabor_vec2 bends = gabor_vec2(0.43f, 0.018f) * wood.waviness;
+    GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), gabor_lobe_seed(seed, 0));
+    board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), gabor_lobe_seed(seed, 1));
+    GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), gabor_lobe_seed(seed, 2));
+    float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
+    float ring = gabor_impl_rise(0.97f * gabor_impl_turns(rings * years.p.x, rings * years.dx.x, rings * years.dy.x));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
     gabor_vec3 tone = gabor_impl_spots(board, gabor_vec2(3.5f, 0.35f), gabor_lobe_seed(seed, 5));
 
-    float pores = (1.0f - 0.75f * ring) * gabor_impl_above(pore.y, pore.z, 1.1f, 0.25f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.50f, 0.275f, 0.115f), gabor_vec3(0.20f, 0.078f, 0.027f), ring);
-    colour *= gabor_impl_tone(fibre.y, fibre.z, 0.11f) * gabor_impl_tone(tone.y, tone.z, 0.13f);
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.09f, 0.035f, 0.014f), 0.75f * pores);
-    float height = 0.0006f * ring - 0.0018f * pores + 0.0002f * fibre.y;
-    return gabor_impl_material(colour, height, 0.5f - 0.1f * ring, 0.0f);
+    float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11f) * gabor_impl_tone(tone.y, tone.z, 0.13f);
+    float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1f, 0.25f); // a quarter as deep in late wood
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(tones * wood.early, 0.45f * wood.late, pores),
+                      gabor_cpp_mix(tones * wood.late, 0.45f * wood.late, 0.25f * pores), ring);
+    float height = 0.0006f * ring - 0.0024f * (1.0f - 0.75f * ring) * pores + 0.0002f * fibre.y;
+    return gabor_impl_material(colour, height, wood.roughness * (1.0f - 0.2f * ring), 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t seed) {
-    const float count = 12.0f; // threads per unit
-    GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 0));
-    gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(0.7f * count, 1.1f), gabor_lobe_seed(seed, 1)); // uneven along y
-    gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(1.1f, 0.7f * count), gabor_lobe_seed(seed, 2));
+GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
+    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
+    GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), gabor_lobe_seed(seed, 0));
+    gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(0.7f * count.x, 1.1f), gabor_lobe_seed(seed, 1)); // uneven along y
+    gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(1.1f, 0.7f * count.y), gabor_lobe_seed(seed, 2));
     gabor_vec3 upright_fibre = gabor_impl_spots(cloth, gabor_vec2(14.0f, 2.0f) * count, gabor_lobe_seed(seed, 3));
     gabor_vec3 level_fibre = gabor_impl_spots(cloth, gabor_vec2(2.0f, 14.0f) * count, gabor_lobe_seed(seed, 4));
 
     // A thread has a round profile, and goes over one crossing thread and under the next.
-    gabor_vec2 at = count * cloth.p + 0.13f * gabor_vec2(upright.x, level.x);
+    gabor_vec2 at = count * cloth.p + 0.13f * fabric.unevenness * gabor_vec2(upright.x, level.x);
     gabor_vec2 thread = gabor_cpp_floor(at);
     gabor_vec2 within = at - thread - 0.5f;
     float parity = gabor_cpp_fract(0.5f * (thread.x + thread.y)) > 0.25f ? -1.0f : 1.0f;
-    gabor_vec2 thick = 1.0f + 0.16f * gabor_vec2(upright.y, level.y);
+    gabor_vec2 thick = 1.0f + 0.16f * fabric.unevenness * gabor_vec2(upright.y, level.y);
     gabor_vec2 inside = 1.0f - 4.2f * within * within / (thick * thick);
     gabor_vec2 crest = thick * gabor_cpp_sqrt(gabor_cpp_max(inside, 0.0f)) - 1.0f
                  + 0.55f * parity * gabor_cpp_cos(3.1415927f * within.yx()) * gabor_vec2(1.0f, -1.0f) - gabor_vec2((inside < gabor_vec2(0.0f)));
@@ -213,17 +417,19 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, std::uint32_t see
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
     float light = gabor_cpp_mix(0.87f, gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
     float share = gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.60f, 0.53f, 0.42f), gabor_vec3(0.50f, 0.43f, 0.33f), share) * gabor_cpp_mix(0.18f, 1.0f, light);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.09f) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
-    return gabor_impl_material(colour, (0.3f * gabor_cpp_mix(0.146f, top, kept) + 0.035f * fibre.y) / count, 0.85f, 0.0f);
+    gabor_vec3 colour = gabor_cpp_mix(fabric.weft, fabric.warp, share) * gabor_cpp_mix(0.18f, 1.0f, light);
+    colour *= gabor_impl_tone(tone.y, tone.z, 0.09f * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
+    float height = fabric.relief / fabric.threads * (0.3f * gabor_cpp_mix(0.146f, top, kept) + 0.035f * fibre.y);
+    return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
 // Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
-GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f), gabor_lobe_seed(seed, 0));
-    skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f), gabor_lobe_seed(seed, 1));
-    gabor_vec3 one = gabor_impl_layer(skin, gabor_vec2(4.3f), 1.6f, 0.2f, gabor_lobe_seed(seed, 2));
-    gabor_vec3 other = gabor_impl_layer(skin, gabor_vec2(4.3f), 1.6f, 2.2944f, gabor_lobe_seed(seed, 3));
+GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
+    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
+    skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));
+    gabor_vec2 density = gabor_vec2(leather.cells / 1.6f);
+    gabor_vec3 one = gabor_impl_layer(skin, density, 1.6f, 0.2f, gabor_lobe_seed(seed, 2));
+    gabor_vec3 other = gabor_impl_layer(skin, density, 1.6f, 2.2944f, gabor_lobe_seed(seed, 3));
     gabor_vec3 fine = gabor_impl_octaves(pixel, gabor_vec2(18.0f), 3, 0.75f, gabor_lobe_seed(seed, 4));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(0.8f), gabor_lobe_seed(seed, 5));
 
@@ -235,22 +441,28 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, std::uint32_t se
     float kept = gabor_cpp_sqrt(shares.x * shares.y);
     float blur = 1.0f - kept;
     float pebble = gabor_cpp_mix(0.806f, gabor_cpp_smoothstep(-1.45f - blur, -0.55f + blur, cells + 0.1f * fine.y), kept);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.04f, 0.014f, 0.007f), gabor_vec3(0.20f, 0.068f, 0.026f), pebble);
+    gabor_vec3 colour = gabor_cpp_mix(leather.crease, leather.pebble, pebble);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.14f) * gabor_impl_tone(fine.x, fine.z, 0.08f);
     float dome = gabor_cpp_mix(0.236f, gabor_cpp_smoothstep(-1.0f, 3.0f, cells), kept);
-    return gabor_impl_material(colour, 0.016f * pebble + 0.013f * dome + 0.0016f * fine.y, 0.55f - 0.15f * pebble, 0.0f);
+    float height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * fine.y);
+    return gabor_impl_material(colour, height, leather.roughness + 0.15f * (1.0f - pebble), 0.0f);
 }
 
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
-GABOR_INLINE float gabor_impl_vein(gabor_vec3 layer, float width, float threshold) {
-    return gabor_impl_line(layer.x, layer.z, width) * gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
+// middle of a halo, with their widths and strengths.
+GABOR_INLINE gabor_vec3 gabor_impl_vein(gabor_vec3 colour, gabor_vec3 layer, float threshold, gabor_vec3 halo, gabor_vec3 core, gabor_vec2 width, gabor_vec2 strength) {
+    float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
+    strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
+    strength.x *= open * gabor_impl_line(layer.x, layer.z, width.x) - strength.y;
+    return colour + strength.x * (halo - colour) + strength.y * (core - colour);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_marble(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(0.17f), gabor_lobe_seed(seed, 0));
-    stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(0.038f), gabor_lobe_seed(seed, 1));
-    stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(0.010f), gabor_lobe_seed(seed, 2));
-    stone = gabor_impl_warp(stone, gabor_vec2(40.0f), gabor_vec2(0.003f), gabor_lobe_seed(seed, 3));
+GABOR_INLINE GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
+    gabor_vec4 bends = gabor_vec4(0.17f, 0.038f, 0.010f, 0.003f) * marble.turbulence;
+    GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(bends.x), gabor_lobe_seed(seed, 0));
+    stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(bends.y), gabor_lobe_seed(seed, 1));
+    stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(bends.z), gabor_lobe_seed(seed, 2));
+    stone = gabor_impl_warp(stone, gabor_vec2(40.0f), gabor_vec2(bends.w), gabor_lobe_seed(seed, 3));
     gabor_vec3 large = gabor_impl_layer(stone, gabor_vec2(0.95f), 0.85f, 0.65f, gabor_lobe_seed(seed, 4));
     gabor_vec3 middle = gabor_impl_layer(stone, gabor_vec2(1.9f), 0.95f, -0.45f, gabor_lobe_seed(seed, 5));
     gabor_vec3 thin = gabor_impl_layer(stone, gabor_vec2(4.5f), 0.95f, 0.95f, gabor_lobe_seed(seed, 6));
@@ -258,122 +470,136 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborPixel pixel, std::uint32_t see
     gabor_vec3 cloud = gabor_impl_octaves(stone, gabor_vec2(1.5f), 3, 0.6f, gabor_lobe_seed(seed, 8));
     gabor_vec3 crystal = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 9));
 
-    gabor_vec3 colour = gabor_vec3(0.80f, 0.79f, 0.77f) * (1.0f - 0.25f * gabor_impl_above(cloud.y, cloud.z, 0.5f, 0.8f));
+    gabor_vec3 colour = marble.stone * (1.0f - marble.clouds * gabor_impl_above(cloud.y, cloud.z, 0.5f, 0.8f));
     colour *= gabor_impl_tone(crystal.x, crystal.z, 0.02f);
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.36f, 0.37f, 0.385f), 0.6f * gabor_impl_vein(middle, 0.25f, 0.6f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.36f, 0.37f, 0.385f), 0.55f * gabor_impl_vein(large, 0.35f, -0.4f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.13f, 0.135f, 0.145f), 0.75f * gabor_impl_vein(large, 0.05f, -0.4f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.20f, 0.20f, 0.21f), 0.6f * gabor_impl_vein(middle, 0.035f, 0.4f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.32f, 0.31f, 0.30f), 0.45f * gabor_impl_vein(thin, 0.04f, 0.8f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.50f, 0.47f, 0.43f), 0.45f * gabor_impl_vein(hair, 0.05f, 1.1f));
-    return gabor_impl_material(colour, 0.00012f * crystal.y, 0.2f, 0.0f);
+    gabor_vec3 grey = gabor_cpp_mix(marble.stone, marble.vein, 0.65f);
+    colour = gabor_impl_vein(colour, middle, 0.5f, grey, gabor_cpp_mix(marble.stone, marble.vein, 0.9f), gabor_vec2(0.25f, 0.035f),
+                             gabor_vec2(0.6f, 0.6f) * marble.veins);
+    colour = gabor_impl_vein(colour, large, -0.4f, grey, marble.vein, gabor_vec2(0.35f, 0.05f), gabor_vec2(0.55f, 0.75f) * marble.veins);
+    colour = gabor_impl_vein(colour, thin, 0.8f, grey, grey, gabor_vec2(1.0f, 0.04f), gabor_vec2(0.0f, 0.45f) * marble.veins);
+    colour = gabor_impl_vein(colour, hair, 1.1f, grey, gabor_cpp_mix(marble.stone, marble.vein, 0.45f), gabor_vec2(1.0f, 0.05f),
+                             gabor_vec2(0.0f, 0.45f) * marble.veins);
+    return gabor_impl_material(colour, 0.00012f * crystal.y, marble.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_sand(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::uint32_t seed) {
     GaborPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), gabor_lobe_seed(seed, 0));
     dune = gabor_impl_warp(dune, gabor_vec2(3.0f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 1));
-    gabor_vec3 wind = gabor_impl_layer(dune, gabor_vec2(0.9f, 1.7f), 2.3f, 1.4f, gabor_lobe_seed(seed, 2));
+    gabor_vec2 density = gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples;
+    gabor_vec3 wind = gabor_impl_layer(dune, density, 2.3f, 1.4f, gabor_lobe_seed(seed, 2));
     gabor_vec3 grain = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 large = gabor_impl_octaves(pixel, gabor_vec2(0.6f), 3, 0.5f, gabor_lobe_seed(seed, 4));
 
     float ripple = gabor_impl_rise(0.9f * gabor_impl_phase(wind));
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.43f, 0.30f, 0.17f), gabor_vec3(0.60f, 0.44f, 0.265f), ripple);
-    colour *= gabor_impl_tone(grain.x, grain.z, 0.16f) * gabor_impl_tone(large.y, large.z, 0.06f);
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.10f, 0.075f, 0.05f), 0.6f * gabor_impl_above(grain.y, grain.z, 1.9f, 0.15f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.85f, 0.76f, 0.62f), 0.5f * gabor_impl_above(-grain.y, grain.z, 1.9f, 0.15f));
-    float height = 0.055f * ripple * (1.0f + 0.2f * large.x) + 0.03f * large.x + 0.0014f * grain.x;
-    return gabor_impl_material(colour, height, 0.9f, 0.0f);
+    gabor_vec3 colour = gabor_cpp_mix(sand.trough, sand.crest, ripple);
+    colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06f);
+    colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9f, 0.15f));
+    gabor_vec3 bright = gabor_cpp_mix(sand.crest, gabor_vec3(1.0f), 0.6f);
+    colour = gabor_cpp_mix(colour, bright, 3.0f * sand.grain * gabor_impl_above(-grain.y, grain.z, 1.9f, 0.15f));
+    float height = sand.relief * ripple * (1.0f + 0.2f * large.x) + 0.03f * large.x + 0.00875f * sand.grain * grain.x;
+    return gabor_impl_material(colour, height, sand.roughness, 0.0f);
 }
 
 // A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
 // part has mean 0.
-GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
     float height = 0.0f;
     float crest = 0.0f;
     float removed = 0.0f;
     float power = 0.0f;
     for (int i = 0; i < 14; ++i) {
-        float waves = 0.6f * gabor_cpp_exp2(0.27f * float(i)); // per unit
-        float angle = 0.3f + 1.1f * gabor_cpp_fract(0.618034f * float(i) + 0.1f);
+        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // per unit
+        float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
         gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
-        float amplitude = 0.018f / gabor_cpp_pow(waves, 1.3f);
+        float amplitude = gabor_cpp_exp2(-0.351f * float(i));
         height += amplitude * (wave.x + 0.2f * (wave.x * wave.x - wave.y * wave.y));
         crest += amplitude * wave.x;
         removed += amplitude * amplitude * wave.z;
         power += amplitude * amplitude;
     }
     float light = gabor_impl_above(crest * gabor_cpp_inversesqrt(power), removed / power, 0.5f, 1.0f);
-    return gabor_impl_material(gabor_cpp_mix(gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), light), height, 0.1f, 0.0f);
+    gabor_vec3 colour = gabor_cpp_mix(ripples.deep, ripples.shallow, light);
+    return gabor_impl_material(colour, ripples.relief * height, ripples.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
     float height = 0.0f;
     gabor_vec2 tone = gabor_vec2(0.0f);
     for (int i = 0; i < 5; ++i) {
         float fine = gabor_cpp_exp2(float(i));
-        gabor_vec3 streak = gabor_impl_spots(pixel, gabor_vec2(0.3f + 0.12f * fine, 9.0f * fine), gabor_lobe_seed(seed, i));
-        height += 0.0012f / fine * streak.x;
+        gabor_vec2 density = gabor_vec2(0.3f + 0.12f * fine, metal.streaks * fine);
+        gabor_vec3 streak = gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
+        height += metal.relief / fine * streak.x;
         tone += gabor_vec2(0.4472136f, 0.2f) * streak.yz();
     }
-    return gabor_impl_material(gabor_vec3(0.55f, 0.555f, 0.565f) * gabor_impl_tone(tone.x, tone.y, 0.09f), height, 0.36f, 1.0f);
+    gabor_vec3 colour = metal.colour * gabor_impl_tone(tone.x, tone.y, metal.contrast);
+    return gabor_impl_material(colour, height, metal.roughness, 1.0f);
 }
 
 // Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
-GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float whole = 1.0f;
     float height = 0.0f;
+    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // noise is above it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
         float size = gabor_cpp_exp2(-0.13f * float(i));
-        GaborPixel turned = gabor_impl_turned(pixel, 0.3f + 2.399963f * float(i));
+        float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.763932f * float(i) + 0.0955f) - 0.5f);
+        GaborPixel turned = gabor_impl_turned(pixel, angle);
         turned = gabor_impl_warp(turned, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), gabor_lobe_seed(seed, 2 * i));
-        gabor_vec3 noise = gabor_impl_spots(turned, gabor_vec2(0.33f, 42.0f) / size, gabor_lobe_seed(seed, 2 * i + 1));
-        float scratch = gabor_impl_above(noise.x, noise.z, 2.4f, 0.2f) * gabor_impl_above(noise.y, noise.z, 0.3f, 0.7f);
+        gabor_vec2 density = gabor_vec2(1.0f / scratches.reach, 42.0f) / size;
+        gabor_vec3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
+        float scratch = gabor_impl_above(noise.x, noise.z, threshold, 0.2f);
+        scratch *= gabor_impl_above(noise.y, noise.z, 0.3f, 0.7f);
         whole *= 1.0f - (0.25f + 0.7f * size) * scratch;
-        height -= 0.0025f * size * scratch;
+        height -= scratches.depth * size * scratch;
     }
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.60f, 0.61f, 0.62f), gabor_vec3(0.035f, 0.042f, 0.05f), whole);
-    return gabor_impl_material(colour, height, 0.3f, 0.0f);
+    return gabor_impl_material(gabor_cpp_mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), gabor_lobe_seed(seed, 0));
-    float lean = gabor_field(gabor_place(gabor_ivec2(0), 0.6f * GABOR_RADIUS * pixel.p), gabor_kernel(0.0f, 0.0f),
-                             gabor_lobe_seed(seed, 1)).value.x;
-    gabor_vec3 stripe = gabor_impl_layer(skin, gabor_vec2(1.4f), 1.4f, 0.3f + 0.35f * lean, gabor_lobe_seed(seed, 2));
+    GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
+    float lean = gabor_field(place, gabor_kernel(0.0f, 0.0f), gabor_lobe_seed(seed, 1)).value.x;
+    gabor_vec3 stripe = gabor_impl_layer(skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, zebra.direction + zebra.bends * lean,
+                                   gabor_lobe_seed(seed, 2));
     gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5f), gabor_vec2(80.0f, 6.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
 
     float intensity = gabor_cpp_length(stripe.xy()); // at the zeros of stripe.x, the smaller its slope, the wider the edge
-    float dark = gabor_impl_above(stripe.x + 0.1f * intensity * hair.x, stripe.z + 0.01f * hair.z, 0.0f,
+    float ragged = 0.1f * zebra.hair;
+    float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0f,
                                   0.01f + 0.09f * intensity);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), dark);
-    colour *= gabor_impl_tone(hair.y, hair.z, 0.14f) * gabor_impl_tone(tone.y, tone.z, 0.08f);
-    return gabor_impl_material(colour, 0.002f * hair.x, 0.7f, 0.0f);
+    gabor_vec3 colour = gabor_cpp_mix(zebra.bright, zebra.stripe, dark);
+    colour *= gabor_impl_tone(hair.y, hair.z, 0.14f * zebra.hair) * gabor_impl_tone(tone.y, tone.z, 0.08f);
+    return gabor_impl_material(colour, 0.002f * zebra.hair * hair.x, zebra.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_bark(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, std::uint32_t seed) {
     GaborPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), gabor_lobe_seed(seed, 0));
     trunk = gabor_impl_warp(trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), gabor_lobe_seed(seed, 1));
     trunk = gabor_impl_warp(trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), gabor_lobe_seed(seed, 2));
-    gabor_vec3 furrow = gabor_impl_layer(trunk, gabor_vec2(1.7f, 0.55f), 1.3f, 0.1f, gabor_lobe_seed(seed, 3));
+    gabor_vec2 density = gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows;
+    gabor_vec3 furrow = gabor_impl_layer(trunk, density, 1.3f, 0.1f, gabor_lobe_seed(seed, 3));
     gabor_vec3 crack = gabor_impl_layer(trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, gabor_lobe_seed(seed, 4));
     gabor_vec3 rough = gabor_impl_octaves(trunk, gabor_vec2(7.0f, 3.0f), 5, 0.75f, gabor_lobe_seed(seed, 5));
     gabor_vec3 moss = gabor_impl_spots(pixel, gabor_vec2(1.1f, 0.7f), gabor_lobe_seed(seed, 6));
 
-    float plate = gabor_impl_above(furrow.x + 0.2f * rough.x, furrow.z + 0.04f * rough.z, -0.15f, 0.35f)
+    float shape = furrow.x + 0.2f * rough.x;
+    float plate = gabor_impl_above(shape, furrow.z + 0.04f * rough.z, -0.15f, 0.35f)
                   * (1.0f - 0.55f * gabor_impl_line(crack.x, crack.z, 0.13f));
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.025f, 0.014f, 0.008f), gabor_vec3(0.20f, 0.145f, 0.10f), plate);
+    // Weighted by the tone exp(0.25 noise), the removed part of its noise has a mean of 0.25 of its variance.
+    float worn = 0.5f * gabor_impl_above(rough.y + 0.25f * rough.z, rough.z, 0.5f, 0.4f);
+    float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9f, 0.5f);
+    gabor_vec3 top = gabor_cpp_mix(bark.plate, gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), worn);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(bark.furrow, bark.moss, covered), gabor_cpp_mix(top, bark.moss, 0.6f * covered), plate);
     colour *= gabor_impl_tone(rough.y, rough.z, 0.25f);
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.30f, 0.27f, 0.225f), 0.5f * plate * gabor_impl_above(rough.x, rough.z, 0.5f, 0.4f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.10f, 0.13f, 0.045f),
-                 0.35f * gabor_impl_above(moss.y, moss.z, 0.9f, 0.5f) * (1.0f - 0.4f * plate));
-    float height = 0.13f * plate + 0.018f * rough.x * (0.4f + 0.6f * plate);
-    return gabor_impl_material(colour, height, 0.9f, 0.0f);
+    float height = bark.depth * plate + 0.018f * rough.x * (0.4f + 0.6f * plate);
+    return gabor_impl_material(colour, height, bark.roughness, 0.0f);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32_t seed) {
-    const float count = 4.0f; // tows per unit
+GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, std::uint32_t seed) {
+    gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), gabor_lobe_seed(seed, 0));
     gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(20.0f, 0.6f) * count, gabor_lobe_seed(seed, 1));
     gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(0.6f, 20.0f) * count, gabor_lobe_seed(seed, 2));
@@ -388,127 +614,193 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, std::uint32
 
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
-    float bulge = gabor_cpp_mix(0.51f, gabor_cpp_sin(3.1415927f * along) * (1.0f - across * across * across * across), kept);
-    gabor_vec3 colour = gabor_vec3(0.028f, 0.029f, 0.031f) * (0.35f + 0.65f * bulge) * gabor_impl_tone(fibre.x, fibre.z, 0.3f);
-    return gabor_impl_material(colour, (0.16f * bulge + 0.006f * fibre.x) / count, 0.3f, 0.0f);
+    float bulge = gabor_cpp_mix(0.5093f, gabor_cpp_sin(3.1415927f * along) * (1.0f - across * across * across * across), kept);
+    gabor_vec3 colour = fibres.colour * (0.35f + 0.65f * bulge) * gabor_impl_tone(fibre.x, fibre.z, fibres.contrast);
+    float height = fibres.relief / fibres.tows * (0.16f * bulge + 0.006f * fibre.x);
+    return gabor_impl_material(colour, height, fibres.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_strata(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, 0.2f), gabor_lobe_seed(seed, 0));
-    rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), gabor_vec2(0.016f, 0.022f), gabor_lobe_seed(seed, 1));
-    rock = gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(0.004f), gabor_lobe_seed(seed, 2));
-    gabor_vec3 broad = gabor_impl_spots(rock, gabor_vec2(0.1f, 2.0f), gabor_lobe_seed(seed, 3));
-    gabor_vec3 band = gabor_impl_spots(rock, gabor_vec2(0.14f, 6.0f), gabor_lobe_seed(seed, 4));
-    gabor_vec3 thin = gabor_impl_spots(rock, gabor_vec2(0.25f, 17.0f), gabor_lobe_seed(seed, 5));
-    gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 50.0f), gabor_lobe_seed(seed, 6));
+GABOR_INLINE GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
+    gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds;
+    GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), gabor_lobe_seed(seed, 0));
+    rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), gabor_vec2(folds.y, folds.z), gabor_lobe_seed(seed, 1));
+    rock = gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), gabor_lobe_seed(seed, 2));
+    gabor_vec2 layers = gabor_vec2(1.0f, strata.layers);
+    gabor_vec3 broad = gabor_impl_spots(rock, gabor_vec2(0.1f, 0.33333333f) * layers, gabor_lobe_seed(seed, 3));
+    gabor_vec3 band = gabor_impl_spots(rock, gabor_vec2(0.14f, 1.0f) * layers, gabor_lobe_seed(seed, 4));
+    gabor_vec3 thin = gabor_impl_spots(rock, gabor_vec2(0.25f, 2.8333333f) * layers, gabor_lobe_seed(seed, 5));
+    gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 8.3333333f) * layers, gabor_lobe_seed(seed, 6));
     gabor_vec3 grain = gabor_impl_octaves(pixel, gabor_vec2(16.0f, 24.0f), 4, 0.8f, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // red and washed-out layers
-    gabor_vec3 colour = gabor_cpp_mix(gabor_vec3(0.50f, 0.22f, 0.09f), gabor_vec3(0.60f, 0.35f, 0.18f), gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.28f, 0.075f, 0.035f), 0.8f * soft);
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.74f, 0.58f, 0.40f), 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));
-    colour = gabor_cpp_mix(colour, gabor_vec3(0.20f, 0.06f, 0.035f), 0.6f * gabor_impl_above(thin.y, thin.z, 1.3f, 0.15f));
+    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // washed out
+    gabor_vec3 colour = gabor_cpp_mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
+    colour = gabor_cpp_mix(colour, strata.red, 0.8f * soft);
+    colour = gabor_cpp_mix(colour, strata.pale, 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));
+    colour = gabor_cpp_mix(colour, 0.75f * strata.red, 0.6f * gabor_impl_above(thin.y, thin.z, 1.3f, 0.15f));
     colour *= gabor_impl_tone(lamina.x, lamina.z, 0.13f) * gabor_impl_tone(grain.x, grain.z, 0.11f);
     float height = 0.02f * broad.y - 0.012f * soft + 0.006f * thin.x + 0.0015f * lamina.x + 0.003f * grain.y;
-    return gabor_impl_material(colour, height, 0.9f, 0.0f);
+    return gabor_impl_material(colour, strata.relief * height, strata.roughness, 0.0f);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
+GABOR_INLINE GaborPixel gabor_pixel(gabor_vec2 p) {
+    return GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false, gabor_vec2(0.0f)};
+}
+
+GABOR_INLINE GaborPixel gabor_pixel_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy) {
+    return GaborPixel{p, dx, dy, true, gabor_vec2(0.0f)};
+}
+
+GABOR_INLINE GaborPixel gabor_pixel_tiled(GaborPixel pixel, gabor_vec2 period) {
+    return GaborPixel{pixel.p - period * gabor_cpp_floor(pixel.p / period), pixel.dx, pixel.dy, pixel.filtered, period};
+}
+
+GABOR_INLINE GaborWood gabor_wood_default() {
+    return GaborWood{gabor_vec3(0.50f, 0.275f, 0.115f), gabor_vec3(0.20f, 0.078f, 0.027f), 13.0f, 1.0f, 0.75f, 0.5f};
+}
+
+GABOR_INLINE GaborFabric gabor_fabric_default() {
+    return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f};
+}
+
+GABOR_INLINE GaborLeather gabor_leather_default() {
+    return GaborLeather{gabor_vec3(0.20f, 0.068f, 0.026f), gabor_vec3(0.04f, 0.014f, 0.007f), 6.88f, 1.0f, 1.0f, 0.4f};
+}
+
+GABOR_INLINE GaborMarble gabor_marble_default() {
+    return GaborMarble{gabor_vec3(0.80f, 0.79f, 0.77f), gabor_vec3(0.13f, 0.135f, 0.145f), 1.0f, 1.0f, 0.25f, 0.2f};
+}
+
+GABOR_INLINE GaborSand gabor_sand_default() {
+    return GaborSand{gabor_vec3(0.43f, 0.30f, 0.17f), gabor_vec3(0.60f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f};
+}
+
+GABOR_INLINE GaborRipples gabor_ripples_default() {
+    return GaborRipples{gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), 0.6f, 0.85f, 1.1f, 0.035f, 0.1f};
+}
+
+GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
+    return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), 9.0f, 0.09f, 0.0012f, 0.36f};
+}
+
+GABOR_INLINE GaborScratches gabor_scratches_default() {
+    return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 3.1415927f, 0.0025f,
+                          0.3f};
+}
+
+GABOR_INLINE GaborZebra gabor_zebra_default() {
+    return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.3f, 0.35f, 1.0f, 0.7f};
+}
+
+GABOR_INLINE GaborBark gabor_bark_default() {
+    return GaborBark{gabor_vec3(0.20f, 0.145f, 0.10f), gabor_vec3(0.025f, 0.014f, 0.008f), gabor_vec3(0.10f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f,
+                     0.9f};
+}
+
+GABOR_INLINE GaborCarbonFibre gabor_carbon_fibre_default() {
+    return GaborCarbonFibre{gabor_vec3(0.028f, 0.029f, 0.031f), 4.0f, 0.3f, 1.0f, 0.3f};
+}
+
+GABOR_INLINE GaborStrata gabor_strata_default() {
+    return GaborStrata{gabor_vec3(0.50f, 0.22f, 0.09f), gabor_vec3(0.60f, 0.35f, 0.18f), gabor_vec3(0.28f, 0.075f, 0.035f), gabor_vec3(0.74f, 0.58f, 0.40f),
+                       6.0f, 1.0f, 1.0f, 0.9f};
+}
+
 GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_wood(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_wood_at(gabor_pixel(p), gabor_wood_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_fabric(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_fabric_at(gabor_pixel(p), gabor_fabric_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_leather(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_leather_at(gabor_pixel(p), gabor_leather_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_marble(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_marble_at(gabor_pixel(p), gabor_marble_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_sand(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_sand_at(gabor_pixel(p), gabor_sand_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_ripples(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_ripples_at(gabor_pixel(p), gabor_ripples_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_brushed_metal(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_brushed_metal_at(gabor_pixel(p), gabor_brushed_metal_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_scratches(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_scratches_at(gabor_pixel(p), gabor_scratches_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_zebra(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_zebra_at(gabor_pixel(p), gabor_zebra_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_bark(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_bark_at(gabor_pixel(p), gabor_bark_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_carbon_fibre(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_carbon_fibre_at(gabor_pixel(p), gabor_carbon_fibre_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_impl_strata(GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false}, seed);
+    return gabor_strata_at(gabor_pixel(p), gabor_strata_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_wood(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_wood_at(gabor_pixel_filtered(p, dx, dy), gabor_wood_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_fabric(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_fabric_at(gabor_pixel_filtered(p, dx, dy), gabor_fabric_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_leather(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_leather_at(gabor_pixel_filtered(p, dx, dy), gabor_leather_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_marble(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_marble_at(gabor_pixel_filtered(p, dx, dy), gabor_marble_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_sand(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_sand_at(gabor_pixel_filtered(p, dx, dy), gabor_sand_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_ripples(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_ripples_at(gabor_pixel_filtered(p, dx, dy), gabor_ripples_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_brushed_metal(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_brushed_metal_at(gabor_pixel_filtered(p, dx, dy), gabor_brushed_metal_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_scratches(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_scratches_at(gabor_pixel_filtered(p, dx, dy), gabor_scratches_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_zebra(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_zebra_at(gabor_pixel_filtered(p, dx, dy), gabor_zebra_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_bark(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_bark_at(gabor_pixel_filtered(p, dx, dy), gabor_bark_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_carbon_fibre(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_carbon_fibre_at(gabor_pixel_filtered(p, dx, dy), gabor_carbon_fibre_default(), seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_impl_strata(GaborPixel{p, dx, dy, true}, seed);
+    return gabor_strata_at(gabor_pixel_filtered(p, dx, dy), gabor_strata_default(), seed);
 }
 
 #endif // GABOR_MATERIALS_HPP

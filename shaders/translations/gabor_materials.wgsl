@@ -1,10 +1,14 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 2d2cd2d63a6371cd
+// Digest of the GLSL and of this file: 4fe043995b716092
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
+//
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     oak.rings = 20.0;
+//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
 // One unit of p shows a characteristic piece of a material; four by four units make a good picture.
 //
@@ -17,135 +21,1408 @@ struct GaborMaterial {
     metalness: f32,
 }
 
-// a board: year rings cut lengthwise, pores, fibres [6]
+// A place, and the area of its pixel.
+struct GaborPixel {
+    p: vec2<f32>,
+    dx: vec2<f32>,
+    dy: vec2<f32>,
+    filtered: bool,
+    period: vec2<f32>,
+}
+
+// The place p.
+fn gabor_pixel(p: vec2<f32>) -> GaborPixel {
+    return GaborPixel(p, vec2(0f), vec2(0f), false, vec2(0f));
+}
+
+// The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
+// as unfiltered, all others as much as gabor_noise_filtered.
+fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixel {
+    return GaborPixel(p, dx, dy, true, vec2(0f));
+}
+
+// The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
+// period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
+// as it does without one; in a shorter one its slow changes are faster.
+fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
+    return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
+}
+
+// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+struct GaborWood {
+    early: vec3<f32>,
+    late: vec3<f32>,
+    rings: f32,
+    waviness: f32,
+    pores: f32,
+    roughness: f32,
+}
+
+fn gabor_wood_default() -> GaborWood {
+    return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
+}
+
+fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial {
+    var bends: vec2<f32>;
+    var board: GaborPixel;
+    var years: GaborPixel;
+    var rings: f32;
+    var ring: f32;
+    var pore: vec3<f32>;
+    var fibre: vec3<f32>;
+    var tone: vec3<f32>;
+    var tones: f32;
+    var pores: f32;
+    var colour_1: vec3<f32>;
+    var height_1: f32;
+
+    bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
+    let _e12 = bends;
+    let _e17 = gabor_lobe_seed(seed, 0i);
+    let _e18 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e12.x, 0f), _e17);
+    board = _e18;
+    let _e20 = board;
+    let _e24 = bends;
+    let _e29 = gabor_lobe_seed(seed, 1i);
+    let _e30 = gabor_impl_warp(_e20, vec2<f32>(4f, 0.9f), vec2<f32>(_e24.y, 0f), _e29);
+    board = _e30;
+    let _e31 = board;
+    let _e41 = gabor_lobe_seed(seed, 2i);
+    let _e42 = gabor_impl_warp(_e31, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), _e41);
+    years = _e42;
+    let _e46 = gabor_impl_repeated(pixel, wood.rings, 1f);
+    rings = _e46.x;
+    let _e50 = rings;
+    let _e51 = years;
+    let _e55 = rings;
+    let _e56 = years;
+    let _e60 = rings;
+    let _e61 = years;
+    let _e65 = gabor_impl_turns((_e50 * _e51.p.x), (_e55 * _e56.dx.x), (_e60 * _e61.dy.x));
+    let _e67 = gabor_impl_rise((0.97f * _e65));
+    ring = _e67;
+    let _e73 = gabor_lobe_seed(seed, 3i);
+    let _e74 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e73);
+    pore = _e74;
+    let _e80 = gabor_lobe_seed(seed, 4i);
+    let _e81 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e80);
+    fibre = _e81;
+    let _e83 = board;
+    let _e88 = gabor_lobe_seed(seed, 5i);
+    let _e89 = gabor_impl_spots(_e83, vec2<f32>(3.5f, 0.35f), _e88);
+    tone = _e89;
+    let _e91 = fibre;
+    let _e93 = fibre;
+    let _e96 = gabor_impl_tone(_e91.y, _e93.z, 0.11f);
+    let _e97 = tone;
+    let _e99 = tone;
+    let _e102 = gabor_impl_tone(_e97.y, _e99.z, 0.13f);
+    tones = (_e96 * _e102);
+    let _e106 = pore;
+    let _e108 = pore;
+    let _e112 = gabor_impl_above(_e106.y, _e108.z, 1.1f, 0.25f);
+    pores = (wood.pores * _e112);
+    let _e115 = tones;
+    let _e121 = pores;
+    let _e124 = tones;
+    let _e131 = pores;
+    let _e135 = ring;
+    colour_1 = mix(mix((_e115 * wood.early), (0.45f * wood.late), vec3(_e121)), mix((_e124 * wood.late), (0.45f * wood.late), vec3((0.25f * _e131))), vec3(_e135));
+    let _e140 = ring;
+    let _e145 = ring;
+    let _e149 = pores;
+    let _e153 = fibre;
+    height_1 = (((0.0006f * _e140) - ((0.0024f * (1f - (0.75f * _e145))) * _e149)) + (0.0002f * _e153.y));
+    let _e158 = colour_1;
+    let _e159 = height_1;
+    let _e163 = ring;
+    let _e168 = gabor_impl_material(_e158, _e159, (wood.roughness * (1f - (0.2f * _e163))), 0f);
+    return _e168;
+}
+
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_wood(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// linen: a plain weave of uneven threads [5]
-fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_fabric(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// pebbled grain: cells between creases [8]
-fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_leather(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// white, with veins of four sizes [12]
-fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_marble(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// wind ripples, steep on one side, and grains [7]
-fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_sand(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// water under a light wind [14]
-fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_ripples(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// streaks along x [5]
-fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_brushed_metal(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// hairlines in a dark lacquer [28]
-fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_scratches(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// stripes that fork, and hair [5]
-fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_zebra(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// furrows and plates, moss [11]
-fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_bark(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// a twill of black tows [3]
-fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_carbon_fibre(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
-}
-
-// layers of sandstone, seen from the side [11]
-fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e8 = gabor_impl_strata(GaborPixel(p, vec2(0f), vec2(0f), false), seed);
-    return _e8;
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_wood_default();
+    let _e4 = gabor_wood_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_wood(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_wood_default();
+    let _e6 = gabor_wood_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+struct GaborFabric {
+    warp: vec3<f32>,
+    weft: vec3<f32>,
+    threads: f32,
+    unevenness: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_fabric_default() -> GaborFabric {
+    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f);
+}
+
+fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMaterial {
+    var count_2: vec2<f32>;
+    var cloth: GaborPixel;
+    var upright: vec3<f32>;
+    var level: vec3<f32>;
+    var upright_fibre: vec3<f32>;
+    var level_fibre: vec3<f32>;
+    var at: vec2<f32>;
+    var thread: vec2<f32>;
+    var within_1: vec2<f32>;
+    var local_36: f32;
+    var parity: f32;
+    var thick: vec2<f32>;
+    var inside_1: vec2<f32>;
+    var crest: vec2<f32>;
+    var first_4: bool;
+    var top: f32;
+    var local_37: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_38: vec3<f32>;
+    var fibre_1: vec3<f32>;
+    var steps: vec2<f32>;
+    var kept_1: f32;
+    var light: f32;
+    var local_39: f32;
+    var share_2: f32;
+    var colour_2: vec3<f32>;
+    var height_2: f32;
+
+    let _e5 = gabor_impl_repeated(pixel, fabric.threads, 2f);
+    count_2 = _e5;
+    let _e14 = gabor_lobe_seed(seed, 0i);
+    let _e15 = gabor_impl_warp(pixel, vec2(0.7f), vec2((0.02f * fabric.unevenness)), _e14);
+    cloth = _e15;
+    let _e17 = cloth;
+    let _e19 = count_2;
+    let _e25 = gabor_lobe_seed(seed, 1i);
+    let _e26 = gabor_impl_spots(_e17, vec2<f32>((0.7f * _e19.x), 1.1f), _e25);
+    upright = _e26;
+    let _e28 = cloth;
+    let _e31 = count_2;
+    let _e36 = gabor_lobe_seed(seed, 2i);
+    let _e37 = gabor_impl_spots(_e28, vec2<f32>(1.1f, (0.7f * _e31.y)), _e36);
+    level = _e37;
+    let _e39 = cloth;
+    let _e43 = count_2;
+    let _e46 = gabor_lobe_seed(seed, 3i);
+    let _e47 = gabor_impl_spots(_e39, (vec2<f32>(14f, 2f) * _e43), _e46);
+    upright_fibre = _e47;
+    let _e49 = cloth;
+    let _e53 = count_2;
+    let _e56 = gabor_lobe_seed(seed, 4i);
+    let _e57 = gabor_impl_spots(_e49, (vec2<f32>(2f, 14f) * _e53), _e56);
+    level_fibre = _e57;
+    let _e59 = count_2;
+    let _e60 = cloth;
+    let _e66 = upright;
+    let _e68 = level;
+    at = ((_e59 * _e60.p) + ((0.13f * fabric.unevenness) * vec2<f32>(_e66.x, _e68.x)));
+    let _e74 = at;
+    thread = floor(_e74);
+    let _e77 = at;
+    let _e78 = thread;
+    within_1 = ((_e77 - _e78) - vec2(0.5f));
+    let _e85 = thread;
+    let _e87 = thread;
+    if (fract((0.5f * (_e85.x + _e87.y))) > 0.25f) {
+        local_36 = -1f;
+    } else {
+        local_36 = 1f;
+    }
+    let _e98 = local_36;
+    parity = _e98;
+    let _e104 = upright;
+    let _e106 = level;
+    thick = (vec2(1f) + ((0.16f * fabric.unevenness) * vec2<f32>(_e104.y, _e106.y)));
+    let _e115 = within_1;
+    let _e117 = within_1;
+    let _e119 = thick;
+    let _e120 = thick;
+    inside_1 = (vec2(1f) - (((4.2f * _e115) * _e117) / (_e119 * _e120)));
+    let _e126 = thick;
+    let _e127 = inside_1;
+    let _e137 = parity;
+    let _e140 = within_1;
+    let _e151 = inside_1;
+    crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e151 < vec2(0f))));
+    let _e162 = crest;
+    let _e164 = crest;
+    first_4 = (_e162.x > _e164.y);
+    let _e168 = crest;
+    let _e170 = crest;
+    top = max(max(_e168.x, _e170.y), -1.3f);
+    let _e177 = first_4;
+    if _e177 {
+        let _e178 = upright;
+        local_37 = _e178;
+    } else {
+        let _e179 = level;
+        local_37 = _e179;
+    }
+    let _e181 = local_37;
+    tone_1 = _e181;
+    let _e183 = first_4;
+    if _e183 {
+        let _e184 = upright_fibre;
+        local_38 = _e184;
+    } else {
+        let _e185 = level_fibre;
+        local_38 = _e185;
+    }
+    let _e187 = local_38;
+    fibre_1 = _e187;
+    let _e189 = count_2;
+    let _e190 = count_2;
+    let _e192 = cloth;
+    let _e194 = cloth;
+    let _e197 = cloth;
+    let _e199 = cloth;
+    steps = ((_e189 * _e190) * ((_e192.dx * _e194.dx) + (_e197.dy * _e199.dy)));
+    let _e206 = steps;
+    let _e208 = steps;
+    kept_1 = exp(-(min((2.5f * (_e206.x + _e208.y)), 40f)));
+    let _e221 = top;
+    let _e223 = kept_1;
+    light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e221), _e223);
+    let _e227 = first_4;
+    if _e227 {
+        local_39 = 1f;
+    } else {
+        local_39 = 0f;
+    }
+    let _e231 = local_39;
+    let _e232 = kept_1;
+    share_2 = mix(0.5f, _e231, _e232);
+    let _e237 = share_2;
+    let _e242 = light;
+    colour_2 = (mix(fabric.weft, fabric.warp, vec3(_e237)) * mix(0.18f, 1f, _e242));
+    let _e246 = colour_2;
+    let _e247 = tone_1;
+    let _e249 = tone_1;
+    let _e254 = gabor_impl_tone(_e247.y, _e249.z, (0.09f * fabric.unevenness));
+    let _e255 = fibre_1;
+    let _e257 = fibre_1;
+    let _e260 = gabor_impl_tone(_e255.y, _e257.z, 0.12f);
+    colour_2 = (_e246 * (_e254 * _e260));
+    let _e268 = top;
+    let _e269 = kept_1;
+    let _e273 = fibre_1;
+    height_2 = ((fabric.relief / fabric.threads) * ((0.3f * mix(0.146f, _e268, _e269)) + (0.035f * _e273.y)));
+    let _e279 = colour_2;
+    let _e280 = height_2;
+    let _e283 = gabor_impl_material(_e279, _e280, fabric.roughness, 0f);
+    return _e283;
+}
+
+fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_fabric_default();
+    let _e4 = gabor_fabric_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_fabric(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_fabric_default();
+    let _e6 = gabor_fabric_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Pebbled grain: cells between creases [8 noises; period 3 x 3].
+struct GaborLeather {
+    pebble: vec3<f32>,
+    crease: vec3<f32>,
+    cells: f32,
+    wrinkles: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_leather_default() -> GaborLeather {
+    return GaborLeather(vec3<f32>(0.2f, 0.068f, 0.026f), vec3<f32>(0.04f, 0.014f, 0.007f), 6.88f, 1f, 1f, 0.4f);
+}
+
+fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborMaterial {
+    var skin: GaborPixel;
+    var density_7: vec2<f32>;
+    var one: vec3<f32>;
+    var other_1: vec3<f32>;
+    var fine: vec3<f32>;
+    var tone_2: vec3<f32>;
+    var powers: vec2<f32>;
+    var a_7: vec2<f32>;
+    var b_9: vec2<f32>;
+    var cells: f32;
+    var shares: vec2<f32>;
+    var kept_2: f32;
+    var blur: f32;
+    var pebble: f32;
+    var colour_3: vec3<f32>;
+    var dome: f32;
+    var height_3: f32;
+
+    let _e10 = gabor_lobe_seed(seed, 0i);
+    let _e11 = gabor_impl_warp(pixel, vec2(0.9f), vec2((0.07f * leather.wrinkles)), _e10);
+    skin = _e11;
+    let _e13 = skin;
+    let _e21 = gabor_lobe_seed(seed, 1i);
+    let _e22 = gabor_impl_warp(_e13, vec2(4f), vec2((0.014f * leather.wrinkles)), _e21);
+    skin = _e22;
+    density_7 = vec2((leather.cells / 1.6f));
+    let _e28 = skin;
+    let _e29 = density_7;
+    let _e33 = gabor_lobe_seed(seed, 2i);
+    let _e34 = gabor_impl_layer(_e28, _e29, 1.6f, 0.2f, _e33);
+    one = _e34;
+    let _e36 = skin;
+    let _e37 = density_7;
+    let _e41 = gabor_lobe_seed(seed, 3i);
+    let _e42 = gabor_impl_layer(_e36, _e37, 1.6f, 2.2944f, _e41);
+    other_1 = _e42;
+    let _e49 = gabor_lobe_seed(seed, 4i);
+    let _e50 = gabor_impl_octaves(pixel, vec2(18f), 3i, 0.75f, _e49);
+    fine = _e50;
+    let _e55 = gabor_lobe_seed(seed, 5i);
+    let _e56 = gabor_impl_spots(pixel, vec2(0.8f), _e55);
+    tone_2 = _e56;
+    let _e58 = one;
+    let _e60 = one;
+    let _e63 = other_1;
+    let _e65 = other_1;
+    powers = vec2<f32>(dot(_e58.xy, _e60.xy), dot(_e63.xy, _e65.xy));
+    let _e70 = one;
+    let _e72 = powers;
+    a_7 = (_e70.xy * inverseSqrt((_e72.x + 0.12f)));
+    let _e79 = other_1;
+    let _e81 = powers;
+    b_9 = (_e79.xy * inverseSqrt((_e81.y + 0.12f)));
+    let _e88 = a_7;
+    let _e90 = b_9;
+    let _e93 = a_7;
+    let _e94 = b_9;
+    let _e95 = gabor_impl_product(_e93, _e94);
+    cells = ((_e88.x + _e90.x) + _e95.x);
+    let _e99 = powers;
+    let _e100 = powers;
+    let _e102 = one;
+    let _e104 = other_1;
+    shares = (_e99 / (_e100 + (2.5f * vec2<f32>(_e102.z, _e104.z))));
+    let _e111 = shares;
+    let _e113 = shares;
+    kept_2 = sqrt((_e111.x * _e113.y));
+    let _e119 = kept_2;
+    blur = (1f - _e119);
+    let _e125 = blur;
+    let _e129 = blur;
+    let _e131 = cells;
+    let _e133 = fine;
+    let _e138 = kept_2;
+    pebble = mix(0.806f, smoothstep((-1.45f - _e125), (-0.55f + _e129), (_e131 + (0.1f * _e133.y))), _e138);
+    let _e143 = pebble;
+    colour_3 = mix(leather.crease, leather.pebble, vec3(_e143));
+    let _e147 = colour_3;
+    let _e148 = tone_2;
+    let _e150 = tone_2;
+    let _e153 = gabor_impl_tone(_e148.y, _e150.z, 0.14f);
+    let _e154 = fine;
+    let _e156 = fine;
+    let _e159 = gabor_impl_tone(_e154.x, _e156.z, 0.08f);
+    colour_3 = (_e147 * (_e153 * _e159));
+    let _e166 = cells;
+    let _e168 = kept_2;
+    dome = mix(0.236f, smoothstep(-1f, 3f, _e166), _e168);
+    let _e173 = pebble;
+    let _e176 = dome;
+    let _e180 = fine;
+    height_3 = (leather.relief * (((0.016f * _e173) + (0.013f * _e176)) + (0.0016f * _e180.y)));
+    let _e186 = colour_3;
+    let _e187 = height_3;
+    let _e191 = pebble;
+    let _e196 = gabor_impl_material(_e186, _e187, (leather.roughness + (0.15f * (1f - _e191))), 0f);
+    return _e196;
+}
+
+fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_leather_default();
+    let _e4 = gabor_leather_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_leather(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_leather_default();
+    let _e6 = gabor_leather_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Polished stone with veins of four sizes [12 noises; period 3 x 3].
+struct GaborMarble {
+    stone: vec3<f32>,
+    vein: vec3<f32>,
+    veins: f32,
+    turbulence: f32,
+    clouds: f32,
+    roughness: f32,
+}
+
+fn gabor_marble_default() -> GaborMarble {
+    return GaborMarble(vec3<f32>(0.8f, 0.79f, 0.77f), vec3<f32>(0.13f, 0.135f, 0.145f), 1f, 1f, 0.25f, 0.2f);
+}
+
+fn gabor_marble_at(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    var bends_1: vec4<f32>;
+    var stone: GaborPixel;
+    var large: vec3<f32>;
+    var middle: vec3<f32>;
+    var thin: vec3<f32>;
+    var hair: vec3<f32>;
+    var cloud: vec3<f32>;
+    var crystal: vec3<f32>;
+    var colour_5: vec3<f32>;
+    var grey: vec3<f32>;
+
+    bends_1 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
+    let _e13 = bends_1;
+    let _e17 = gabor_lobe_seed(seed, 0i);
+    let _e18 = gabor_impl_warp(pixel, vec2(1.1f), vec2(_e13.x), _e17);
+    stone = _e18;
+    let _e20 = stone;
+    let _e23 = bends_1;
+    let _e27 = gabor_lobe_seed(seed, 1i);
+    let _e28 = gabor_impl_warp(_e20, vec2(4f), vec2(_e23.y), _e27);
+    stone = _e28;
+    let _e29 = stone;
+    let _e32 = bends_1;
+    let _e36 = gabor_lobe_seed(seed, 2i);
+    let _e37 = gabor_impl_warp(_e29, vec2(13f), vec2(_e32.z), _e36);
+    stone = _e37;
+    let _e38 = stone;
+    let _e41 = bends_1;
+    let _e45 = gabor_lobe_seed(seed, 3i);
+    let _e46 = gabor_impl_warp(_e38, vec2(40f), vec2(_e41.w), _e45);
+    stone = _e46;
+    let _e47 = stone;
+    let _e53 = gabor_lobe_seed(seed, 4i);
+    let _e54 = gabor_impl_layer(_e47, vec2(0.95f), 0.85f, 0.65f, _e53);
+    large = _e54;
+    let _e56 = stone;
+    let _e63 = gabor_lobe_seed(seed, 5i);
+    let _e64 = gabor_impl_layer(_e56, vec2(1.9f), 0.95f, -0.45f, _e63);
+    middle = _e64;
+    let _e66 = stone;
+    let _e72 = gabor_lobe_seed(seed, 6i);
+    let _e73 = gabor_impl_layer(_e66, vec2(4.5f), 0.95f, 0.95f, _e72);
+    thin = _e73;
+    let _e75 = stone;
+    let _e81 = gabor_lobe_seed(seed, 7i);
+    let _e82 = gabor_impl_layer(_e75, vec2(13f), 0.9f, 0.2f, _e81);
+    hair = _e82;
+    let _e84 = stone;
+    let _e90 = gabor_lobe_seed(seed, 8i);
+    let _e91 = gabor_impl_octaves(_e84, vec2(1.5f), 3i, 0.6f, _e90);
+    cloud = _e91;
+    let _e96 = gabor_lobe_seed(seed, 9i);
+    let _e97 = gabor_impl_spots(pixel, vec2(75f), _e96);
+    crystal = _e97;
+    let _e102 = cloud;
+    let _e104 = cloud;
+    let _e108 = gabor_impl_above(_e102.y, _e104.z, 0.5f, 0.8f);
+    colour_5 = (marble.stone * (1f - (marble.clouds * _e108)));
+    let _e113 = colour_5;
+    let _e114 = crystal;
+    let _e116 = crystal;
+    let _e119 = gabor_impl_tone(_e114.x, _e116.z, 0.02f);
+    colour_5 = (_e113 * _e119);
+    grey = mix(marble.stone, marble.vein, vec3(0.65f));
+    let _e127 = colour_5;
+    let _e128 = middle;
+    let _e130 = grey;
+    let _e144 = gabor_impl_vein(_e127, _e128, 0.5f, _e130, mix(marble.stone, marble.vein, vec3(0.9f)), vec2<f32>(0.25f, 0.035f), (vec2<f32>(0.6f, 0.6f) * marble.veins));
+    colour_5 = _e144;
+    let _e145 = colour_5;
+    let _e146 = large;
+    let _e149 = grey;
+    let _e159 = gabor_impl_vein(_e145, _e146, -0.4f, _e149, marble.vein, vec2<f32>(0.35f, 0.05f), (vec2<f32>(0.55f, 0.75f) * marble.veins));
+    colour_5 = _e159;
+    let _e160 = colour_5;
+    let _e161 = thin;
+    let _e163 = grey;
+    let _e164 = grey;
+    let _e173 = gabor_impl_vein(_e160, _e161, 0.8f, _e163, _e164, vec2<f32>(1f, 0.04f), (vec2<f32>(0f, 0.45f) * marble.veins));
+    colour_5 = _e173;
+    let _e174 = colour_5;
+    let _e175 = hair;
+    let _e177 = grey;
+    let _e191 = gabor_impl_vein(_e174, _e175, 1.1f, _e177, mix(marble.stone, marble.vein, vec3(0.45f)), vec2<f32>(1f, 0.05f), (vec2<f32>(0f, 0.45f) * marble.veins));
+    colour_5 = _e191;
+    let _e192 = colour_5;
+    let _e194 = crystal;
+    let _e199 = gabor_impl_material(_e192, (0.00012f * _e194.y), marble.roughness, 0f);
+    return _e199;
+}
+
+fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_marble_default();
+    let _e4 = gabor_marble_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_marble(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_marble_default();
+    let _e6 = gabor_marble_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
+struct GaborSand {
+    trough: vec3<f32>,
+    crest: vec3<f32>,
+    ripples: f32,
+    relief: f32,
+    grain: f32,
+    roughness: f32,
+}
+
+fn gabor_sand_default() -> GaborSand {
+    return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
+}
+
+fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial {
+    var dune: GaborPixel;
+    var density_8: vec2<f32>;
+    var wind: vec3<f32>;
+    var grain: vec3<f32>;
+    var large_1: vec3<f32>;
+    var ripple: f32;
+    var colour_6: vec3<f32>;
+    var bright: vec3<f32>;
+    var height_4: f32;
+
+    let _e8 = gabor_lobe_seed(seed, 0i);
+    let _e9 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), _e8);
+    dune = _e9;
+    let _e11 = dune;
+    let _e17 = gabor_lobe_seed(seed, 1i);
+    let _e18 = gabor_impl_warp(_e11, vec2(3f), vec2(0.02f), _e17);
+    dune = _e18;
+    density_8 = (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples);
+    let _e32 = dune;
+    let _e33 = density_8;
+    let _e37 = gabor_lobe_seed(seed, 2i);
+    let _e38 = gabor_impl_layer(_e32, _e33, 2.3f, 1.4f, _e37);
+    wind = _e38;
+    let _e43 = gabor_lobe_seed(seed, 3i);
+    let _e44 = gabor_impl_spots(pixel, vec2(75f), _e43);
+    grain = _e44;
+    let _e51 = gabor_lobe_seed(seed, 4i);
+    let _e52 = gabor_impl_octaves(pixel, vec2(0.6f), 3i, 0.5f, _e51);
+    large_1 = _e52;
+    let _e55 = wind;
+    let _e56 = gabor_impl_phase(_e55);
+    let _e58 = gabor_impl_rise((0.9f * _e56));
+    ripple = _e58;
+    let _e62 = ripple;
+    colour_6 = mix(sand.trough, sand.crest, vec3(_e62));
+    let _e66 = colour_6;
+    let _e67 = grain;
+    let _e69 = grain;
+    let _e72 = gabor_impl_tone(_e67.x, _e69.z, sand.grain);
+    let _e73 = large_1;
+    let _e75 = large_1;
+    let _e78 = gabor_impl_tone(_e73.y, _e75.z, 0.06f);
+    colour_6 = (_e66 * (_e72 * _e78));
+    let _e81 = colour_6;
+    let _e88 = grain;
+    let _e90 = grain;
+    let _e94 = gabor_impl_above(_e88.y, _e90.z, 1.9f, 0.15f);
+    colour_6 = mix(_e81, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e94)));
+    bright = mix(sand.crest, vec3(1f), vec3(0.6f));
+    let _e105 = colour_6;
+    let _e106 = bright;
+    let _e110 = grain;
+    let _e113 = grain;
+    let _e117 = gabor_impl_above(-(_e110.y), _e113.z, 1.9f, 0.15f);
+    colour_6 = mix(_e105, _e106, vec3(((3f * sand.grain) * _e117)));
+    let _e122 = ripple;
+    let _e126 = large_1;
+    let _e132 = large_1;
+    let _e139 = grain;
+    height_4 = ((((sand.relief * _e122) * (1f + (0.2f * _e126.x))) + (0.03f * _e132.x)) + ((0.00875f * sand.grain) * _e139.x));
+    let _e144 = colour_6;
+    let _e145 = height_4;
+    let _e148 = gabor_impl_material(_e144, _e145, sand.roughness, 0f);
+    return _e148;
+}
+
+fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_sand_default();
+    let _e4 = gabor_sand_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_sand(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_sand_default();
+    let _e6 = gabor_sand_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Water under a light wind [14 noises; period 8 x 8].
+struct GaborRipples {
+    deep: vec3<f32>,
+    shallow: vec3<f32>,
+    waves: f32,
+    direction: f32,
+    spread: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_ripples_default() -> GaborRipples {
+    return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.85f, 1.1f, 0.035f, 0.1f);
+}
+
+fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
+    var height_5: f32 = 0f;
+    var crest_1: f32 = 0f;
+    var removed_10: f32 = 0f;
+    var power_5: f32 = 0f;
+    var i_8: i32 = 0i;
+    var waves: f32;
+    var angle_1: f32;
+    var wave_20: vec3<f32>;
+    var amplitude_6: f32;
+    var light_1: f32;
+    var colour_7: vec3<f32>;
+
+    loop {
+        let _e13 = i_8;
+        if !((_e13 < 14i)) {
+            break;
+        }
+        {
+            let _e22 = i_8;
+            waves = (ripples.waves * exp2((0.27f * f32(_e22))));
+            let _e31 = i_8;
+            angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(_e31)) + 0.1f)) - 0.5f)));
+            let _e42 = waves;
+            let _e47 = angle_1;
+            let _e48 = i_8;
+            let _e49 = gabor_lobe_seed(seed, _e48);
+            let _e50 = gabor_impl_layer(pixel, vec2((_e42 / 2.2f)), 2.2f, _e47, _e49);
+            wave_20 = _e50;
+            let _e54 = i_8;
+            amplitude_6 = exp2((-0.351f * f32(_e54)));
+            let _e59 = height_5;
+            let _e60 = amplitude_6;
+            let _e61 = wave_20;
+            let _e64 = wave_20;
+            let _e66 = wave_20;
+            let _e69 = wave_20;
+            let _e71 = wave_20;
+            height_5 = (_e59 + (_e60 * (_e61.x + (0.2f * ((_e64.x * _e66.x) - (_e69.y * _e71.y))))));
+            let _e79 = crest_1;
+            let _e80 = amplitude_6;
+            let _e81 = wave_20;
+            crest_1 = (_e79 + (_e80 * _e81.x));
+            let _e85 = removed_10;
+            let _e86 = amplitude_6;
+            let _e87 = amplitude_6;
+            let _e89 = wave_20;
+            removed_10 = (_e85 + ((_e86 * _e87) * _e89.z));
+            let _e93 = power_5;
+            let _e94 = amplitude_6;
+            let _e95 = amplitude_6;
+            power_5 = (_e93 + (_e94 * _e95));
+        }
+        continuing {
+            let _e17 = i_8;
+            i_8 = (_e17 + 1i);
+        }
+    }
+    let _e98 = crest_1;
+    let _e99 = power_5;
+    let _e102 = removed_10;
+    let _e103 = power_5;
+    let _e107 = gabor_impl_above((_e98 * inverseSqrt(_e99)), (_e102 / _e103), 0.5f, 1f);
+    light_1 = _e107;
+    let _e111 = light_1;
+    colour_7 = mix(ripples.deep, ripples.shallow, vec3(_e111));
+    let _e115 = colour_7;
+    let _e117 = height_5;
+    let _e121 = gabor_impl_material(_e115, (ripples.relief * _e117), ripples.roughness, 0f);
+    return _e121;
+}
+
+fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_ripples_default();
+    let _e4 = gabor_ripples_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_ripples(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_ripples_default();
+    let _e6 = gabor_ripples_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Streaks along x [5 noises; period 5 x 1].
+struct GaborBrushedMetal {
+    colour: vec3<f32>,
+    streaks: f32,
+    contrast: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_brushed_metal_default() -> GaborBrushedMetal {
+    return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), 9f, 0.09f, 0.0012f, 0.36f);
+}
+
+fn gabor_brushed_metal_at(pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    var height_6: f32 = 0f;
+    var tone_3: vec2<f32> = vec2(0f);
+    var i_9: i32 = 0i;
+    var fine_1: f32;
+    var density_9: vec2<f32>;
+    var streak: vec3<f32>;
+    var colour_8: vec3<f32>;
+
+    loop {
+        let _e10 = i_9;
+        if !((_e10 < 5i)) {
+            break;
+        }
+        {
+            let _e17 = i_9;
+            fine_1 = exp2(f32(_e17));
+            let _e23 = fine_1;
+            let _e27 = fine_1;
+            density_9 = vec2<f32>((0.3f + (0.12f * _e23)), (metal.streaks * _e27));
+            let _e31 = density_9;
+            let _e32 = i_9;
+            let _e33 = gabor_lobe_seed(seed, _e32);
+            let _e34 = gabor_impl_spots(pixel, _e31, _e33);
+            streak = _e34;
+            let _e36 = height_6;
+            let _e38 = fine_1;
+            let _e40 = streak;
+            height_6 = (_e36 + ((metal.relief / _e38) * _e40.x));
+            let _e44 = tone_3;
+            let _e48 = streak;
+            tone_3 = (_e44 + (vec2<f32>(0.4472136f, 0.2f) * _e48.yz));
+        }
+        continuing {
+            let _e14 = i_9;
+            i_9 = (_e14 + 1i);
+        }
+    }
+    let _e53 = tone_3;
+    let _e55 = tone_3;
+    let _e58 = gabor_impl_tone(_e53.x, _e55.y, metal.contrast);
+    colour_8 = (metal.colour * _e58);
+    let _e61 = colour_8;
+    let _e62 = height_6;
+    let _e65 = gabor_impl_material(_e61, _e62, metal.roughness, 1f);
+    return _e65;
+}
+
+fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_brushed_metal_default();
+    let _e4 = gabor_brushed_metal_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_brushed_metal(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_brushed_metal_default();
+    let _e6 = gabor_brushed_metal_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Hairlines in a lacquer [28 noises; period 8 x 8].
+struct GaborScratches {
+    lacquer: vec3<f32>,
+    scratch: vec3<f32>,
+    amount: f32,
+    reach: f32,
+    direction: f32,
+    spread: f32,
+    depth: f32,
+    roughness: f32,
+}
+
+fn gabor_scratches_default() -> GaborScratches {
+    return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);
+}
+
+fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborMaterial {
+    var whole_2: f32 = 1f;
+    var height_7: f32 = 0f;
+    var threshold_2: f32;
+    var i_10: i32 = 0i;
+    var size_1: f32;
+    var angle_2: f32;
+    var turned_2: GaborPixel;
+    var density_10: vec2<f32>;
+    var noise_7: vec3<f32>;
+    var scratch: f32;
+
+    threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
+    loop {
+        let _e17 = i_10;
+        if !((_e17 < 14i)) {
+            break;
+        }
+        {
+            let _e26 = i_10;
+            size_1 = exp2((-0.13f * f32(_e26)));
+            let _e34 = i_10;
+            angle_2 = (scratches.direction + (scratches.spread * (fract(((0.763932f * f32(_e34)) + 0.0955f)) - 0.5f)));
+            let _e45 = angle_2;
+            let _e46 = gabor_impl_turned(pixel, _e45);
+            turned_2 = _e46;
+            let _e48 = turned_2;
+            let _e56 = i_10;
+            let _e58 = gabor_lobe_seed(seed, (2i * _e56));
+            let _e59 = gabor_impl_warp(_e48, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e58);
+            turned_2 = _e59;
+            let _e65 = size_1;
+            density_10 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e65));
+            let _e69 = turned_2;
+            let _e70 = density_10;
+            let _e72 = i_10;
+            let _e76 = gabor_lobe_seed(seed, ((2i * _e72) + 1i));
+            let _e77 = gabor_impl_spots(_e69, _e70, _e76);
+            noise_7 = _e77;
+            let _e79 = noise_7;
+            let _e81 = noise_7;
+            let _e83 = threshold_2;
+            let _e85 = gabor_impl_above(_e79.x, _e81.z, _e83, 0.2f);
+            scratch = _e85;
+            let _e87 = scratch;
+            let _e88 = noise_7;
+            let _e90 = noise_7;
+            let _e94 = gabor_impl_above(_e88.y, _e90.z, 0.3f, 0.7f);
+            scratch = (_e87 * _e94);
+            let _e96 = whole_2;
+            let _e100 = size_1;
+            let _e103 = scratch;
+            whole_2 = (_e96 * (1f - ((0.25f + (0.7f * _e100)) * _e103)));
+            let _e107 = height_7;
+            let _e109 = size_1;
+            let _e111 = scratch;
+            height_7 = (_e107 - ((scratches.depth * _e109) * _e111));
+        }
+        continuing {
+            let _e21 = i_10;
+            i_10 = (_e21 + 1i);
+        }
+    }
+    let _e116 = whole_2;
+    let _e119 = height_7;
+    let _e122 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, vec3(_e116)), _e119, scratches.roughness, 0f);
+    return _e122;
+}
+
+fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_scratches_default();
+    let _e4 = gabor_scratches_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_scratches(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_scratches_default();
+    let _e6 = gabor_scratches_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Stripes that fork, and hair [5 noises; period 4 x 4].
+struct GaborZebra {
+    bright: vec3<f32>,
+    stripe: vec3<f32>,
+    stripes: f32,
+    direction: f32,
+    bends: f32,
+    hair: f32,
+    roughness: f32,
+}
+
+fn gabor_zebra_default() -> GaborZebra {
+    return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.3f, 0.35f, 1f, 0.7f);
+}
+
+fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
+    var skin_1: GaborPixel;
+    var place_23: GaborPlace;
+    var lean: f32;
+    var stripe: vec3<f32>;
+    var hair_1: vec3<f32>;
+    var tone_4: vec3<f32>;
+    var intensity_2: f32;
+    var ragged: f32;
+    var dark: f32;
+    var colour_9: vec3<f32>;
+
+    let _e8 = gabor_lobe_seed(seed, 0i);
+    let _e9 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e8);
+    skin_1 = _e9;
+    let _e13 = gabor_impl_place(pixel, vec2(0.6f));
+    place_23 = _e13;
+    let _e15 = place_23;
+    let _e18 = gabor_kernel(0f, 0f);
+    let _e20 = gabor_lobe_seed(seed, 1i);
+    let _e21 = gabor_field(_e15, _e18, _e20);
+    lean = _e21.value.x;
+    let _e25 = skin_1;
+    let _e33 = lean;
+    let _e37 = gabor_lobe_seed(seed, 2i);
+    let _e38 = gabor_impl_layer(_e25, vec2((zebra.stripes / 1.4f)), 1.4f, (zebra.direction + (zebra.bends * _e33)), _e37);
+    stripe = _e38;
+    let _e40 = skin_1;
+    let _e42 = gabor_impl_turned(_e40, 0.5f);
+    let _e47 = gabor_lobe_seed(seed, 3i);
+    let _e48 = gabor_impl_spots(_e42, vec2<f32>(80f, 6f), _e47);
+    hair_1 = _e48;
+    let _e53 = gabor_lobe_seed(seed, 4i);
+    let _e54 = gabor_impl_spots(pixel, vec2(1.2f), _e53);
+    tone_4 = _e54;
+    let _e56 = stripe;
+    intensity_2 = length(_e56.xy);
+    ragged = (0.1f * zebra.hair);
+    let _e64 = stripe;
+    let _e66 = ragged;
+    let _e67 = intensity_2;
+    let _e69 = hair_1;
+    let _e73 = stripe;
+    let _e75 = ragged;
+    let _e76 = ragged;
+    let _e78 = hair_1;
+    let _e85 = intensity_2;
+    let _e88 = gabor_impl_above((_e64.x + ((_e66 * _e67) * _e69.x)), (_e73.z + ((_e75 * _e76) * _e78.z)), 0f, (0.01f + (0.09f * _e85)));
+    dark = _e88;
+    let _e92 = dark;
+    colour_9 = mix(zebra.bright, zebra.stripe, vec3(_e92));
+    let _e96 = colour_9;
+    let _e97 = hair_1;
+    let _e99 = hair_1;
+    let _e104 = gabor_impl_tone(_e97.y, _e99.z, (0.14f * zebra.hair));
+    let _e105 = tone_4;
+    let _e107 = tone_4;
+    let _e110 = gabor_impl_tone(_e105.y, _e107.z, 0.08f);
+    colour_9 = (_e96 * (_e104 * _e110));
+    let _e113 = colour_9;
+    let _e117 = hair_1;
+    let _e122 = gabor_impl_material(_e113, ((0.002f * zebra.hair) * _e117.x), zebra.roughness, 0f);
+    return _e122;
+}
+
+fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_zebra_default();
+    let _e4 = gabor_zebra_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_zebra(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_zebra_default();
+    let _e6 = gabor_zebra_at(_e4, _e5, seed);
     return _e6;
+}
+
+// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+struct GaborBark {
+    plate: vec3<f32>,
+    furrow: vec3<f32>,
+    moss: vec3<f32>,
+    furrows: f32,
+    cover: f32,
+    depth: f32,
+    roughness: f32,
+}
+
+fn gabor_bark_default() -> GaborBark {
+    return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f, 0.9f);
+}
+
+fn gabor_bark_at(pixel: GaborPixel, bark: GaborBark, seed: u32) -> GaborMaterial {
+    var trunk: GaborPixel;
+    var density_11: vec2<f32>;
+    var furrow: vec3<f32>;
+    var crack: vec3<f32>;
+    var rough: vec3<f32>;
+    var moss: vec3<f32>;
+    var shape: f32;
+    var plate: f32;
+    var worn: f32;
+    var covered: f32;
+    var top_1: vec3<f32>;
+    var colour_10: vec3<f32>;
+    var height_8: f32;
+
+    let _e10 = gabor_lobe_seed(seed, 0i);
+    let _e11 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), _e10);
+    trunk = _e11;
+    let _e13 = trunk;
+    let _e21 = gabor_lobe_seed(seed, 1i);
+    let _e22 = gabor_impl_warp(_e13, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), _e21);
+    trunk = _e22;
+    let _e23 = trunk;
+    let _e29 = gabor_lobe_seed(seed, 2i);
+    let _e30 = gabor_impl_warp(_e23, vec2(10f), vec2(0.013f), _e29);
+    trunk = _e30;
+    density_11 = (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows);
+    let _e44 = trunk;
+    let _e45 = density_11;
+    let _e49 = gabor_lobe_seed(seed, 3i);
+    let _e50 = gabor_impl_layer(_e44, _e45, 1.3f, 0.1f, _e49);
+    furrow = _e50;
+    let _e52 = trunk;
+    let _e59 = gabor_lobe_seed(seed, 4i);
+    let _e60 = gabor_impl_layer(_e52, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, _e59);
+    crack = _e60;
+    let _e62 = trunk;
+    let _e69 = gabor_lobe_seed(seed, 5i);
+    let _e70 = gabor_impl_octaves(_e62, vec2<f32>(7f, 3f), 5i, 0.75f, _e69);
+    rough = _e70;
+    let _e76 = gabor_lobe_seed(seed, 6i);
+    let _e77 = gabor_impl_spots(pixel, vec2<f32>(1.1f, 0.7f), _e76);
+    moss = _e77;
+    let _e79 = furrow;
+    let _e82 = rough;
+    shape = (_e79.x + (0.2f * _e82.x));
+    let _e87 = shape;
+    let _e88 = furrow;
+    let _e91 = rough;
+    let _e98 = gabor_impl_above(_e87, (_e88.z + (0.04f * _e91.z)), -0.15f, 0.35f);
+    let _e101 = crack;
+    let _e103 = crack;
+    let _e106 = gabor_impl_line(_e101.x, _e103.z, 0.13f);
+    plate = (_e98 * (1f - (0.55f * _e106)));
+    let _e112 = rough;
+    let _e115 = rough;
+    let _e119 = rough;
+    let _e123 = gabor_impl_above((_e112.y + (0.25f * _e115.z)), _e119.z, 0.5f, 0.4f);
+    worn = (0.5f * _e123);
+    let _e127 = moss;
+    let _e129 = moss;
+    let _e133 = gabor_impl_above(_e127.y, _e129.z, 0.9f, 0.5f);
+    covered = (bark.cover * _e133);
+    let _e143 = worn;
+    top_1 = mix(bark.plate, mix(bark.plate, vec3(1f), vec3(0.13f)), vec3(_e143));
+    let _e149 = covered;
+    let _e152 = top_1;
+    let _e155 = covered;
+    let _e159 = plate;
+    colour_10 = mix(mix(bark.furrow, bark.moss, vec3(_e149)), mix(_e152, bark.moss, vec3((0.6f * _e155))), vec3(_e159));
+    let _e163 = colour_10;
+    let _e164 = rough;
+    let _e166 = rough;
+    let _e169 = gabor_impl_tone(_e164.y, _e166.z, 0.25f);
+    colour_10 = (_e163 * _e169);
+    let _e172 = plate;
+    let _e175 = rough;
+    let _e180 = plate;
+    height_8 = ((bark.depth * _e172) + ((0.018f * _e175.x) * (0.4f + (0.6f * _e180))));
+    let _e186 = colour_10;
+    let _e187 = height_8;
+    let _e190 = gabor_impl_material(_e186, _e187, bark.roughness, 0f);
+    return _e190;
+}
+
+fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_bark_default();
+    let _e4 = gabor_bark_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_bark(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_bark_default();
+    let _e6 = gabor_bark_at(_e4, _e5, seed);
     return _e6;
+}
+
+// A twill of tows [3 noises; period 3 x 3].
+struct GaborCarbonFibre {
+    colour: vec3<f32>,
+    tows: f32,
+    contrast: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_carbon_fibre_default() -> GaborCarbonFibre {
+    return GaborCarbonFibre(vec3<f32>(0.028f, 0.029f, 0.031f), 4f, 0.3f, 1f, 0.3f);
+}
+
+fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
+    var count_3: vec2<f32>;
+    var cloth_1: GaborPixel;
+    var upright_1: vec3<f32>;
+    var level_1: vec3<f32>;
+    var tow: vec2<f32>;
+    var within_2: vec2<f32>;
+    var turn_11: f32;
+    var first_5: bool;
+    var local_40: vec3<f32>;
+    var fibre_2: vec3<f32>;
+    var local_41: vec2<f32>;
+    var along_across: vec2<f32>;
+    var local_42: f32;
+    var along_1: f32;
+    var across_1: f32;
+    var steps_1: vec2<f32>;
+    var kept_3: f32;
+    var bulge: f32;
+    var colour_11: vec3<f32>;
+    var height_9: f32;
+
+    let _e5 = gabor_impl_repeated(pixel, fibres.tows, 4f);
+    count_3 = _e5;
+    let _e12 = gabor_lobe_seed(seed, 0i);
+    let _e13 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), _e12);
+    cloth_1 = _e13;
+    let _e15 = cloth_1;
+    let _e19 = count_3;
+    let _e22 = gabor_lobe_seed(seed, 1i);
+    let _e23 = gabor_impl_spots(_e15, (vec2<f32>(20f, 0.6f) * _e19), _e22);
+    upright_1 = _e23;
+    let _e25 = cloth_1;
+    let _e29 = count_3;
+    let _e32 = gabor_lobe_seed(seed, 2i);
+    let _e33 = gabor_impl_spots(_e25, (vec2<f32>(0.6f, 20f) * _e29), _e32);
+    level_1 = _e33;
+    let _e35 = count_3;
+    let _e36 = cloth_1;
+    tow = floor((_e35 * _e36.p));
+    let _e41 = count_3;
+    let _e42 = cloth_1;
+    let _e45 = tow;
+    within_2 = ((_e41 * _e42.p) - _e45);
+    let _e50 = tow;
+    let _e52 = tow;
+    turn_11 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
+    let _e63 = turn_11;
+    first_5 = (_e63 < 1.5f);
+    let _e67 = first_5;
+    if _e67 {
+        let _e68 = upright_1;
+        local_40 = _e68;
+    } else {
+        let _e69 = level_1;
+        local_40 = _e69;
+    }
+    let _e71 = local_40;
+    fibre_2 = _e71;
+    let _e73 = first_5;
+    if _e73 {
+        let _e74 = within_2;
+        local_41 = _e74.yx;
+    } else {
+        let _e76 = within_2;
+        local_41 = _e76;
+    }
+    let _e78 = local_41;
+    along_across = _e78;
+    let _e81 = along_across;
+    let _e84 = turn_11;
+    if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
+        local_42 = 0f;
+    } else {
+        local_42 = 1f;
+    }
+    let _e94 = local_42;
+    along_1 = (0.5f * (_e81.x + _e94));
+    let _e99 = along_across;
+    across_1 = ((2f * _e99.y) - 1f);
+    let _e105 = count_3;
+    let _e106 = count_3;
+    let _e108 = cloth_1;
+    let _e110 = cloth_1;
+    let _e113 = cloth_1;
+    let _e115 = cloth_1;
+    steps_1 = ((_e105 * _e106) * ((_e108.dx * _e110.dx) + (_e113.dy * _e115.dy)));
+    let _e122 = steps_1;
+    let _e124 = steps_1;
+    kept_3 = exp(-(min((2.5f * (_e122.x + _e124.y)), 40f)));
+    let _e135 = along_1;
+    let _e139 = across_1;
+    let _e140 = across_1;
+    let _e142 = across_1;
+    let _e144 = across_1;
+    let _e148 = kept_3;
+    bulge = mix(0.5093f, (sin((3.1415927f * _e135)) * (1f - (((_e139 * _e140) * _e142) * _e144))), _e148);
+    let _e154 = bulge;
+    let _e158 = fibre_2;
+    let _e160 = fibre_2;
+    let _e163 = gabor_impl_tone(_e158.x, _e160.z, fibres.contrast);
+    colour_11 = ((fibres.colour * (0.35f + (0.65f * _e154))) * _e163);
+    let _e170 = bulge;
+    let _e173 = fibre_2;
+    height_9 = ((fibres.relief / fibres.tows) * ((0.16f * _e170) + (0.006f * _e173.x)));
+    let _e179 = colour_11;
+    let _e180 = height_9;
+    let _e183 = gabor_impl_material(_e179, _e180, fibres.roughness, 0f);
+    return _e183;
+}
+
+fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_carbon_fibre_default();
+    let _e4 = gabor_carbon_fibre_at(_e2, _e3, seed);
+    return _e4;
 }
 
 fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_carbon_fibre(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_carbon_fibre_default();
+    let _e6 = gabor_carbon_fibre_at(_e4, _e5, seed);
     return _e6;
 }
 
+// Layers of sandstone, seen from the side [11 noises; period 20 x 4].
+struct GaborStrata {
+    rock: vec3<f32>,
+    sandstone: vec3<f32>,
+    red: vec3<f32>,
+    pale: vec3<f32>,
+    layers: f32,
+    folds: f32,
+    relief: f32,
+    roughness: f32,
+}
+
+fn gabor_strata_default() -> GaborStrata {
+    return GaborStrata(vec3<f32>(0.5f, 0.22f, 0.09f), vec3<f32>(0.6f, 0.35f, 0.18f), vec3<f32>(0.28f, 0.075f, 0.035f), vec3<f32>(0.74f, 0.58f, 0.4f), 6f, 1f, 1f, 0.9f);
+}
+
+fn gabor_strata_at(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborMaterial {
+    var folds: vec4<f32>;
+    var rock: GaborPixel;
+    var layers: vec2<f32>;
+    var broad: vec3<f32>;
+    var band: vec3<f32>;
+    var thin_1: vec3<f32>;
+    var lamina: vec3<f32>;
+    var grain_1: vec3<f32>;
+    var soft: f32;
+    var colour_12: vec3<f32>;
+    var height_10: f32;
+
+    folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
+    let _e15 = folds;
+    let _e19 = gabor_lobe_seed(seed, 0i);
+    let _e20 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), _e19);
+    rock = _e20;
+    let _e22 = rock;
+    let _e26 = folds;
+    let _e28 = folds;
+    let _e32 = gabor_lobe_seed(seed, 1i);
+    let _e33 = gabor_impl_warp(_e22, vec2<f32>(1.6f, 2.6f), vec2<f32>(_e26.y, _e28.z), _e32);
+    rock = _e33;
+    let _e34 = rock;
+    let _e38 = folds;
+    let _e42 = gabor_lobe_seed(seed, 2i);
+    let _e43 = gabor_impl_warp(_e34, vec2<f32>(7f, 10f), vec2(_e38.w), _e42);
+    rock = _e43;
+    layers = vec2<f32>(1f, strata.layers);
+    let _e48 = rock;
+    let _e52 = layers;
+    let _e55 = gabor_lobe_seed(seed, 3i);
+    let _e56 = gabor_impl_spots(_e48, (vec2<f32>(0.1f, 0.33333334f) * _e52), _e55);
+    broad = _e56;
+    let _e58 = rock;
+    let _e62 = layers;
+    let _e65 = gabor_lobe_seed(seed, 4i);
+    let _e66 = gabor_impl_spots(_e58, (vec2<f32>(0.14f, 1f) * _e62), _e65);
+    band = _e66;
+    let _e68 = rock;
+    let _e72 = layers;
+    let _e75 = gabor_lobe_seed(seed, 5i);
+    let _e76 = gabor_impl_spots(_e68, (vec2<f32>(0.25f, 2.8333333f) * _e72), _e75);
+    thin_1 = _e76;
+    let _e78 = rock;
+    let _e82 = layers;
+    let _e85 = gabor_lobe_seed(seed, 6i);
+    let _e86 = gabor_impl_spots(_e78, (vec2<f32>(0.6f, 8.333333f) * _e82), _e85);
+    lamina = _e86;
+    let _e94 = gabor_lobe_seed(seed, 7i);
+    let _e95 = gabor_impl_octaves(pixel, vec2<f32>(16f, 24f), 4i, 0.8f, _e94);
+    grain_1 = _e95;
+    let _e97 = band;
+    let _e99 = band;
+    let _e103 = gabor_impl_above(_e97.x, _e99.z, 0.5f, 0.22f);
+    soft = _e103;
+    let _e107 = broad;
+    let _e109 = broad;
+    let _e113 = gabor_impl_above(_e107.x, _e109.z, 0f, 0.5f);
+    colour_12 = mix(strata.rock, strata.sandstone, vec3(_e113));
+    let _e117 = colour_12;
+    let _e120 = soft;
+    colour_12 = mix(_e117, strata.red, vec3((0.8f * _e120)));
+    let _e124 = colour_12;
+    let _e127 = thin_1;
+    let _e129 = thin_1;
+    let _e133 = gabor_impl_above(_e127.x, _e129.z, 1f, 0.2f);
+    colour_12 = mix(_e124, strata.pale, vec3((0.75f * _e133)));
+    let _e137 = colour_12;
+    let _e142 = thin_1;
+    let _e144 = thin_1;
+    let _e148 = gabor_impl_above(_e142.y, _e144.z, 1.3f, 0.15f);
+    colour_12 = mix(_e137, (0.75f * strata.red), vec3((0.6f * _e148)));
+    let _e152 = colour_12;
+    let _e153 = lamina;
+    let _e155 = lamina;
+    let _e158 = gabor_impl_tone(_e153.x, _e155.z, 0.13f);
+    let _e159 = grain_1;
+    let _e161 = grain_1;
+    let _e164 = gabor_impl_tone(_e159.x, _e161.z, 0.11f);
+    colour_12 = (_e152 * (_e158 * _e164));
+    let _e168 = broad;
+    let _e172 = soft;
+    let _e176 = thin_1;
+    let _e181 = lamina;
+    let _e186 = grain_1;
+    height_10 = (((((0.02f * _e168.y) - (0.012f * _e172)) + (0.006f * _e176.x)) + (0.0015f * _e181.x)) + (0.003f * _e186.y));
+    let _e191 = colour_12;
+    let _e193 = height_10;
+    let _e197 = gabor_impl_material(_e191, (strata.relief * _e193), strata.roughness, 0f);
+    return _e197;
+}
+
+fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e2 = gabor_pixel(p);
+    let _e3 = gabor_strata_default();
+    let _e4 = gabor_strata_at(_e2, _e3, seed);
+    return _e4;
+}
+
 fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_impl_strata(GaborPixel(p, dx, dy, true), seed);
+    let _e4 = gabor_pixel_filtered(p, dx, dy);
+    let _e5 = gabor_strata_default();
+    let _e6 = gabor_strata_at(_e4, _e5, seed);
     return _e6;
 }
 
@@ -160,43 +1437,52 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
 // of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
-// A place and the steps to the neighbouring pixels.
-struct GaborPixel {
-    p: vec2<f32>,
-    dx: vec2<f32>,
-    dy: vec2<f32>,
-    filtered: bool,
+fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
+    if (pixel.period.x > 0f) {
+        let _e10 = gabor_place_tiled((density * pixel.p), (density * pixel.period));
+        return _e10;
+    }
+    let _e20 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
+    return _e20;
 }
 
 // Two independent noises, the parts of a complex one, and the removed share of their variance.
 //   density  kernels per unit along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    var density_2: vec2<f32>;
     var place_22: GaborPlace;
     var kernel_8: GaborKernel;
     var removed_6: f32;
     var footprint_4: GaborFootprint;
     var value_11: vec2<f32>;
 
-    let _e14 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_22 = _e14;
-    let _e16 = gabor_kernel(frequency, orientation);
-    kernel_8 = _e16;
+    density_2 = density;
+    let _e6 = density_2;
+    let _e7 = gabor_impl_place(pixel, _e6);
+    place_22 = _e7;
+    let _e9 = gabor_kernel(frequency, orientation);
+    kernel_8 = _e9;
     if !(pixel.filtered) {
-        let _e20 = place_22;
-        let _e21 = kernel_8;
-        let _e22 = gabor_field(_e20, _e21, seed);
-        return vec3<f32>(_e22.value.x, _e22.value.y, 0f);
+        let _e13 = place_22;
+        let _e14 = kernel_8;
+        let _e15 = gabor_field(_e13, _e14, seed);
+        return vec3<f32>(_e15.value.x, _e15.value.y, 0f);
     }
-    let _e33 = gabor_footprint((density * pixel.dx), (density * pixel.dy));
-    footprint_4 = _e33;
-    let _e35 = place_22;
-    let _e36 = kernel_8;
-    let _e37 = footprint_4;
-    let _e40 = gabor_field_filtered(_e35, _e36, _e37, seed, (&removed_6));
-    value_11 = _e40.value;
-    let _e43 = value_11;
-    let _e44 = removed_6;
-    return vec3<f32>(_e43.x, _e43.y, _e44);
+    let _e22 = density_2;
+    let _e23 = place_22;
+    density_2 = (_e22 * (_e23.radius / vec2(1.5f)));
+    let _e32 = density_2;
+    let _e35 = density_2;
+    let _e38 = gabor_footprint((_e32 * pixel.dx), (_e35 * pixel.dy));
+    footprint_4 = _e38;
+    let _e40 = place_22;
+    let _e41 = kernel_8;
+    let _e42 = footprint_4;
+    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_6));
+    value_11 = _e45.value;
+    let _e48 = value_11;
+    let _e49 = removed_6;
+    return vec3<f32>(_e48.x, _e48.y, _e49);
 }
 
 // The same at frequency 0: spots as large as a kernel.
@@ -207,13 +1493,13 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 
 // A sum of spots, each octave half as large with `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
-    var density_3: vec2<f32>;
+    var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
     var power_4: f32 = 0f;
     var amplitude_4: f32 = 1f;
     var i_7: i32 = 0i;
 
-    density_3 = density;
+    density_5 = density;
     loop {
         let _e15 = i_7;
         if !((_e15 < count)) {
@@ -225,7 +1511,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
             let _e25 = amplitude_4;
-            let _e28 = density_3;
+            let _e28 = density_5;
             let _e29 = i_7;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
@@ -236,8 +1522,8 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             power_4 = (_e34 + (_e35 * _e36));
             let _e39 = amplitude_4;
             amplitude_4 = (_e39 * gain);
-            let _e41 = density_3;
-            density_3 = (_e41 * 2.03f);
+            let _e41 = density_5;
+            density_5 = (_e41 * 2.03f);
         }
         continuing {
             let _e18 = i_7;
@@ -253,54 +1539,155 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // Moves the place by two noises, and its steps accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var place_23: GaborPlace;
     var field_13: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
-    let _e13 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    place_23 = _e13;
-    let _e15 = place_23;
-    let _e18 = gabor_kernel(0f, 0f);
-    let _e19 = gabor_field(_e15, _e18, seed);
-    field_13 = _e19;
+    let _e4 = gabor_impl_place(pixel, density);
+    let _e7 = gabor_kernel(0f, 0f);
+    let _e8 = gabor_field(_e4, _e7, seed);
+    field_13 = _e8;
+    let _e12 = field_13;
+    along_x = ((amplitude * density.x) * _e12.slope_x);
+    let _e18 = field_13;
+    along_y = ((amplitude * density.y) * _e18.slope_y);
     let _e23 = field_13;
-    along_x = ((amplitude * density.x) * _e23.slope_x);
-    let _e29 = field_13;
-    along_y = ((amplitude * density.y) * _e29.slope_y);
-    let _e34 = field_13;
+    let _e30 = along_x;
+    let _e35 = along_y;
     let _e41 = along_x;
     let _e46 = along_y;
-    let _e52 = along_x;
-    let _e57 = along_y;
-    return GaborPixel((pixel.p + (amplitude * _e34.value)), ((pixel.dx + (pixel.dx.x * _e41)) + (pixel.dx.y * _e46)), ((pixel.dy + (pixel.dy.x * _e52)) + (pixel.dy.y * _e57)), pixel.filtered);
+    return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
+// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
+// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
+    var x_14: vec2<f32>;
+    var y_9: vec2<f32>;
+    var period_9: vec2<f32> = vec2(0f);
+    var whole: vec2<f32>;
+    var size: vec2<f32>;
+    var local_31: f32;
+    var local_32: f32;
+    var signs: vec2<f32>;
+    var local_33: vec2<f32>;
+    var local_34: vec2<f32>;
+    var local_35: vec2<f32>;
+    var other: vec2<f32>;
 
-    let _e5 = gabor_impl_wave((-0.15915494f * angle));
-    turn_10 = _e5;
-    let _e7 = turn_10;
-    let _e9 = gabor_impl_product(_e7, pixel.p);
-    let _e10 = turn_10;
-    let _e12 = gabor_impl_product(_e10, pixel.dx);
-    let _e13 = turn_10;
-    let _e15 = gabor_impl_product(_e13, pixel.dy);
-    return GaborPixel(_e9, _e12, _e15, pixel.filtered);
+    let _e4 = gabor_impl_wave((0.15915494f * angle));
+    turn_10 = _e4;
+    let _e6 = turn_10;
+    x_14 = _e6;
+    let _e8 = turn_10;
+    let _e11 = turn_10;
+    y_9 = vec2<f32>(-(_e8.y), _e11.x);
+    if (pixel.period.x > 0f) {
+        {
+            let _e23 = turn_10;
+            whole = floor(((3f * normalize((_e23 / pixel.period))) + vec2(0.5f)));
+            let _e33 = whole;
+            size = abs(_e33);
+            let _e36 = whole;
+            if (_e36.x < 0f) {
+                local_31 = -1f;
+            } else {
+                local_31 = 1f;
+            }
+            let _e44 = local_31;
+            let _e45 = whole;
+            if (_e45.y < 0f) {
+                local_32 = -1f;
+            } else {
+                local_32 = 1f;
+            }
+            let _e53 = local_32;
+            signs = vec2<f32>(_e44, _e53);
+            let _e56 = size;
+            let _e58 = size;
+            let _e61 = size;
+            let _e63 = size;
+            if ((_e56.x == _e58.y) || ((_e61.x * _e63.y) == 0f)) {
+                let _e69 = signs;
+                let _e70 = size;
+                whole = (_e69 * min(_e70, vec2(1f)));
+            }
+            let _e75 = whole;
+            size = abs(_e75);
+            let _e77 = size;
+            let _e81 = size;
+            if ((_e77.x > 1f) && (_e81.y > 1f)) {
+                let _e86 = size;
+                let _e88 = size;
+                if (_e86.x > _e88.y) {
+                    let _e91 = signs;
+                    local_33 = _e91;
+                } else {
+                    let _e92 = signs;
+                    local_33 = -(_e92);
+                }
+                let _e95 = local_33;
+                local_35 = _e95;
+            } else {
+                let _e96 = size;
+                if (_e96.x == 1f) {
+                    let _e101 = whole;
+                    local_34 = vec2<f32>(0f, _e101.x);
+                } else {
+                    let _e104 = whole;
+                    local_34 = vec2<f32>(-(_e104.y), 0f);
+                }
+                let _e110 = local_34;
+                local_35 = _e110;
+            }
+            let _e112 = local_35;
+            other = _e112;
+            let _e115 = whole;
+            period_9.x = length((_e115 * pixel.period));
+            let _e125 = period_9;
+            period_9.y = ((pixel.period.x * pixel.period.y) / _e125.x);
+            let _e128 = period_9;
+            let _e130 = other;
+            let _e132 = other;
+            x_14 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / pixel.period);
+            let _e139 = period_9;
+            let _e141 = whole;
+            let _e144 = whole;
+            y_9 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / pixel.period);
+        }
+    }
+    let _e150 = x_14;
+    let _e153 = y_9;
+    let _e157 = x_14;
+    let _e160 = y_9;
+    let _e164 = x_14;
+    let _e167 = y_9;
+    let _e172 = period_9;
+    return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
+}
+
+// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
+    if (pixel.period.x > 0f) {
+        return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
+    }
+    return vec2(count);
 }
 
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 1.5e-4 (Bowling et al., "A logistic approximation to the cumulative normal distribution", 2009).
+// 2e-5.
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var x_14: f32;
+    var x_15: f32;
 
-    x_14 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_14;
-    let _e20 = x_14;
-    let _e22 = x_14;
-    return (1f / (1f + exp((-(_e16) * (1.5976f + ((0.07056f * _e20) * _e22))))));
+    x_15 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
+    let _e16 = x_15;
+    let _e19 = x_15;
+    let _e20 = x_15;
+    let _e24 = x_15;
+    let _e26 = x_15;
+    return (1f / (1f + exp((-(_e16) * (1.595435f + ((_e19 * _e20) * (0.0735975f - ((0.0006319f * _e24) * _e26))))))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -341,967 +1728,25 @@ fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
 
-// Rings are lines of equal x that slow noise bends until they close: a board cut beside the pith.
-fn gabor_impl_wood(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var board: GaborPixel;
-    var years: GaborPixel;
-    var ring: f32;
-    var pore: vec3<f32>;
-    var fibre: vec3<f32>;
-    var tone: vec3<f32>;
-    var pores: f32;
-    var colour_1: vec3<f32>;
-    var height_1: f32;
+// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
+// middle of a halo, with their widths and strengths.
+fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
+    var strength_1: vec2<f32>;
+    var open: f32;
 
-    let _e9 = gabor_lobe_seed(seed, 0i);
-    let _e10 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(0.43f, 0f), _e9);
-    board = _e10;
-    let _e12 = board;
-    let _e20 = gabor_lobe_seed(seed, 1i);
-    let _e21 = gabor_impl_warp(_e12, vec2<f32>(4f, 0.9f), vec2<f32>(0.018f, 0f), _e20);
-    board = _e21;
-    let _e22 = board;
-    let _e30 = gabor_lobe_seed(seed, 2i);
-    let _e31 = gabor_impl_warp(_e22, vec2<f32>(6.5f, 0.08f), vec2<f32>(0.035f, 0f), _e30);
-    years = _e31;
-    let _e35 = years;
-    let _e40 = years;
-    let _e45 = years;
-    let _e49 = gabor_impl_turns((13f * _e35.p.x), (13f * _e40.dx.x), (13f * _e45.dy.x));
-    let _e51 = gabor_impl_rise((0.97f * _e49));
-    ring = _e51;
-    let _e57 = gabor_lobe_seed(seed, 3i);
-    let _e58 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e57);
-    pore = _e58;
-    let _e64 = gabor_lobe_seed(seed, 4i);
-    let _e65 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e64);
-    fibre = _e65;
-    let _e67 = board;
-    let _e72 = gabor_lobe_seed(seed, 5i);
-    let _e73 = gabor_impl_spots(_e67, vec2<f32>(3.5f, 0.35f), _e72);
-    tone = _e73;
-    let _e77 = ring;
-    let _e80 = pore;
-    let _e82 = pore;
-    let _e86 = gabor_impl_above(_e80.y, _e82.z, 1.1f, 0.25f);
-    pores = ((1f - (0.75f * _e77)) * _e86);
-    let _e97 = ring;
-    colour_1 = mix(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), vec3(_e97));
-    let _e101 = colour_1;
-    let _e102 = fibre;
-    let _e104 = fibre;
-    let _e107 = gabor_impl_tone(_e102.y, _e104.z, 0.11f);
-    let _e108 = tone;
-    let _e110 = tone;
-    let _e113 = gabor_impl_tone(_e108.y, _e110.z, 0.13f);
-    colour_1 = (_e101 * (_e107 * _e113));
-    let _e116 = colour_1;
-    let _e122 = pores;
-    colour_1 = mix(_e116, vec3<f32>(0.09f, 0.035f, 0.014f), vec3((0.75f * _e122)));
-    let _e127 = ring;
-    let _e130 = pores;
-    let _e134 = fibre;
-    height_1 = (((0.0006f * _e127) - (0.0018f * _e130)) + (0.0002f * _e134.y));
-    let _e139 = colour_1;
-    let _e140 = height_1;
-    let _e143 = ring;
-    let _e147 = gabor_impl_material(_e139, _e140, (0.5f - (0.1f * _e143)), 0f);
-    return _e147;
-}
-
-fn gabor_impl_fabric(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var count_1: f32 = 12f;
-    var cloth: GaborPixel;
-    var upright: vec3<f32>;
-    var level: vec3<f32>;
-    var upright_fibre: vec3<f32>;
-    var level_fibre: vec3<f32>;
-    var at: vec2<f32>;
-    var thread: vec2<f32>;
-    var within_1: vec2<f32>;
-    var local_31: f32;
-    var parity: f32;
-    var thick: vec2<f32>;
-    var inside_1: vec2<f32>;
-    var crest: vec2<f32>;
-    var first_4: bool;
-    var top: f32;
-    var local_32: vec3<f32>;
-    var tone_1: vec3<f32>;
-    var local_33: vec3<f32>;
-    var fibre_1: vec3<f32>;
-    var steps: vec2<f32>;
-    var kept_1: f32;
-    var light: f32;
-    var local_34: f32;
-    var share_2: f32;
-    var colour_2: vec3<f32>;
-
-    let _e9 = gabor_lobe_seed(seed, 0i);
-    let _e10 = gabor_impl_warp(pixel, vec2(0.7f), vec2(0.02f), _e9);
-    cloth = _e10;
-    let _e12 = cloth;
-    let _e14 = count_1;
-    let _e19 = gabor_lobe_seed(seed, 1i);
-    let _e20 = gabor_impl_spots(_e12, vec2<f32>((0.7f * _e14), 1.1f), _e19);
-    upright = _e20;
-    let _e22 = cloth;
-    let _e25 = count_1;
-    let _e29 = gabor_lobe_seed(seed, 2i);
-    let _e30 = gabor_impl_spots(_e22, vec2<f32>(1.1f, (0.7f * _e25)), _e29);
-    level = _e30;
-    let _e32 = cloth;
-    let _e36 = count_1;
-    let _e39 = gabor_lobe_seed(seed, 3i);
-    let _e40 = gabor_impl_spots(_e32, (vec2<f32>(14f, 2f) * _e36), _e39);
-    upright_fibre = _e40;
-    let _e42 = cloth;
-    let _e46 = count_1;
-    let _e49 = gabor_lobe_seed(seed, 4i);
-    let _e50 = gabor_impl_spots(_e42, (vec2<f32>(2f, 14f) * _e46), _e49);
-    level_fibre = _e50;
-    let _e52 = count_1;
-    let _e53 = cloth;
-    let _e57 = upright;
-    let _e59 = level;
-    at = ((_e52 * _e53.p) + (0.13f * vec2<f32>(_e57.x, _e59.x)));
-    let _e65 = at;
-    thread = floor(_e65);
-    let _e68 = at;
-    let _e69 = thread;
-    within_1 = ((_e68 - _e69) - vec2(0.5f));
-    let _e76 = thread;
-    let _e78 = thread;
-    if (fract((0.5f * (_e76.x + _e78.y))) > 0.25f) {
-        local_31 = -1f;
-    } else {
-        local_31 = 1f;
-    }
-    let _e89 = local_31;
-    parity = _e89;
-    let _e93 = upright;
-    let _e95 = level;
-    thick = (vec2(1f) + (0.16f * vec2<f32>(_e93.y, _e95.y)));
-    let _e104 = within_1;
-    let _e106 = within_1;
-    let _e108 = thick;
-    let _e109 = thick;
-    inside_1 = (vec2(1f) - (((4.2f * _e104) * _e106) / (_e108 * _e109)));
-    let _e115 = thick;
-    let _e116 = inside_1;
-    let _e126 = parity;
-    let _e129 = within_1;
-    let _e140 = inside_1;
-    crest = ((((_e115 * sqrt(max(_e116, vec2(0f)))) - vec2(1f)) + (((0.55f * _e126) * cos((3.1415927f * _e129.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e140 < vec2(0f))));
-    let _e151 = crest;
-    let _e153 = crest;
-    first_4 = (_e151.x > _e153.y);
-    let _e157 = crest;
-    let _e159 = crest;
-    top = max(max(_e157.x, _e159.y), -1.3f);
-    let _e166 = first_4;
-    if _e166 {
-        let _e167 = upright;
-        local_32 = _e167;
-    } else {
-        let _e168 = level;
-        local_32 = _e168;
-    }
-    let _e170 = local_32;
-    tone_1 = _e170;
-    let _e172 = first_4;
-    if _e172 {
-        let _e173 = upright_fibre;
-        local_33 = _e173;
-    } else {
-        let _e174 = level_fibre;
-        local_33 = _e174;
-    }
-    let _e176 = local_33;
-    fibre_1 = _e176;
-    let _e178 = count_1;
-    let _e179 = count_1;
-    let _e181 = cloth;
-    let _e183 = cloth;
-    let _e186 = cloth;
-    let _e188 = cloth;
-    steps = ((_e178 * _e179) * ((_e181.dx * _e183.dx) + (_e186.dy * _e188.dy)));
-    let _e195 = steps;
-    let _e197 = steps;
-    kept_1 = exp(-(min((2.5f * (_e195.x + _e197.y)), 40f)));
-    let _e210 = top;
-    let _e212 = kept_1;
-    light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e210), _e212);
-    let _e216 = first_4;
-    if _e216 {
-        local_34 = 1f;
-    } else {
-        local_34 = 0f;
-    }
-    let _e220 = local_34;
-    let _e221 = kept_1;
-    share_2 = mix(0.5f, _e220, _e221);
-    let _e232 = share_2;
-    let _e237 = light;
-    colour_2 = (mix(vec3<f32>(0.6f, 0.53f, 0.42f), vec3<f32>(0.5f, 0.43f, 0.33f), vec3(_e232)) * mix(0.18f, 1f, _e237));
-    let _e241 = colour_2;
-    let _e242 = tone_1;
-    let _e244 = tone_1;
-    let _e247 = gabor_impl_tone(_e242.y, _e244.z, 0.09f);
-    let _e248 = fibre_1;
-    let _e250 = fibre_1;
-    let _e253 = gabor_impl_tone(_e248.y, _e250.z, 0.12f);
-    colour_2 = (_e241 * (_e247 * _e253));
-    let _e256 = colour_2;
-    let _e259 = top;
-    let _e260 = kept_1;
-    let _e264 = fibre_1;
-    let _e268 = count_1;
-    let _e272 = gabor_impl_material(_e256, (((0.3f * mix(0.146f, _e259, _e260)) + (0.035f * _e264.y)) / _e268), 0.85f, 0f);
-    return _e272;
-}
-
-// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
-fn gabor_impl_leather(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var skin: GaborPixel;
-    var one: vec3<f32>;
-    var other: vec3<f32>;
-    var fine: vec3<f32>;
-    var tone_2: vec3<f32>;
-    var powers: vec2<f32>;
-    var a_7: vec2<f32>;
-    var b_9: vec2<f32>;
-    var cells: f32;
-    var shares: vec2<f32>;
-    var kept_2: f32;
-    var blur: f32;
-    var pebble: f32;
-    var colour_3: vec3<f32>;
-    var dome: f32;
-
-    let _e7 = gabor_lobe_seed(seed, 0i);
-    let _e8 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.07f), _e7);
-    skin = _e8;
-    let _e10 = skin;
-    let _e16 = gabor_lobe_seed(seed, 1i);
-    let _e17 = gabor_impl_warp(_e10, vec2(4f), vec2(0.014f), _e16);
-    skin = _e17;
-    let _e18 = skin;
-    let _e24 = gabor_lobe_seed(seed, 2i);
-    let _e25 = gabor_impl_layer(_e18, vec2(4.3f), 1.6f, 0.2f, _e24);
-    one = _e25;
-    let _e27 = skin;
-    let _e33 = gabor_lobe_seed(seed, 3i);
-    let _e34 = gabor_impl_layer(_e27, vec2(4.3f), 1.6f, 2.2944f, _e33);
-    other = _e34;
-    let _e41 = gabor_lobe_seed(seed, 4i);
-    let _e42 = gabor_impl_octaves(pixel, vec2(18f), 3i, 0.75f, _e41);
-    fine = _e42;
-    let _e47 = gabor_lobe_seed(seed, 5i);
-    let _e48 = gabor_impl_spots(pixel, vec2(0.8f), _e47);
-    tone_2 = _e48;
-    let _e50 = one;
-    let _e52 = one;
-    let _e55 = other;
-    let _e57 = other;
-    powers = vec2<f32>(dot(_e50.xy, _e52.xy), dot(_e55.xy, _e57.xy));
-    let _e62 = one;
-    let _e64 = powers;
-    a_7 = (_e62.xy * inverseSqrt((_e64.x + 0.12f)));
-    let _e71 = other;
-    let _e73 = powers;
-    b_9 = (_e71.xy * inverseSqrt((_e73.y + 0.12f)));
-    let _e80 = a_7;
-    let _e82 = b_9;
-    let _e85 = a_7;
-    let _e86 = b_9;
-    let _e87 = gabor_impl_product(_e85, _e86);
-    cells = ((_e80.x + _e82.x) + _e87.x);
-    let _e91 = powers;
-    let _e92 = powers;
-    let _e94 = one;
-    let _e96 = other;
-    shares = (_e91 / (_e92 + (2.5f * vec2<f32>(_e94.z, _e96.z))));
-    let _e103 = shares;
-    let _e105 = shares;
-    kept_2 = sqrt((_e103.x * _e105.y));
-    let _e111 = kept_2;
-    blur = (1f - _e111);
-    let _e117 = blur;
-    let _e121 = blur;
-    let _e123 = cells;
-    let _e125 = fine;
-    let _e130 = kept_2;
-    pebble = mix(0.806f, smoothstep((-1.45f - _e117), (-0.55f + _e121), (_e123 + (0.1f * _e125.y))), _e130);
-    let _e141 = pebble;
-    colour_3 = mix(vec3<f32>(0.04f, 0.014f, 0.007f), vec3<f32>(0.2f, 0.068f, 0.026f), vec3(_e141));
-    let _e145 = colour_3;
-    let _e146 = tone_2;
-    let _e148 = tone_2;
-    let _e151 = gabor_impl_tone(_e146.y, _e148.z, 0.14f);
-    let _e152 = fine;
-    let _e154 = fine;
-    let _e157 = gabor_impl_tone(_e152.x, _e154.z, 0.08f);
-    colour_3 = (_e145 * (_e151 * _e157));
-    let _e164 = cells;
-    let _e166 = kept_2;
-    dome = mix(0.236f, smoothstep(-1f, 3f, _e164), _e166);
-    let _e169 = colour_3;
-    let _e171 = pebble;
-    let _e174 = dome;
-    let _e178 = fine;
-    let _e184 = pebble;
-    let _e188 = gabor_impl_material(_e169, (((0.016f * _e171) + (0.013f * _e174)) + (0.0016f * _e178.y)), (0.55f - (0.15f * _e184)), 0f);
-    return _e188;
-}
-
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end.
-fn gabor_impl_vein(layer: vec3<f32>, width: f32, threshold: f32) -> f32 {
-    let _e5 = gabor_impl_line(layer.x, layer.z, width);
-    let _e9 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
-    return (_e5 * _e9);
-}
-
-fn gabor_impl_marble(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var stone: GaborPixel;
-    var large: vec3<f32>;
-    var middle: vec3<f32>;
-    var thin: vec3<f32>;
-    var hair: vec3<f32>;
-    var cloud: vec3<f32>;
-    var crystal: vec3<f32>;
-    var colour_4: vec3<f32>;
-
-    let _e7 = gabor_lobe_seed(seed, 0i);
-    let _e8 = gabor_impl_warp(pixel, vec2(1.1f), vec2(0.17f), _e7);
-    stone = _e8;
-    let _e10 = stone;
-    let _e16 = gabor_lobe_seed(seed, 1i);
-    let _e17 = gabor_impl_warp(_e10, vec2(4f), vec2(0.038f), _e16);
-    stone = _e17;
-    let _e18 = stone;
-    let _e24 = gabor_lobe_seed(seed, 2i);
-    let _e25 = gabor_impl_warp(_e18, vec2(13f), vec2(0.01f), _e24);
-    stone = _e25;
-    let _e26 = stone;
-    let _e32 = gabor_lobe_seed(seed, 3i);
-    let _e33 = gabor_impl_warp(_e26, vec2(40f), vec2(0.003f), _e32);
-    stone = _e33;
-    let _e34 = stone;
-    let _e40 = gabor_lobe_seed(seed, 4i);
-    let _e41 = gabor_impl_layer(_e34, vec2(0.95f), 0.85f, 0.65f, _e40);
-    large = _e41;
-    let _e43 = stone;
-    let _e50 = gabor_lobe_seed(seed, 5i);
-    let _e51 = gabor_impl_layer(_e43, vec2(1.9f), 0.95f, -0.45f, _e50);
-    middle = _e51;
-    let _e53 = stone;
-    let _e59 = gabor_lobe_seed(seed, 6i);
-    let _e60 = gabor_impl_layer(_e53, vec2(4.5f), 0.95f, 0.95f, _e59);
-    thin = _e60;
-    let _e62 = stone;
-    let _e68 = gabor_lobe_seed(seed, 7i);
-    let _e69 = gabor_impl_layer(_e62, vec2(13f), 0.9f, 0.2f, _e68);
-    hair = _e69;
-    let _e71 = stone;
-    let _e77 = gabor_lobe_seed(seed, 8i);
-    let _e78 = gabor_impl_octaves(_e71, vec2(1.5f), 3i, 0.6f, _e77);
-    cloud = _e78;
-    let _e83 = gabor_lobe_seed(seed, 9i);
-    let _e84 = gabor_impl_spots(pixel, vec2(75f), _e83);
-    crystal = _e84;
-    let _e92 = cloud;
-    let _e94 = cloud;
-    let _e98 = gabor_impl_above(_e92.y, _e94.z, 0.5f, 0.8f);
-    colour_4 = (vec3<f32>(0.8f, 0.79f, 0.77f) * (1f - (0.25f * _e98)));
-    let _e103 = colour_4;
-    let _e104 = crystal;
-    let _e106 = crystal;
-    let _e109 = gabor_impl_tone(_e104.x, _e106.z, 0.02f);
-    colour_4 = (_e103 * _e109);
-    let _e111 = colour_4;
-    let _e117 = middle;
-    let _e120 = gabor_impl_vein(_e117, 0.25f, 0.6f);
-    colour_4 = mix(_e111, vec3<f32>(0.36f, 0.37f, 0.385f), vec3((0.6f * _e120)));
-    let _e124 = colour_4;
-    let _e130 = large;
-    let _e134 = gabor_impl_vein(_e130, 0.35f, -0.4f);
-    colour_4 = mix(_e124, vec3<f32>(0.36f, 0.37f, 0.385f), vec3((0.55f * _e134)));
-    let _e138 = colour_4;
-    let _e144 = large;
-    let _e148 = gabor_impl_vein(_e144, 0.05f, -0.4f);
-    colour_4 = mix(_e138, vec3<f32>(0.13f, 0.135f, 0.145f), vec3((0.75f * _e148)));
-    let _e152 = colour_4;
-    let _e158 = middle;
-    let _e161 = gabor_impl_vein(_e158, 0.035f, 0.4f);
-    colour_4 = mix(_e152, vec3<f32>(0.2f, 0.2f, 0.21f), vec3((0.6f * _e161)));
-    let _e165 = colour_4;
-    let _e171 = thin;
-    let _e174 = gabor_impl_vein(_e171, 0.04f, 0.8f);
-    colour_4 = mix(_e165, vec3<f32>(0.32f, 0.31f, 0.3f), vec3((0.45f * _e174)));
-    let _e178 = colour_4;
-    let _e184 = hair;
-    let _e187 = gabor_impl_vein(_e184, 0.05f, 1.1f);
-    colour_4 = mix(_e178, vec3<f32>(0.5f, 0.47f, 0.43f), vec3((0.45f * _e187)));
-    let _e191 = colour_4;
-    let _e193 = crystal;
-    let _e198 = gabor_impl_material(_e191, (0.00012f * _e193.y), 0.2f, 0f);
-    return _e198;
-}
-
-fn gabor_impl_sand(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var dune: GaborPixel;
-    var wind: vec3<f32>;
-    var grain: vec3<f32>;
-    var large_1: vec3<f32>;
-    var ripple: f32;
-    var colour_5: vec3<f32>;
-    var height_2: f32;
-
-    let _e7 = gabor_lobe_seed(seed, 0i);
-    let _e8 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), _e7);
-    dune = _e8;
-    let _e10 = dune;
-    let _e16 = gabor_lobe_seed(seed, 1i);
-    let _e17 = gabor_impl_warp(_e10, vec2(3f), vec2(0.02f), _e16);
-    dune = _e17;
-    let _e18 = dune;
-    let _e25 = gabor_lobe_seed(seed, 2i);
-    let _e26 = gabor_impl_layer(_e18, vec2<f32>(0.9f, 1.7f), 2.3f, 1.4f, _e25);
-    wind = _e26;
-    let _e31 = gabor_lobe_seed(seed, 3i);
-    let _e32 = gabor_impl_spots(pixel, vec2(75f), _e31);
-    grain = _e32;
-    let _e39 = gabor_lobe_seed(seed, 4i);
-    let _e40 = gabor_impl_octaves(pixel, vec2(0.6f), 3i, 0.5f, _e39);
-    large_1 = _e40;
-    let _e43 = wind;
-    let _e44 = gabor_impl_phase(_e43);
-    let _e46 = gabor_impl_rise((0.9f * _e44));
-    ripple = _e46;
-    let _e56 = ripple;
-    colour_5 = mix(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), vec3(_e56));
-    let _e60 = colour_5;
-    let _e61 = grain;
-    let _e63 = grain;
-    let _e66 = gabor_impl_tone(_e61.x, _e63.z, 0.16f);
-    let _e67 = large_1;
-    let _e69 = large_1;
-    let _e72 = gabor_impl_tone(_e67.y, _e69.z, 0.06f);
-    colour_5 = (_e60 * (_e66 * _e72));
-    let _e75 = colour_5;
-    let _e81 = grain;
-    let _e83 = grain;
-    let _e87 = gabor_impl_above(_e81.y, _e83.z, 1.9f, 0.15f);
-    colour_5 = mix(_e75, vec3<f32>(0.1f, 0.075f, 0.05f), vec3((0.6f * _e87)));
-    let _e91 = colour_5;
-    let _e97 = grain;
-    let _e100 = grain;
-    let _e104 = gabor_impl_above(-(_e97.y), _e100.z, 1.9f, 0.15f);
-    colour_5 = mix(_e91, vec3<f32>(0.85f, 0.76f, 0.62f), vec3((0.5f * _e104)));
-    let _e109 = ripple;
-    let _e113 = large_1;
-    let _e119 = large_1;
-    let _e124 = grain;
-    height_2 = ((((0.055f * _e109) * (1f + (0.2f * _e113.x))) + (0.03f * _e119.x)) + (0.0014f * _e124.x));
-    let _e129 = colour_5;
-    let _e130 = height_2;
-    let _e133 = gabor_impl_material(_e129, _e130, 0.9f, 0f);
-    return _e133;
-}
-
-// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
-// part has mean 0.
-fn gabor_impl_ripples(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var height_3: f32 = 0f;
-    var crest_1: f32 = 0f;
-    var removed_10: f32 = 0f;
-    var power_5: f32 = 0f;
-    var i_8: i32 = 0i;
-    var waves: f32;
-    var angle_1: f32;
-    var wave_20: vec3<f32>;
-    var amplitude_6: f32;
-    var light_1: f32;
-
-    loop {
-        let _e12 = i_8;
-        if !((_e12 < 14i)) {
-            break;
-        }
-        {
-            let _e21 = i_8;
-            waves = (0.6f * exp2((0.27f * f32(_e21))));
-            let _e30 = i_8;
-            angle_1 = (0.3f + (1.1f * fract(((0.618034f * f32(_e30)) + 0.1f))));
-            let _e39 = waves;
-            let _e44 = angle_1;
-            let _e45 = i_8;
-            let _e46 = gabor_lobe_seed(seed, _e45);
-            let _e47 = gabor_impl_layer(pixel, vec2((_e39 / 2.2f)), 2.2f, _e44, _e46);
-            wave_20 = _e47;
-            let _e50 = waves;
-            amplitude_6 = (0.018f / pow(_e50, 1.3f));
-            let _e55 = height_3;
-            let _e56 = amplitude_6;
-            let _e57 = wave_20;
-            let _e60 = wave_20;
-            let _e62 = wave_20;
-            let _e65 = wave_20;
-            let _e67 = wave_20;
-            height_3 = (_e55 + (_e56 * (_e57.x + (0.2f * ((_e60.x * _e62.x) - (_e65.y * _e67.y))))));
-            let _e75 = crest_1;
-            let _e76 = amplitude_6;
-            let _e77 = wave_20;
-            crest_1 = (_e75 + (_e76 * _e77.x));
-            let _e81 = removed_10;
-            let _e82 = amplitude_6;
-            let _e83 = amplitude_6;
-            let _e85 = wave_20;
-            removed_10 = (_e81 + ((_e82 * _e83) * _e85.z));
-            let _e89 = power_5;
-            let _e90 = amplitude_6;
-            let _e91 = amplitude_6;
-            power_5 = (_e89 + (_e90 * _e91));
-        }
-        continuing {
-            let _e16 = i_8;
-            i_8 = (_e16 + 1i);
-        }
-    }
-    let _e94 = crest_1;
-    let _e95 = power_5;
-    let _e98 = removed_10;
-    let _e99 = power_5;
-    let _e103 = gabor_impl_above((_e94 * inverseSqrt(_e95)), (_e98 / _e99), 0.5f, 1f);
-    light_1 = _e103;
-    let _e113 = light_1;
-    let _e116 = height_3;
-    let _e119 = gabor_impl_material(mix(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), vec3(_e113)), _e116, 0.1f, 0f);
-    return _e119;
-}
-
-fn gabor_impl_brushed_metal(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var height_4: f32 = 0f;
-    var tone_3: vec2<f32> = vec2(0f);
-    var i_9: i32 = 0i;
-    var fine_1: f32;
-    var streak: vec3<f32>;
-
-    loop {
-        let _e9 = i_9;
-        if !((_e9 < 5i)) {
-            break;
-        }
-        {
-            let _e16 = i_9;
-            fine_1 = exp2(f32(_e16));
-            let _e22 = fine_1;
-            let _e26 = fine_1;
-            let _e29 = i_9;
-            let _e30 = gabor_lobe_seed(seed, _e29);
-            let _e31 = gabor_impl_spots(pixel, vec2<f32>((0.3f + (0.12f * _e22)), (9f * _e26)), _e30);
-            streak = _e31;
-            let _e33 = height_4;
-            let _e35 = fine_1;
-            let _e37 = streak;
-            height_4 = (_e33 + ((0.0012f / _e35) * _e37.x));
-            let _e41 = tone_3;
-            let _e45 = streak;
-            tone_3 = (_e41 + (vec2<f32>(0.4472136f, 0.2f) * _e45.yz));
-        }
-        continuing {
-            let _e13 = i_9;
-            i_9 = (_e13 + 1i);
-        }
-    }
-    let _e53 = tone_3;
-    let _e55 = tone_3;
-    let _e58 = gabor_impl_tone(_e53.x, _e55.y, 0.09f);
-    let _e60 = height_4;
-    let _e63 = gabor_impl_material((vec3<f32>(0.55f, 0.555f, 0.565f) * _e58), _e60, 0.36f, 1f);
-    return _e63;
-}
-
-// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
-fn gabor_impl_scratches(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var whole: f32 = 1f;
-    var height_5: f32 = 0f;
-    var i_10: i32 = 0i;
-    var size: f32;
-    var turned_2: GaborPixel;
-    var noise_7: vec3<f32>;
-    var scratch: f32;
-    var colour_6: vec3<f32>;
-
-    loop {
-        let _e8 = i_10;
-        if !((_e8 < 14i)) {
-            break;
-        }
-        {
-            let _e17 = i_10;
-            size = exp2((-0.13f * f32(_e17)));
-            let _e24 = i_10;
-            let _e28 = gabor_impl_turned(pixel, (0.3f + (2.399963f * f32(_e24))));
-            turned_2 = _e28;
-            let _e30 = turned_2;
-            let _e38 = i_10;
-            let _e40 = gabor_lobe_seed(seed, (2i * _e38));
-            let _e41 = gabor_impl_warp(_e30, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e40);
-            turned_2 = _e41;
-            let _e42 = turned_2;
-            let _e46 = size;
-            let _e50 = i_10;
-            let _e54 = gabor_lobe_seed(seed, ((2i * _e50) + 1i));
-            let _e55 = gabor_impl_spots(_e42, (vec2<f32>(0.33f, 42f) / vec2(_e46)), _e54);
-            noise_7 = _e55;
-            let _e57 = noise_7;
-            let _e59 = noise_7;
-            let _e63 = gabor_impl_above(_e57.x, _e59.z, 2.4f, 0.2f);
-            let _e64 = noise_7;
-            let _e66 = noise_7;
-            let _e70 = gabor_impl_above(_e64.y, _e66.z, 0.3f, 0.7f);
-            scratch = (_e63 * _e70);
-            let _e73 = whole;
-            let _e77 = size;
-            let _e80 = scratch;
-            whole = (_e73 * (1f - ((0.25f + (0.7f * _e77)) * _e80)));
-            let _e84 = height_5;
-            let _e86 = size;
-            let _e88 = scratch;
-            height_5 = (_e84 - ((0.0025f * _e86) * _e88));
-        }
-        continuing {
-            let _e12 = i_10;
-            i_10 = (_e12 + 1i);
-        }
-    }
-    let _e99 = whole;
-    colour_6 = mix(vec3<f32>(0.6f, 0.61f, 0.62f), vec3<f32>(0.035f, 0.042f, 0.05f), vec3(_e99));
-    let _e103 = colour_6;
-    let _e104 = height_5;
-    let _e107 = gabor_impl_material(_e103, _e104, 0.3f, 0f);
-    return _e107;
-}
-
-fn gabor_impl_zebra(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var skin_1: GaborPixel;
-    var lean: f32;
-    var stripe: vec3<f32>;
-    var hair_1: vec3<f32>;
-    var tone_4: vec3<f32>;
-    var intensity_2: f32;
-    var dark: f32;
-    var colour_7: vec3<f32>;
-
-    let _e7 = gabor_lobe_seed(seed, 0i);
-    let _e8 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e7);
-    skin_1 = _e8;
-    let _e20 = gabor_place(vec2(0i), (0.90000004f * pixel.p));
-    let _e23 = gabor_kernel(0f, 0f);
-    let _e25 = gabor_lobe_seed(seed, 1i);
-    let _e26 = gabor_field(_e20, _e23, _e25);
-    lean = _e26.value.x;
-    let _e30 = skin_1;
-    let _e36 = lean;
-    let _e40 = gabor_lobe_seed(seed, 2i);
-    let _e41 = gabor_impl_layer(_e30, vec2(1.4f), 1.4f, (0.3f + (0.35f * _e36)), _e40);
-    stripe = _e41;
-    let _e43 = skin_1;
-    let _e45 = gabor_impl_turned(_e43, 0.5f);
-    let _e50 = gabor_lobe_seed(seed, 3i);
-    let _e51 = gabor_impl_spots(_e45, vec2<f32>(80f, 6f), _e50);
-    hair_1 = _e51;
-    let _e56 = gabor_lobe_seed(seed, 4i);
-    let _e57 = gabor_impl_spots(pixel, vec2(1.2f), _e56);
-    tone_4 = _e57;
-    let _e59 = stripe;
-    intensity_2 = length(_e59.xy);
-    let _e63 = stripe;
-    let _e66 = intensity_2;
-    let _e68 = hair_1;
-    let _e72 = stripe;
-    let _e75 = hair_1;
-    let _e82 = intensity_2;
-    let _e85 = gabor_impl_above((_e63.x + ((0.1f * _e66) * _e68.x)), (_e72.z + (0.01f * _e75.z)), 0f, (0.01f + (0.09f * _e82)));
-    dark = _e85;
-    let _e95 = dark;
-    colour_7 = mix(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), vec3(_e95));
-    let _e99 = colour_7;
-    let _e100 = hair_1;
-    let _e102 = hair_1;
-    let _e105 = gabor_impl_tone(_e100.y, _e102.z, 0.14f);
-    let _e106 = tone_4;
-    let _e108 = tone_4;
-    let _e111 = gabor_impl_tone(_e106.y, _e108.z, 0.08f);
-    colour_7 = (_e99 * (_e105 * _e111));
-    let _e114 = colour_7;
-    let _e116 = hair_1;
-    let _e121 = gabor_impl_material(_e114, (0.002f * _e116.x), 0.7f, 0f);
-    return _e121;
-}
-
-fn gabor_impl_bark(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var trunk: GaborPixel;
-    var furrow: vec3<f32>;
-    var crack: vec3<f32>;
-    var rough: vec3<f32>;
-    var moss: vec3<f32>;
-    var plate: f32;
-    var colour_8: vec3<f32>;
-    var height_6: f32;
-
-    let _e9 = gabor_lobe_seed(seed, 0i);
-    let _e10 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), _e9);
-    trunk = _e10;
-    let _e12 = trunk;
-    let _e20 = gabor_lobe_seed(seed, 1i);
-    let _e21 = gabor_impl_warp(_e12, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), _e20);
-    trunk = _e21;
-    let _e22 = trunk;
-    let _e28 = gabor_lobe_seed(seed, 2i);
-    let _e29 = gabor_impl_warp(_e22, vec2(10f), vec2(0.013f), _e28);
-    trunk = _e29;
-    let _e30 = trunk;
-    let _e37 = gabor_lobe_seed(seed, 3i);
-    let _e38 = gabor_impl_layer(_e30, vec2<f32>(1.7f, 0.55f), 1.3f, 0.1f, _e37);
-    furrow = _e38;
-    let _e40 = trunk;
-    let _e47 = gabor_lobe_seed(seed, 4i);
-    let _e48 = gabor_impl_layer(_e40, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, _e47);
-    crack = _e48;
-    let _e50 = trunk;
-    let _e57 = gabor_lobe_seed(seed, 5i);
-    let _e58 = gabor_impl_octaves(_e50, vec2<f32>(7f, 3f), 5i, 0.75f, _e57);
-    rough = _e58;
-    let _e64 = gabor_lobe_seed(seed, 6i);
-    let _e65 = gabor_impl_spots(pixel, vec2<f32>(1.1f, 0.7f), _e64);
-    moss = _e65;
-    let _e67 = furrow;
-    let _e70 = rough;
-    let _e74 = furrow;
-    let _e77 = rough;
-    let _e84 = gabor_impl_above((_e67.x + (0.2f * _e70.x)), (_e74.z + (0.04f * _e77.z)), -0.15f, 0.35f);
-    let _e87 = crack;
-    let _e89 = crack;
-    let _e92 = gabor_impl_line(_e87.x, _e89.z, 0.13f);
-    plate = (_e84 * (1f - (0.55f * _e92)));
-    let _e105 = plate;
-    colour_8 = mix(vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.2f, 0.145f, 0.1f), vec3(_e105));
-    let _e109 = colour_8;
-    let _e110 = rough;
-    let _e112 = rough;
-    let _e115 = gabor_impl_tone(_e110.y, _e112.z, 0.25f);
-    colour_8 = (_e109 * _e115);
-    let _e117 = colour_8;
-    let _e123 = plate;
-    let _e125 = rough;
-    let _e127 = rough;
-    let _e131 = gabor_impl_above(_e125.x, _e127.z, 0.5f, 0.4f);
-    colour_8 = mix(_e117, vec3<f32>(0.3f, 0.27f, 0.225f), vec3(((0.5f * _e123) * _e131)));
-    let _e135 = colour_8;
-    let _e141 = moss;
-    let _e143 = moss;
-    let _e147 = gabor_impl_above(_e141.y, _e143.z, 0.9f, 0.5f);
-    let _e151 = plate;
-    colour_8 = mix(_e135, vec3<f32>(0.1f, 0.13f, 0.045f), vec3(((0.35f * _e147) * (1f - (0.4f * _e151)))));
-    let _e158 = plate;
-    let _e161 = rough;
-    let _e166 = plate;
-    height_6 = ((0.13f * _e158) + ((0.018f * _e161.x) * (0.4f + (0.6f * _e166))));
-    let _e172 = colour_8;
-    let _e173 = height_6;
-    let _e176 = gabor_impl_material(_e172, _e173, 0.9f, 0f);
-    return _e176;
-}
-
-// A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_impl_carbon_fibre(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var count_2: f32 = 4f;
-    var cloth_1: GaborPixel;
-    var upright_1: vec3<f32>;
-    var level_1: vec3<f32>;
-    var tow: vec2<f32>;
-    var within_2: vec2<f32>;
-    var turn_11: f32;
-    var first_5: bool;
-    var local_35: vec3<f32>;
-    var fibre_2: vec3<f32>;
-    var local_36: vec2<f32>;
-    var along_across: vec2<f32>;
-    var local_37: f32;
-    var along_1: f32;
-    var across_1: f32;
-    var steps_1: vec2<f32>;
-    var kept_3: f32;
-    var bulge: f32;
-    var colour_9: vec3<f32>;
-
-    let _e9 = gabor_lobe_seed(seed, 0i);
-    let _e10 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), _e9);
-    cloth_1 = _e10;
-    let _e12 = cloth_1;
-    let _e16 = count_2;
-    let _e19 = gabor_lobe_seed(seed, 1i);
-    let _e20 = gabor_impl_spots(_e12, (vec2<f32>(20f, 0.6f) * _e16), _e19);
-    upright_1 = _e20;
-    let _e22 = cloth_1;
-    let _e26 = count_2;
-    let _e29 = gabor_lobe_seed(seed, 2i);
-    let _e30 = gabor_impl_spots(_e22, (vec2<f32>(0.6f, 20f) * _e26), _e29);
-    level_1 = _e30;
-    let _e32 = count_2;
-    let _e33 = cloth_1;
-    tow = floor((_e32 * _e33.p));
-    let _e38 = count_2;
-    let _e39 = cloth_1;
-    let _e42 = tow;
-    within_2 = ((_e38 * _e39.p) - _e42);
-    let _e47 = tow;
-    let _e49 = tow;
-    turn_11 = ((4f * fract(((0.25f * (_e47.x + _e49.y)) + 0.125f))) - 0.5f);
-    let _e60 = turn_11;
-    first_5 = (_e60 < 1.5f);
-    let _e64 = first_5;
-    if _e64 {
-        let _e65 = upright_1;
-        local_35 = _e65;
-    } else {
-        let _e66 = level_1;
-        local_35 = _e66;
-    }
-    let _e68 = local_35;
-    fibre_2 = _e68;
-    let _e70 = first_5;
-    if _e70 {
-        let _e71 = within_2;
-        local_36 = _e71.yx;
-    } else {
-        let _e73 = within_2;
-        local_36 = _e73;
-    }
-    let _e75 = local_36;
-    along_across = _e75;
-    let _e78 = along_across;
-    let _e81 = turn_11;
-    if (fract(((0.5f * _e81) + 0.25f)) < 0.5f) {
-        local_37 = 0f;
-    } else {
-        local_37 = 1f;
-    }
-    let _e91 = local_37;
-    along_1 = (0.5f * (_e78.x + _e91));
-    let _e96 = along_across;
-    across_1 = ((2f * _e96.y) - 1f);
-    let _e102 = count_2;
-    let _e103 = count_2;
-    let _e105 = cloth_1;
-    let _e107 = cloth_1;
-    let _e110 = cloth_1;
-    let _e112 = cloth_1;
-    steps_1 = ((_e102 * _e103) * ((_e105.dx * _e107.dx) + (_e110.dy * _e112.dy)));
-    let _e119 = steps_1;
-    let _e121 = steps_1;
-    kept_3 = exp(-(min((2.5f * (_e119.x + _e121.y)), 40f)));
-    let _e132 = along_1;
-    let _e136 = across_1;
-    let _e137 = across_1;
-    let _e139 = across_1;
-    let _e141 = across_1;
-    let _e145 = kept_3;
-    bulge = mix(0.51f, (sin((3.1415927f * _e132)) * (1f - (((_e136 * _e137) * _e139) * _e141))), _e145);
-    let _e154 = bulge;
-    let _e158 = fibre_2;
-    let _e160 = fibre_2;
-    let _e163 = gabor_impl_tone(_e158.x, _e160.z, 0.3f);
-    colour_9 = ((vec3<f32>(0.028f, 0.029f, 0.031f) * (0.35f + (0.65f * _e154))) * _e163);
-    let _e166 = colour_9;
-    let _e168 = bulge;
-    let _e171 = fibre_2;
-    let _e175 = count_2;
-    let _e179 = gabor_impl_material(_e166, (((0.16f * _e168) + (0.006f * _e171.x)) / _e175), 0.3f, 0f);
-    return _e179;
-}
-
-fn gabor_impl_strata(pixel: GaborPixel, seed: u32) -> GaborMaterial {
-    var rock: GaborPixel;
-    var broad: vec3<f32>;
-    var band: vec3<f32>;
-    var thin_1: vec3<f32>;
-    var lamina: vec3<f32>;
-    var grain_1: vec3<f32>;
-    var soft: f32;
-    var colour_10: vec3<f32>;
-    var height_7: f32;
-
-    let _e9 = gabor_lobe_seed(seed, 0i);
-    let _e10 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, 0.2f), _e9);
-    rock = _e10;
-    let _e12 = rock;
-    let _e20 = gabor_lobe_seed(seed, 1i);
-    let _e21 = gabor_impl_warp(_e12, vec2<f32>(1.6f, 2.6f), vec2<f32>(0.016f, 0.022f), _e20);
-    rock = _e21;
-    let _e22 = rock;
-    let _e29 = gabor_lobe_seed(seed, 2i);
-    let _e30 = gabor_impl_warp(_e22, vec2<f32>(7f, 10f), vec2(0.004f), _e29);
-    rock = _e30;
-    let _e31 = rock;
-    let _e36 = gabor_lobe_seed(seed, 3i);
-    let _e37 = gabor_impl_spots(_e31, vec2<f32>(0.1f, 2f), _e36);
-    broad = _e37;
-    let _e39 = rock;
-    let _e44 = gabor_lobe_seed(seed, 4i);
-    let _e45 = gabor_impl_spots(_e39, vec2<f32>(0.14f, 6f), _e44);
-    band = _e45;
-    let _e47 = rock;
-    let _e52 = gabor_lobe_seed(seed, 5i);
-    let _e53 = gabor_impl_spots(_e47, vec2<f32>(0.25f, 17f), _e52);
-    thin_1 = _e53;
-    let _e55 = rock;
-    let _e60 = gabor_lobe_seed(seed, 6i);
-    let _e61 = gabor_impl_spots(_e55, vec2<f32>(0.6f, 50f), _e60);
-    lamina = _e61;
-    let _e69 = gabor_lobe_seed(seed, 7i);
-    let _e70 = gabor_impl_octaves(pixel, vec2<f32>(16f, 24f), 4i, 0.8f, _e69);
-    grain_1 = _e70;
-    let _e72 = band;
-    let _e74 = band;
-    let _e78 = gabor_impl_above(_e72.x, _e74.z, 0.5f, 0.22f);
-    soft = _e78;
-    let _e88 = broad;
-    let _e90 = broad;
-    let _e94 = gabor_impl_above(_e88.x, _e90.z, 0f, 0.5f);
-    colour_10 = mix(vec3<f32>(0.5f, 0.22f, 0.09f), vec3<f32>(0.6f, 0.35f, 0.18f), vec3(_e94));
-    let _e98 = colour_10;
-    let _e104 = soft;
-    colour_10 = mix(_e98, vec3<f32>(0.28f, 0.075f, 0.035f), vec3((0.8f * _e104)));
-    let _e108 = colour_10;
-    let _e114 = thin_1;
-    let _e116 = thin_1;
-    let _e120 = gabor_impl_above(_e114.x, _e116.z, 1f, 0.2f);
-    colour_10 = mix(_e108, vec3<f32>(0.74f, 0.58f, 0.4f), vec3((0.75f * _e120)));
-    let _e124 = colour_10;
-    let _e130 = thin_1;
-    let _e132 = thin_1;
-    let _e136 = gabor_impl_above(_e130.y, _e132.z, 1.3f, 0.15f);
-    colour_10 = mix(_e124, vec3<f32>(0.2f, 0.06f, 0.035f), vec3((0.6f * _e136)));
-    let _e140 = colour_10;
-    let _e141 = lamina;
-    let _e143 = lamina;
-    let _e146 = gabor_impl_tone(_e141.x, _e143.z, 0.13f);
-    let _e147 = grain_1;
-    let _e149 = grain_1;
-    let _e152 = gabor_impl_tone(_e147.x, _e149.z, 0.11f);
-    colour_10 = (_e140 * (_e146 * _e152));
-    let _e156 = broad;
-    let _e160 = soft;
-    let _e164 = thin_1;
-    let _e169 = lamina;
-    let _e174 = grain_1;
-    height_7 = (((((0.02f * _e156.y) - (0.012f * _e160)) + (0.006f * _e164.x)) + (0.0015f * _e169.x)) + (0.003f * _e174.y));
-    let _e179 = colour_10;
-    let _e180 = height_7;
-    let _e183 = gabor_impl_material(_e179, _e180, 0.9f, 0f);
-    return _e183;
+    strength_1 = strength;
+    let _e11 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
+    open = _e11;
+    let _e14 = strength_1;
+    let _e16 = open;
+    let _e20 = gabor_impl_line(layer.x, layer.z, width.y);
+    strength_1.y = (_e14.y * (_e16 * _e20));
+    let _e24 = strength_1;
+    let _e26 = open;
+    let _e30 = gabor_impl_line(layer.x, layer.z, width.x);
+    let _e32 = strength_1;
+    strength_1.x = (_e24.x * ((_e26 * _e30) - _e32.y));
+    let _e36 = strength_1;
+    let _e41 = strength_1;
+    return ((colour + (_e36.x * (halo - colour))) + (_e41.y * (core - colour)));
 }
