@@ -578,6 +578,11 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
     // The clamp matters only if a compiler fuses the product in `local` with the difference.
     axis.offset = gabor_cpp_clamp(local - zero, GABOR_RADIUS - 2.0f, GABOR_RADIUS - 1.0f);
     axis.turns = wave / radius;
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
     gabor_vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
@@ -587,11 +592,6 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
     axis.node[1] = gabor_vec4(value.y, 0.0f, slope.y, 0.0f);
     axis.node[2] = gabor_vec4(value.z * back, slope.z * back);
     axis.node[3] = gabor_vec4(value.w * twice, slope.w * twice);
-    int first = cell + int(zero) - 1;
-    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
-    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
-    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
-    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
     return axis;
 }
 

@@ -50,7 +50,10 @@ class Random {
     float uniform(double low, double high) {
         return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
     }
-    // Half of the numbers of a nearly exact tie are on it.
+    test::Vector vector(double most) {
+        return {uniform(-most, most), uniform(-most, most), uniform(-most, most)};
+    }
+    // One number in eight is on an edge, and one next to it.
     float at_edge(float value) {
         const float edge = std::round(2 * value) / 2;
         return word() % 4 ? value : word() % 2 ? edge : std::nextafter(edge, word() % 2 ? 1e9f : -1e9f);
@@ -65,7 +68,7 @@ class Random {
 TEST_CASE("the translation to C++ agrees with the reference") {
     for (const int taps : {2, 3, 4}) {
         Random draw;
-        Largest value, gradient, stripes, at, animated;
+        Largest value, gradient, stripes, at, animated, tiled;
         for (int i = 0; i < 20000; ++i) {
             const float reach = std::exp2(draw.uniform(0, 17));
             Arguments a;
@@ -112,6 +115,22 @@ TEST_CASE("the translation to C++ agrees with the reference") {
             place.local_x = a.local_x;
             place.local_y = a.local_y;
             at.see(found.at, reference.field(place).value.imag(), tight, a);
+
+            a.x = draw.at_edge(draw.uniform(-20, 20));
+            a.y = draw.at_edge(draw.uniform(-20, 20));
+            a.period_x = draw.uniform(0.5, 9);
+            a.period_y = draw.uniform(0.5, 9);
+            place = {};
+            const auto repeat = [taps](double p, double period, double& local, double& radius,
+                                       std::int32_t& nodes) {
+                nodes = std::max(static_cast<std::int32_t>(std::floor(period * 0.5 * taps + 0.5)), taps);
+                radius = nodes / period;
+                local = p * radius;
+            };
+            repeat(a.x, a.period_x, place.local_x, place.radius_x, place.period_x);
+            repeat(a.y, a.period_y, place.local_y, place.radius_y, place.period_y);
+            tiled.see(test::values(taps, a).tiled, reference.field(place).value.imag(),
+                      tight + 2e-4 * (a.frequency + 4), a);
         }
         fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
         value.check("gabor_noise");
@@ -119,6 +138,7 @@ TEST_CASE("the translation to C++ agrees with the reference") {
         stripes.check("gabor_stripes");
         animated.check("gabor_noise_animated");
         at.check("gabor_noise_at");
+        tiled.check("gabor_noise_tiled");
     }
 }
 
@@ -145,50 +165,69 @@ TEST_CASE("the variance is 1 at any distance") {
     }
 }
 
-TEST_CASE("solid noise agrees with the reference, and its variance is 1 at any distance") {
-    constexpr std::array names{"gabor_noise_3d", "  _isotropic", "gabor_noise_surface_isotropic"};
+TEST_CASE("the variance of solid noise is 1 at any distance") {
     constexpr int count = 20000;
-    std::array<Largest, names.size()> largest;
     for (const double reach : {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9}) {
         Random draw;
-        const auto vector = [&draw](double most) {
-            return std::array{draw.uniform(-most, most), draw.uniform(-most, most),
-                              draw.uniform(-most, most)};
-        };
-        std::array<double, names.size()> power{};
+        std::array<double, 3> power{};
         for (int i = 0; i < count; ++i) {
-            const auto p = vector(reach);
-            const auto normal = vector(1);
-            const float frequency = draw.uniform(0, 4);
-            const std::uint32_t seed = draw.word();
-            const auto found = test::solid(p, frequency, normal, seed);
-            for (std::size_t k = 0; k < names.size(); ++k)
-                power[k] += found[k] * found[k];
-            if (reach > 16 || i % 10)
-                continue;
-            const noise::Lattice3d::Place place{.local = {p[0] * 1.5f, p[1] * 1.5f, p[2] * 1.5f}};
-            const double length = std::hypot(normal[0], normal[1], normal[2]);
-            const noise::Lattice3d::Vector unit{normal[0] / length, normal[1] / length, normal[2] / length};
-            const noise::Lattice3d wave({frequency * unit[0], frequency * unit[1], frequency * unit[2]},
-                                        seed);
-            const noise::Isotropic3d isotropic(frequency, seed);
-            std::array<double, names.size()> expected{wave.field(place).value.imag(),
-                                                      isotropic.field(place).value.imag(), 0};
-            for (const auto& [weight, noise] : noise::surface_isotropic(unit, frequency, seed))
-                expected[2] += weight * noise.field(place).value.imag();
-            for (std::size_t k = 0; k < names.size(); ++k)
-                largest[k].see(found[k], expected[k], 5e-5, [&] {
-                    return fmt::format("p ({}, {}, {}), frequency {}, normal ({}, {}, {}), seed {}", p[0],
-                                       p[1], p[2], frequency, normal[0], normal[1], normal[2], seed);
-                });
+            const auto found =
+                test::solid(draw.vector(reach), {}, {}, draw.uniform(0, 4), draw.vector(1), draw.word());
+            for (std::size_t k = 0; k < power.size(); ++k)
+                power[k] += found.noise[k] * found.noise[k];
         }
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            INFO(names[k] << ", |p| < " << reach << ": variance " << power[k] / count);
+        for (std::size_t k = 0; k < power.size(); ++k) {
+            INFO("noise " << k << ", |p| < " << reach << ": variance " << power[k] / count);
             CHECK(std::abs(power[k] / count - 1) < 5 * std::sqrt(2.0 / count));
         }
     }
-    for (std::size_t k = 0; k < names.size(); ++k)
-        largest[k].check(names[k]);
+}
+
+TEST_CASE("solid noise, its gradient and its filter agree with the reference") {
+    Random draw;
+    Largest wave, isotropic, surface, slopes;
+    std::array<double, 2> error{};
+    constexpr int count = 2000, filtered = 60;
+    for (int i = 0; i < count; ++i) {
+        const auto p = draw.vector(16), normal = draw.vector(1), dx = draw.vector(0.15),
+                   dy = draw.vector(0.15);
+        const float frequency = draw.uniform(0, 4);
+        const std::uint32_t seed = draw.word();
+        const test::Solid found = test::solid(p, dx, dy, frequency, normal, seed);
+        const auto where = [&] {
+            return fmt::format("p ({}, {}, {}), frequency {}, normal ({}, {}, {}), seed {}", p[0], p[1], p[2],
+                               frequency, normal[0], normal[1], normal[2], seed);
+        };
+        const noise::Lattice3d::Place place{.local = {p[0] * 1.5f, p[1] * 1.5f, p[2] * 1.5f}};
+        const double length = std::hypot(normal[0], normal[1], normal[2]);
+        const noise::Lattice3d::Vector unit{normal[0] / length, normal[1] / length, normal[2] / length};
+        const noise::Lattice3d of_wave({frequency * unit[0], frequency * unit[1], frequency * unit[2]}, seed);
+        const noise::Isotropic3d of_all(frequency, seed);
+        const auto waved = of_wave.field(place), even = of_all.field(place);
+        double expected = 0;
+        for (const auto& [weight, noise] : noise::surface_isotropic(unit, frequency, seed))
+            expected += weight * noise.field(place).value.imag();
+        wave.see(found.noise[0], waved.value.imag(), 5e-5, where);
+        isotropic.see(found.noise[1], even.value.imag(), 5e-5, where);
+        surface.see(found.noise[2], expected, 5e-5, where);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            slopes.see(found.slopes[axis], waved.slope[axis].imag(), 2e-3, where);
+            slopes.see(found.slopes[3 + axis], even.slope[axis].imag(), 2e-3, where);
+        }
+        if (i >= filtered)
+            continue;
+        const auto wide = [](const test::Vector& v) { return noise::Lattice3d::Vector{v[0], v[1], v[2]}; };
+        error[0] += std::pow(found.filtered[0] - of_wave.filtered(place, wide(dx), wide(dy)).value.imag(), 2);
+        error[1] += std::pow(found.filtered[1] - of_all.filtered(place, wide(dx), wide(dy)).value.imag(), 2);
+    }
+    wave.check("gabor_noise_3d");
+    isotropic.check("gabor_noise_3d_isotropic");
+    surface.check("gabor_noise_surface_isotropic");
+    slopes.check("the gradients");
+    fmt::print("  filters off by {:.4f} and {:.4f} of the noise's deviation\n",
+               std::sqrt(error[0] / filtered), std::sqrt(error[1] / filtered));
+    CHECK(std::sqrt(error[0] / filtered) < 0.02);
+    CHECK(std::sqrt(error[1] / filtered) < 0.02);
 }
 
 TEST_CASE("any finite arguments give finite noise") {
@@ -351,43 +390,19 @@ TEST_CASE("any place, pixel and base give a finite terrain") {
     }
 }
 
-namespace {
-
-// The node's index to whose wave vector the map is read, wrapped into a period.
-double wrapped(double index, double period) {
-    return period > 0 ? index - std::floor(index / period) * period : index;
-}
-
-noise::Lattice::Waves map_around(const noise::LatticePlace& place) {
-    noise::Lattice::Waves waves;
-    for (int k = 0; k < 9; ++k) {
-        const double i = place.cell_x + std::floor(place.local_x + 0.5) + k % 3 - 1;
-        const double j = place.cell_y + std::floor(place.local_y + 0.5) + k / 3 - 1;
-        waves.at(static_cast<std::size_t>(k)) = test::map_at(wrapped(i, place.period_x) / place.radius_x,
-                                                             wrapped(j, place.period_y) / place.radius_y);
-    }
-    return waves;
-}
-
-} // namespace
-
 TEST_CASE("noise along a map read at the nodes agrees with the reference") {
     Random draw;
-    Largest field, gradient, stripes;
+    Largest field;
     for (int i = 0; i < 20000; ++i) {
         Arguments a;
         // Next to a node's edge a float may round to the other side, where nodes have other numbers.
         const auto place_on = [&draw](float value) {
             return draw.word() % 4 ? value : std::round(2 * value) / 2;
         };
-        a.x = place_on(draw.uniform(-20, 20));
-        a.y = place_on(draw.uniform(-20, 20));
         a.column = static_cast<std::int32_t>(draw.word());
         a.row = static_cast<std::int32_t>(draw.word());
         a.local_x = place_on(draw.uniform(-2, 3));
         a.local_y = place_on(draw.uniform(-2, 3));
-        a.period_x = 6;
-        a.period_y = 4;
         a.time = draw.word() % 2 ? draw.uniform(-2, 2) : 0;
         a.seed = draw.word();
         test::Waves waves;
@@ -395,7 +410,7 @@ TEST_CASE("noise along a map read at the nodes agrees with the reference") {
         for (std::size_t k = 0; k < 9; ++k)
             for (std::size_t axis = 0; axis < 2; ++axis)
                 expected_waves[k][axis] = waves.wave[k][axis] = draw.word() % 8 ? draw.uniform(-4, 4) : 0;
-        const test::Directed found = test::directed(a, waves);
+        const auto found = test::directed(a, waves);
 
         noise::LatticePlace place;
         place.cell_x = a.column;
@@ -408,25 +423,9 @@ TEST_CASE("noise along a map read at the nodes agrees with the reference") {
         const double of_field[] = {expected.value.real(),   expected.value.imag(),   expected.slope_x.real(),
                                    expected.slope_x.imag(), expected.slope_y.real(), expected.slope_y.imag()};
         for (std::size_t c = 0; c < 6; ++c)
-            field.see(found.field[c], of_field[c], c < 2 ? 2e-5 : 6e-4, a);
-
-        place = {};
-        place.local_x = a.x * 1.5f;
-        place.local_y = a.y * 1.5f;
-        const auto here = noise::Lattice::field(place, map_around(place), a.seed);
-        gradient.see(found.gradient[0], here.value.imag(), 1e-4, a);
-        gradient.see(found.gradient[1], here.slope_x.imag(), 4e-3, a);
-        gradient.see(found.gradient[2], here.slope_y.imag(), 4e-3, a);
-        place.period_x = 9;
-        place.period_y = 6;
-        const auto tiled =
-            noise::lattice_stripes(noise::Lattice::field(place, map_around(place), a.seed).value, 2);
-        for (std::size_t c = 0; c < 3; ++c)
-            stripes.see(found.stripes[c], tiled[c], 3e-4, a);
+            field.see(found[c], of_field[c], c < 2 ? 2e-5 : 6e-4, a);
     }
     field.check("gabor_field_waves");
-    gradient.check("gabor_noise_direction_gradient");
-    stripes.check("gabor_stripes_direction_tiled");
 }
 
 // Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
@@ -458,7 +457,7 @@ TEST_CASE("noise along a map read at the nodes has its law at every place") {
             a.local_x = x;
             a.local_y = y;
             a.seed = draw.word();
-            const auto f = test::directed(a, waves).field;
+            const auto f = test::directed(a, waves);
             const double n = f[1], nx = f[3], ny = f[5];
             const double products[] = {n * n,  nx * nx, ny * ny,       nx * ny,
                                        n * nx, n * ny,  n * n * n * n, nx * nx * nx * nx};
@@ -530,7 +529,7 @@ TEST_CASE("profiles are averages over a width, or over the phases that shorten s
 // The mean of z min(1 / |z|, sharpness) and of |z|, z = v + sqrt(removed) times normal numbers.
 TEST_CASE("filtered stripes are the mean of stripes over what a filter removes") {
     Random draw;
-    Largest mean, intensity, sharp_ones, removed;
+    Largest mean, intensity, sharp_ones, removed, at_places;
     std::mt19937 random(5);
     std::normal_distribution<> normal;
     std::vector<std::array<double, 2>> normals(4000);
@@ -571,9 +570,26 @@ TEST_CASE("filtered stripes are the mean of stripes over what a filter removes")
         const auto expected = noise::lattice_stripes(lattice.field(place).value, sharpness);
         for (std::size_t c = 0; c < 3; ++c)
             sharp_ones.see(whole[c], expected[c], 2e-4, a);
+
+        a.column = static_cast<std::int32_t>(draw.word());
+        a.row = static_cast<std::int32_t>(draw.word());
+        a.local_x = draw.uniform(-2, 3);
+        a.local_y = draw.uniform(-2, 3);
+        a.time = draw.uniform(-2, 2);
+        const auto placed = test::filtered_stripes_at(a, sharpness);
+        place = {a.column, a.row, a.local_x, a.local_y};
+        place.period_x = 7;
+        place.period_y = 5;
+        place.animated = true;
+        place.time = a.time;
+        const auto there = noise::lattice_stripes(lattice.field(place).value, sharpness);
+        for (std::size_t c = 0; c < 3; ++c)
+            at_places.see(placed[c], there[c], 2e-4, a);
+        at_places.see(placed[3], 0, 1e-6, a);
     }
     mean.check("gabor_stripes_filtered");
     intensity.check("its intensity");
     removed.check("its removed variance");
     sharp_ones.check("of a point");
+    at_places.check("gabor_stripes_filtered_at of a point");
 }

@@ -32,11 +32,6 @@ namespace taps_3 {
 
 #include "gabor_lattice_3d.hpp"
 
-gabor_vec2 direction(gabor_vec2 p) {
-    const auto wave = gabor::test::map_at(p.x, p.y);
-    return {wave[0], wave[1]};
-}
-#define GABOR_DIRECTION(p) direction(p)
 #include "gabor_direction.hpp"
 } // namespace taps_3
 
@@ -93,16 +88,21 @@ Filtered filtered(const Arguments& a, const Pixel& pixel) {
             {noise.x, noise.y, noise.z, noise.w}};
 }
 
-std::array<float, 3> solid(const std::array<float, 3>& p, float frequency,
-                           const std::array<float, 3>& direction, std::uint32_t seed) {
+Solid solid(const Vector& p, const Vector& dx, const Vector& dy, float frequency, const Vector& direction,
+            std::uint32_t seed) {
     using namespace taps_3;
-    const gabor_vec3 at(p[0], p[1], p[2]);
-    const gabor_vec3 along(direction[0], direction[1], direction[2]);
-    return {gabor_noise_3d(at, frequency, along, seed), gabor_noise_3d_isotropic(at, frequency, seed),
-            gabor_noise_surface_isotropic(at, along, frequency, seed)};
+    const auto vector = [](const Vector& v) { return gabor_vec3(v[0], v[1], v[2]); };
+    const gabor_vec3 at = vector(p), along = vector(direction), x = vector(dx), y = vector(dy);
+    const auto wave = gabor_noise_3d_gradient(at, frequency, along, seed);
+    const auto isotropic = gabor_noise_3d_isotropic_gradient(at, frequency, seed);
+    return {{gabor_noise_3d(at, frequency, along, seed), gabor_noise_3d_isotropic(at, frequency, seed),
+             gabor_noise_surface_isotropic(at, along, frequency, seed)},
+            {wave.y, wave.z, wave.w, isotropic.y, isotropic.z, isotropic.w},
+            {gabor_noise_3d_filtered(at, x, y, frequency, along, seed).x,
+             gabor_noise_3d_isotropic_filtered(at, x, y, frequency, seed).x}};
 }
 
-Directed directed(const Arguments& a, const Waves& waves) {
+std::array<float, 6> directed(const Arguments& a, const Waves& waves) {
     using namespace taps_3;
     GaborPlace place = gabor_place({a.column, a.row}, {a.local_x, a.local_y});
     place.animated = a.time != 0;
@@ -111,12 +111,7 @@ Directed directed(const Arguments& a, const Waves& waves) {
     for (int k = 0; k < 9; ++k)
         given.wave[k] = gabor_vec2(waves.wave[k][0], waves.wave[k][1]);
     const GaborField field = gabor_field_waves(place, given, a.seed);
-    const auto gradient = gabor_noise_direction_gradient({a.x, a.y}, a.seed);
-    const auto stripes = gabor_stripes_direction_tiled({a.x, a.y}, {a.period_x, a.period_y}, 2.0f, a.seed);
-    return {
-        {field.value.x, field.value.y, field.slope_x.x, field.slope_x.y, field.slope_y.x, field.slope_y.y},
-        {gradient.x, gradient.y, gradient.z},
-        {stripes.x, stripes.y, stripes.z}};
+    return {field.value.x, field.value.y, field.slope_x.x, field.slope_x.y, field.slope_y.x, field.slope_y.y};
 }
 
 std::array<float, 5> profiles(float phase, float duty, float width) {
@@ -138,6 +133,17 @@ std::array<float, 4> filtered_stripes(const Arguments& a, const Pixel& pixel, fl
     const gabor_vec4 stripes =
         gabor_stripes_filtered({a.x, a.y}, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]},
                                {a.wave_x, a.wave_y}, sharpness, a.seed);
+    return {stripes.x, stripes.y, stripes.z, stripes.w};
+}
+
+std::array<float, 4> filtered_stripes_at(const Arguments& a, float sharpness) {
+    using namespace taps_3;
+    GaborPlace place = gabor_place({a.column, a.row}, {a.local_x, a.local_y});
+    place.period = {7, 5};
+    place.animated = true;
+    place.time = a.time;
+    const gabor_vec4 stripes = gabor_stripes_filtered_at(place, {a.wave_x, a.wave_y},
+                                                         gabor_footprint({0, 0}, {0, 0}), sharpness, a.seed);
     return {stripes.x, stripes.y, stripes.z, stripes.w};
 }
 

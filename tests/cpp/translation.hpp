@@ -40,10 +40,17 @@ struct Filtered {
 
 Filtered filtered(const Arguments& a, const Pixel& pixel);
 
-/// gabor_noise_3d, gabor_noise_3d_isotropic and gabor_noise_surface_isotropic. The direction is the normal
-/// too.
-std::array<float, 3> solid(const std::array<float, 3>& p, float frequency,
-                           const std::array<float, 3>& direction, std::uint32_t seed);
+using Vector = std::array<float, 3>;
+
+struct Solid {
+    std::array<float, 3> noise;  ///< gabor_noise_3d, gabor_noise_3d_isotropic, gabor_noise_surface_isotropic
+    std::array<float, 6> slopes; ///< of the first two
+    std::array<float, 2> filtered; ///< their noise averaged over a pixel
+};
+
+/// The direction is the normal too.
+Solid solid(const Vector& p, const Vector& dx, const Vector& dy, float frequency, const Vector& direction,
+            std::uint32_t seed);
 
 struct Eroded {
     std::array<float, 4> base; ///< height, slope and ridge
@@ -58,20 +65,8 @@ struct Waves {
     float wave[9][2];
 };
 
-struct Directed {
-    std::array<float, 6> field;    ///< gabor_field_waves: value, slope_x, slope_y
-    std::array<float, 3> gradient; ///< gabor_noise_direction_gradient with map_at
-    std::array<float, 3> stripes;  ///< gabor_stripes_direction_tiled with map_at, sharpness 2
-};
-
-/// A map of wave vectors that jumps.
-template <typename Real>
-std::array<Real, 2> map_at(Real x, Real y) {
-    return x + y > 1 ? std::array<Real, 2>{Real(1.5), Real(0.25) * y}
-                     : std::array<Real, 2>{Real(-0.5) * x, 2};
-}
-
-Directed directed(const Arguments& a, const Waves& waves);
+/// gabor_field_waves: value, slope_x, slope_y.
+std::array<float, 6> directed(const Arguments& a, const Waves& waves);
 
 /// gabor_profile_sine, _triangle, _sawtooth, _pulse, _ridges.
 std::array<float, 5> profiles(float phase, float duty, float width);
@@ -81,5 +76,8 @@ std::array<float, 5> stripe_profiles(float cosine, float sine, float duty);
 
 /// gabor_stripes_filtered.
 std::array<float, 4> filtered_stripes(const Arguments& a, const Pixel& pixel, float sharpness);
+
+/// gabor_stripes_filtered_at of a point, in any cell at any time, with a period of 7 by 5 nodes.
+std::array<float, 4> filtered_stripes_at(const Arguments& a, float sharpness);
 
 } // namespace gabor::test

@@ -59,7 +59,8 @@ void transform(std::vector<Complex>& a) {
 
 } // namespace
 
-TEST_CASE("lines at no distance have equal or opposite words more often than chance", "[amplitudes]") {
+TEST_CASE("lines at no distance have equal, nearly equal or opposite words more often than chance",
+          "[amplitudes]") {
     constexpr int seeds = 1 << 17;
     for (const int axis : {0, 1}) {
         double equal = 0, near = 0, low = 0;

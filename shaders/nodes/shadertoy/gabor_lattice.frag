@@ -284,6 +284,11 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     // The clamp matters only if a compiler fuses the product in `local` with the difference.
     axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
     axis.turns = wave / radius;
+    int first = cell + int(zero) - 1;
+    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
+    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
+    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
     vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
     vec2 turn = gabor_impl_wave(axis.turns);
@@ -293,11 +298,6 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     axis.node[1] = vec4(value.y, 0.0, slope.y, 0.0);
     axis.node[2] = vec4(value.z * back, slope.z * back);
     axis.node[3] = vec4(value.w * twice, slope.w * twice);
-    int first = cell + int(zero) - 1;
-    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
-    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
-    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
-    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
     return axis;
 }
 
@@ -322,7 +322,7 @@ void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if (j != 1 || x.offset < 8.0) { // always, but the branch keeps CPU compilers from spilling registers
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always, but a branch keeps CPUs from spilling registers
         gabor_impl_add(sum, row, y.node[j].xy);
         gabor_impl_add(slope, row, y.node[j].zw);
     }
