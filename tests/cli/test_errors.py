@@ -80,6 +80,7 @@ class Words(ErrorTest):
         self.assert_refused(["'first'"], "devices", "first", "second")
         self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--freqency=3")
         self.assert_refused(["did you mean --frequency?", "gabor render --help"], "render", "--freqency=3")
+        self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--frequuuency=3")
         self.assert_refused(["did you mean render?"], "rendr")
 
     def test_conflicting_options(self):

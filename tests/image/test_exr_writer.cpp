@@ -125,6 +125,22 @@ TEST_CASE("The parameters are kept as text", "[exr]") {
     CHECK(ExrReader(folder / "out.exr").parameters() == parameters);
 }
 
+TEST_CASE("Joining regions reports every pixel once", "[exr]") {
+    const ScratchFolder folder;
+    // Rows of the first are copied block by block, those of the second are decoded.
+    const auto windows = GENERATE(std::vector<Rect>{{0, 0, 20, 32}, {0, 32, 20, 5}},
+                                  std::vector<Rect>{{0, 0, 7, 37}, {7, 0, 13, 37}});
+    std::vector<std::filesystem::path> regions;
+    for (const Rect& window : windows) {
+        regions.push_back(folder / std::to_string(regions.size()));
+        write(regions.back(), {{0, 0, 20, 37}, window, {"Y"}, "zip", "{}"},
+              any_floats(static_cast<std::size_t>(window.width * window.height)), {37});
+    }
+    std::uint64_t reported = 0;
+    join_exr(regions, folder / "joined", [&](std::uint64_t pixels) { reported += pixels; });
+    CHECK(reported == 20 * 37);
+}
+
 TEST_CASE("An unknown compression is refused with those there are", "[exr]") {
     const ScratchFolder folder;
     CHECK_THROWS_AS(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}), RequestError);

@@ -5,6 +5,7 @@
 #include "render/parameters.hpp"
 
 #include "passes/line.h"
+#include "passes/material_interface.h"
 #include "passes/pictures.h"
 #include "passes/pixels_interface.h"
 
@@ -168,6 +169,22 @@ TEST_CASE("a camera is as precise far away as near by") {
     camera = camera.moved(-2e9, 2e9);
     CHECK(static_cast<double>(camera.x.whole) + camera.x.part == Approx(1e-4).margin(1e-12));
     CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
+}
+
+TEST_CASE("a place belongs to the cell that its whole and fractional parts make together") {
+    const auto [cell, local] = cell_at({3, 0.9}, 1.5);
+    CHECK(cell == 5);
+    CHECK(local == Approx(0.85));
+}
+
+TEST_CASE("a material is drawn where its camera stands") {
+    const Request request = request_of({{"material", "wood"}, {"view", "horizon"}});
+    Viewport viewport = viewport_of(request, {0, 0, 150, 113});
+    viewport.camera.x = {2, 0.25};
+    viewport.camera.y = {-4, 0.5};
+    const auto push = values_of<passes::MaterialPush>(plan(request, viewport).steps.front().push).at(0);
+    CHECK(push.corner.x == 2.25f);
+    CHECK(push.corner.y == -3.5f);
 }
 
 TEST_CASE("columns continue across the end of the world") {
