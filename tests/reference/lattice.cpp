@@ -113,6 +113,10 @@ std::array<double, 3> lattice_stripes(Complex value, double sharpness) {
 
 namespace {
 
+Complex amplitude_at(std::uint32_t word, const LatticePlace& place) {
+    return place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+}
+
 // A column or a row of nodes whose windows reach the place.
 struct Line {
     LatticeWindow window;
@@ -156,8 +160,7 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
             std::array<Complex, 4> amplitudes;
             for (std::size_t c = 0; c < 4; ++c) {
                 const std::uint32_t word = x.words[c] * y.words[c];
-                amplitudes[c] =
-                    place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+                amplitudes[c] = amplitude_at(word, place);
                 sum.four[c] += (amplitudes[c] * kernel).imag();
             }
             sum.value += amplitudes[0] * kernel;
@@ -167,14 +170,27 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
                 amplitudes[0] * (y.slope * x.window.value * wave + Complex(0, 2 * pi * wave_y_) * kernel);
         }
     }
-    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(taps_));
-    sum.value *= scale;
-    sum.slope_x *= scale;
-    sum.slope_y *= scale;
-    for (double& value : sum.four)
-        value *= scale;
-    return sum;
+    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(taps_)));
 }
+
+namespace {
+
+// Adds a wave of a node to the noise x, y nodes away from it, with three taps.
+void add_wave(Field& sum, const LatticePlace& place, double x, double y, double wave_x, double wave_y,
+              Complex amplitude) {
+    const LatticeWindow across = lattice_window(3, x / 1.5);
+    const LatticeWindow along = lattice_window(3, y / 1.5);
+    const Complex wave =
+        amplitude * std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
+    const Complex kernel = across.value * along.value * wave;
+    sum.value += kernel;
+    sum.slope_x +=
+        across.slope * place.radius_x / 1.5 * along.value * wave + Complex(0, 2 * pi * wave_x) * kernel;
+    sum.slope_y +=
+        across.value * along.slope * place.radius_y / 1.5 * wave + Complex(0, 2 * pi * wave_y) * kernel;
+}
+
+} // namespace
 
 // n(p) = K sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)), and its derivatives.
 Lattice::Field Lattice::field(const LatticePlace& place, const Waves& waves, std::uint32_t seed) {
@@ -184,29 +200,13 @@ Lattice::Field Lattice::field(const LatticePlace& place, const Waves& waves, std
     for (int k = 0; k < 9; ++k) {
         const std::int64_t i = nearest_x + k % 3 - 1;
         const std::int64_t j = nearest_y + k / 3 - 1;
-        const double x = place.local_x - static_cast<double>(i);
-        const double y = place.local_y - static_cast<double>(j);
-        const LatticeWindow across = lattice_window(3, x / 1.5);
-        const LatticeWindow along = lattice_window(3, y / 1.5);
         const auto [wave_x, wave_y] = waves.at(static_cast<std::size_t>(k));
         const std::uint32_t word = lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed) *
                                    lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
-        const Complex amplitude =
-            place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-        const Complex wave =
-            amplitude * std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
-        const Complex kernel = across.value * along.value * wave;
-        sum.value += kernel;
-        sum.slope_x +=
-            across.slope * place.radius_x / 1.5 * along.value * wave + Complex(0, 2 * pi * wave_x) * kernel;
-        sum.slope_y +=
-            across.value * along.slope * place.radius_y / 1.5 * wave + Complex(0, 2 * pi * wave_y) * kernel;
+        add_wave(sum, place, place.local_x - static_cast<double>(i), place.local_y - static_cast<double>(j),
+                 wave_x, wave_y, amplitude_at(word, place));
     }
-    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(3));
-    sum.value *= scale;
-    sum.slope_x *= scale;
-    sum.slope_y *= scale;
-    return sum;
+    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(3)));
 }
 
 Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed) {
@@ -220,36 +220,19 @@ Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, st
             mixed = next_word(mixed);
             word = mixed >> 8 | 0x800001u;
         }
-        const double y = place.local_y - static_cast<double>(j);
-        const LatticeWindow along = lattice_window(3, y / 1.5);
         for (std::int64_t i = nearest_x - 1; i <= nearest_x + 1; ++i) {
             const std::uint32_t column =
                 lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed);
-            const double x = place.local_x - static_cast<double>(i);
-            const LatticeWindow across = lattice_window(3, x / 1.5);
             const double first = pi / 6 * static_cast<std::int32_t>(column * row[3]) / 0x1p31;
             for (std::size_t m = 0; m < 3; ++m) {
                 const double angle = first + pi / 3 * static_cast<double>(m);
-                const double wave_x = std::abs(frequency) * std::cos(angle);
-                const double wave_y = std::abs(frequency) * std::sin(angle);
-                const std::uint32_t word = column * row[m];
-                const Complex wave =
-                    (place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word)) *
-                    std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
-                const Complex kernel = across.value * along.value * wave;
-                sum.value += kernel;
-                sum.slope_x += across.slope * place.radius_x / 1.5 * along.value * wave +
-                               Complex(0, 2 * pi * wave_x) * kernel;
-                sum.slope_y += across.value * along.slope * place.radius_y / 1.5 * wave +
-                               Complex(0, 2 * pi * wave_y) * kernel;
+                add_wave(sum, place, place.local_x - static_cast<double>(i),
+                         place.local_y - static_cast<double>(j), std::abs(frequency) * std::cos(angle),
+                         std::abs(frequency) * std::sin(angle), amplitude_at(column * row[m], place));
             }
         }
     }
-    const double scale = 1 / (lattice_amplitude_deviation() * lattice_energy(3) * std::sqrt(3.0));
-    sum.value *= scale;
-    sum.slope_x *= scale;
-    sum.slope_y *= scale;
-    return sum;
+    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(3) * std::sqrt(3.0)));
 }
 
 } // namespace gabor::noise

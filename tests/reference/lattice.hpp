@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reference/field.hpp"
+
 #include <array>
 #include <complex>
 #include <cstdint>
@@ -63,12 +65,7 @@ class Lattice {
     /// `wave` in cycles per kernel radius.
     Lattice(int taps, std::array<double, 2> wave, std::uint32_t seed);
 
-    struct Field {
-        std::complex<double> value; ///< the noise is the imaginary part
-        std::complex<double> slope_x;
-        std::complex<double> slope_y;
-        std::array<double, 4> four{};
-    };
+    using Field = noise::Field;
 
     Field field(const LatticePlace& place) const;
 

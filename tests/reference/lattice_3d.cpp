@@ -57,6 +57,61 @@ double length(const Vector& a) {
     return std::sqrt(dot(a, a));
 }
 
+// How far a pixel's normal filter reaches along each axis, in nodes.
+Vector reach_of(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    Vector reach{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        reach[axis] = 6.001 * std::hypot(longer[axis], shorter[axis]) * place.radius[axis];
+    return reach;
+}
+
+// The mean over a pixel of a field at offsets from the place, in nodes.
+template <typename FieldAt>
+Lattice3d::Field filtered_field(const Lattice3d::Place& place, const Vector& dx, const Vector& dy,
+                                double frequency, const FieldAt& field_at) {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    const double step = std::min(0.06, 0.15 / (frequency + 1e-9));
+    Lattice3d::Field mean{};
+    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step)) {
+        Vector offset = sum(u, longer, v, shorter);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            offset[axis] *= place.radius[axis];
+        const Lattice3d::Field one = field_at(offset);
+        mean.value += weight * one.value;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mean.slope[axis] += weight * one.slope[axis];
+    }
+    return mean;
+}
+
+// As of Spectrum::removed: `correlation_of` is that of the waves at an offset.
+template <typename CorrelationOf>
+double removed_share(const Lattice3d::Place& place, const Vector& dx, const Vector& dy, double step,
+                     const CorrelationOf& correlation_of) {
+    const auto [longer, shorter] = principal_axes(dx, dy);
+    const double apart = std::numbers::sqrt2;
+    double kept = 0;
+    for (const auto& [u, v, weight] :
+         normal_points({apart * length(longer), apart * length(shorter)}, step)) {
+        const Vector offset = sum(apart * u, longer, apart * v, shorter);
+        double correlation = correlation_of(offset);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
+        kept += weight * correlation;
+    }
+    return 1 - kept;
+}
+
+// The word of the line of nodes with an index along an axis, counted from the place's cell.
+std::uint32_t line_word(const Lattice3d::Place& place, std::size_t axis, std::int64_t offset,
+                        std::uint32_t seed) {
+    auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + offset));
+    if (const std::int32_t period = place.period[axis])
+        index = (index % period + period) % period;
+    return lattice_line_word(index, static_cast<int>(axis), seed);
+}
+
 } // namespace
 
 Lattice3d::Lattice3d(const Vector& wave, std::uint32_t seed, bool animated)
@@ -71,12 +126,8 @@ class Lattice3d::Nodes {
             const double around = reach[axis] + nodes_per_radius;
             first_[axis] = static_cast<std::int64_t>(std::ceil(place.local[axis] - around));
             const auto last = static_cast<std::int64_t>(std::floor(place.local[axis] + around));
-            for (std::int64_t i = first_[axis]; i <= last; ++i) {
-                auto index = static_cast<std::int32_t>(static_cast<std::uint32_t>(place.cell[axis] + i));
-                if (const std::int32_t period = place.period[axis])
-                    index = (index % period + period) % period;
-                words[axis].push_back(lattice_line_word(index, static_cast<int>(axis), noise.seed_));
-            }
+            for (std::int64_t i = first_[axis]; i <= last; ++i)
+                words[axis].push_back(line_word(place, axis, i, noise.seed_));
             count_[axis] = words[axis].size();
         }
         for (const std::uint32_t x : words[0])
@@ -149,39 +200,14 @@ Lattice3d::Field Lattice3d::field(const Place& place, const Vector& offset, cons
 }
 
 Lattice3d::Field Lattice3d::filtered(const Place& place, const Vector& dx, const Vector& dy) const {
-    const auto [longer, shorter] = principal_axes(dx, dy);
-    Vector reach{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        reach[axis] = 6.001 * std::hypot(longer[axis], shorter[axis]) * place.radius[axis];
-    const Nodes nodes(*this, place, reach);
-    const double step = std::min(0.06, 0.15 / (length(wave_) + 1e-9));
-    Field mean{};
-    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step)) {
-        Vector offset = sum(u, longer, v, shorter);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            offset[axis] *= place.radius[axis];
-        const Field one = field(place, offset, nodes);
-        mean.value += weight * one.value;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            mean.slope[axis] += weight * one.slope[axis];
-    }
-    return mean;
+    const Nodes nodes(*this, place, reach_of(place, dx, dy));
+    return filtered_field(place, dx, dy, length(wave_),
+                          [&](const Vector& offset) { return field(place, offset, nodes); });
 }
 
-// As of Spectrum::removed.
 double Lattice3d::removed(const Place& place, const Vector& dx, const Vector& dy) const {
-    const auto [longer, shorter] = principal_axes(dx, dy);
-    const double apart = std::numbers::sqrt2;
-    double kept = 0;
-    for (const auto& [u, v, weight] :
-         normal_points({apart * length(longer), apart * length(shorter)}, 0.06)) {
-        const Vector offset = sum(apart * u, longer, apart * v, shorter);
-        double correlation = std::cos(2 * pi * dot(wave_, offset));
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
-        kept += weight * correlation;
-    }
-    return 1 - kept;
+    return removed_share(place, dx, dy, 0.06,
+                         [&](const Vector& offset) { return std::cos(2 * pi * dot(wave_, offset)); });
 }
 
 std::vector<WeightedWave> surface_waves(const Vector& normal, double frequency, const Vector& direction,
@@ -223,13 +249,8 @@ std::vector<Isotropic3d::Node> Isotropic3d::nodes(const Lattice3d::Place& place,
     std::array<std::vector<std::pair<double, std::uint32_t>>, 3> lines; // where, and its word
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double around = reach[axis] + nodes_per_radius;
-        for (double i = std::ceil(place.local[axis] - around); i <= place.local[axis] + around; ++i) {
-            auto index = static_cast<std::int32_t>(
-                static_cast<std::uint32_t>(place.cell[axis] + static_cast<std::int64_t>(i)));
-            if (const std::int32_t period = place.period[axis])
-                index = (index % period + period) % period;
-            lines[axis].emplace_back(i, lattice_line_word(index, static_cast<int>(axis), seed_));
-        }
+        for (double i = std::ceil(place.local[axis] - around); i <= place.local[axis] + around; ++i)
+            lines[axis].emplace_back(i, line_word(place, axis, static_cast<std::int64_t>(i), seed_));
     }
     std::vector<Node> all;
     for (const auto& [z, z_word] : lines[2]) {
@@ -303,44 +324,21 @@ Lattice3d::Field Isotropic3d::field(const Lattice3d::Place& place, const Vector&
 
 Lattice3d::Field Isotropic3d::filtered(const Lattice3d::Place& place, const Vector& dx,
                                        const Vector& dy) const {
-    const auto [longer, shorter] = principal_axes(dx, dy);
-    Vector reach{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        reach[axis] = 6.001 * std::hypot(longer[axis], shorter[axis]) * place.radius[axis];
-    const std::vector<Node> around = nodes(place, reach);
-    const double step = std::min(0.06, 0.15 / (frequency_ + 1e-9));
-    Lattice3d::Field mean{};
-    for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step)) {
-        Vector offset = sum(u, longer, v, shorter);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            offset[axis] *= place.radius[axis];
-        const Lattice3d::Field one = field(place, offset, around);
-        mean.value += weight * one.value;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            mean.slope[axis] += weight * one.slope[axis];
-    }
-    return mean;
+    const std::vector<Node> around = nodes(place, reach_of(place, dx, dy));
+    return filtered_field(place, dx, dy, frequency_,
+                          [&](const Vector& offset) { return field(place, offset, around); });
 }
 
-// As of Lattice3d. The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space and, with d along the
-// surface, J_0(t) there, t = 2 pi F |d|.
+// The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space and, with d along the surface, J_0(t)
+// there, t = 2 pi F |d|.
 double Isotropic3d::removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const {
-    const auto [longer, shorter] = principal_axes(dx, dy);
-    const double apart = std::numbers::sqrt2;
-    double kept = 0;
-    for (const auto& [u, v, weight] : normal_points({apart * length(longer), apart * length(shorter)},
-                                                    std::min(0.06, 0.1 / (frequency_ + 1e-9)))) {
-        const Vector offset = sum(apart * u, longer, apart * v, shorter);
+    return removed_share(place, dx, dy, std::min(0.06, 0.1 / (frequency_ + 1e-9)), [&](const Vector& offset) {
         const double distance = tangents_
                                     ? std::hypot(dot(offset, (*tangents_)[0]), dot(offset, (*tangents_)[1]))
                                     : length(offset);
         const double turn = 2 * pi * frequency_ * distance;
-        double correlation = tangents_ ? std::cyl_bessel_j(0, turn) : turn < 1e-6 ? 1 : std::sin(turn) / turn;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
-        kept += weight * correlation;
-    }
-    return 1 - kept;
+        return tangents_ ? std::cyl_bessel_j(0, turn) : turn < 1e-6 ? 1 : std::sin(turn) / turn;
+    });
 }
 
 std::vector<WeightedIsotropic> surface_isotropic(const Vector& normal, double frequency, std::uint32_t seed,

@@ -109,7 +109,7 @@ Reference::Field Reference::field(const Place& place) const {
         still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
     // The variance is in proportion to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
-    return {scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+    return sum.scaled(scale);
 }
 
 } // namespace gabor::noise

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "noise/recipe.hpp"
+#include "reference/field.hpp"
 
-#include <complex>
 #include <cstdint>
 
 namespace gabor::noise {
@@ -33,13 +33,7 @@ class Reference {
     /// `frequency` in cycles per kernel radius, `orientation` in radians.
     Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed);
 
-    /// The noise as a complex number, and its gradient per kernel radius; the imaginary part is the noise
-    /// itself.
-    struct Field {
-        std::complex<double> value;
-        std::complex<double> slope_x;
-        std::complex<double> slope_y;
-    };
+    using Field = noise::Field;
 
     Field field(const Place& place) const;
 

@@ -27,14 +27,6 @@ std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Ve
     return {{{c * longer, s * longer}, {-s * shorter, c * shorter}}};
 }
 
-void add(Spectrum::Field& sum, double weight, const Spectrum::Field& field) {
-    sum.value += weight * field.value;
-    sum.slope_x += weight * field.slope_x;
-    sum.slope_y += weight * field.slope_y;
-    for (std::size_t i = 0; i < sum.four.size(); ++i)
-        sum.four[i] += weight * field.four[i];
-}
-
 double length(const Spectrum::Vector& v) {
     return std::hypot(v[0], v[1]);
 }
@@ -104,12 +96,7 @@ Spectrum::Field Spectrum::field(const LatticePlace& place) const {
     for (const SpectrumLobe& lobe : lobes_) {
         const Lattice lattice(taps, lobe.frequency * lobe.radius, lobe.orientation, lobe.seed);
         const Lattice::Field field = lattice.field(lobe.radius == 1 ? place : placed(place, lobe.radius));
-        const double scale = std::sqrt(lobe.power / power);
-        sum.value += scale * field.value;
-        sum.slope_x += scale / lobe.radius * field.slope_x;
-        sum.slope_y += scale / lobe.radius * field.slope_y;
-        for (std::size_t i = 0; i < sum.four.size(); ++i)
-            sum.four[i] += scale * field.four[i];
+        sum.add(std::sqrt(lobe.power / power), field, lobe.radius);
     }
     return sum;
 }
@@ -128,7 +115,7 @@ Spectrum::Field Spectrum::filtered(double x, double y, Vector dx, Vector dy) con
     const auto [longer, shorter] = principal_axes(dx, dy);
     Field mean{};
     for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step))
-        add(mean, weight, field(x - u * longer[0] - v * shorter[0], y - u * longer[1] - v * shorter[1]));
+        mean.add(weight, field(x - u * longer[0] - v * shorter[0], y - u * longer[1] - v * shorter[1]));
     return mean;
 }
 

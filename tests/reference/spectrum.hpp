@@ -28,13 +28,8 @@ class Spectrum {
   public:
     explicit Spectrum(std::vector<SpectrumLobe> lobes) : lobes_(std::move(lobes)) {}
 
-    /// The imaginary part is the noise, its slopes are per unit of length.
-    struct Field {
-        std::complex<double> value;
-        std::complex<double> slope_x;
-        std::complex<double> slope_y;
-        std::array<double, 4> four{}; ///< independent noises, the first the noise itself
-    };
+    /// Slopes are per unit of length.
+    using Field = noise::Field;
 
     Field field(double x, double y) const;
 

@@ -4,6 +4,7 @@
 #include "law.hpp"
 #include "oracle.hpp"
 #include "reference/lattice.hpp"
+#include "reference/normal_mean.hpp"
 #include "sampler.hpp"
 
 #include "passes/sample_isotropic.h"
@@ -212,10 +213,6 @@ TEST_CASE("isotropic noise and its gradient are normal at fixed places", "[law]"
 // The covariance is the transform of the spectrum: J_0(2 pi F |lag|) of an even ring, times that of the
 // windows.
 TEST_CASE("the covariance of isotropic noise is that of an even ring of waves, in every direction", "[law]") {
-    const auto of_windows = [](double lag) { // in kernel radii
-        const double x = std::abs(lag);
-        return x < 2 ? ((2 - x) * (1 + std::cos(pi * x) / 2) + 1.5 / pi * std::sin(pi * x)) / 3 : 0;
-    };
     const vulkan::Device device;
     constexpr std::size_t per_batch = 1 << 17;
     Sampler sampler(device, per_batch);
@@ -244,8 +241,8 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring of waves, i
                         for (const int part : {0, 1})
                             products.add(answers[i].value[part] * answers[i + 1].value[part]);
                 }
-                const double expected =
-                    std::cyl_bessel_j(0.0, 2 * pi * turns) * of_windows(lag[0]) * of_windows(lag[1]);
+                const double expected = std::cyl_bessel_j(0.0, 2 * pi * turns) *
+                                        noise::hann_correlation(lag[0]) * noise::hann_correlation(lag[1]);
                 const double error = std::sqrt(products.variance() / static_cast<double>(products.count()));
                 covariances.see(products.mean(), expected, 4.5 * error, [&] {
                     return fmt::format("frequency {}, {} turns away at {} degrees", frequency, turns,

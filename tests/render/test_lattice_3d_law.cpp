@@ -3,6 +3,7 @@
 
 #include "law.hpp"
 #include "reference/lattice.hpp"
+#include "reference/normal_mean.hpp"
 #include "sampler_lattice_3d.hpp"
 
 #include <catch2/catch.hpp>
@@ -312,16 +313,6 @@ TEST_CASE("the frames of isotropic noise are even in all directions", "[oracle]"
     even.check("powers of cosines, in 4.5 standard errors");
 }
 
-namespace {
-
-// The correlation of Hann's window with itself over a cell, at a lag in node spacings.
-double window_correlation(double lag) {
-    const double x = std::abs(lag) / 1.5;
-    return x < 2 ? ((2 - x) * (1 + std::cos(pi * x) / 2) + 1.5 / pi * std::sin(pi * x)) / 3 : 0;
-}
-
-} // namespace
-
 TEST_CASE("isotropic noise has its law and its gradient's at fixed places", "[law]") {
     const vulkan::Device device;
     struct Where {
@@ -397,7 +388,7 @@ TEST_CASE("the covariance of isotropic noise in space is that of an even shell o
                 }
                 double expected = std::sin(2 * pi * turns) / (2 * pi * turns);
                 for (const double along : direction)
-                    expected *= window_correlation(1.5 * distance * along);
+                    expected *= noise::hann_correlation(distance * along);
                 const double error = std::sqrt(products.variance() / static_cast<double>(products.count()));
                 covariances.see(products.mean(), expected, 4.5 * error, [&] {
                     return fmt::format("frequency {}, distance {}, along {:.2f}", frequency, distance,

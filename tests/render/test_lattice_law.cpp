@@ -3,6 +3,7 @@
 
 #include "lattice_sampler.hpp"
 #include "law.hpp"
+#include "reference/normal_mean.hpp"
 #include "statistics/estimate.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,20 +34,6 @@ using All = std::map<std::string, Figure>;
 
 float uniform(std::mt19937& random) {
     return static_cast<float>(random() >> 8) * 0x1p-24f;
-}
-
-// Mean over places of sum_i h(x - x_i) h(x + lag - x_i) along an axis, relative to lag 0. Lag in kernel
-// radii.
-double window_correlation(int taps, double lag) {
-    constexpr int steps = 1000;
-    double with_lag = 0, without = 0;
-    for (int k = -steps; k < steps; ++k) {
-        const double x = (k + 0.5) / steps;
-        const double window = noise::lattice_window(taps, x).value;
-        with_lag += window * noise::lattice_window(taps, x + lag).value;
-        without += window * window;
-    }
-    return with_lag / without;
 }
 
 LatticeSample draw_instance(std::mt19937& random) {
@@ -187,7 +174,7 @@ TEST_CASE("pairs of values of the lattice noise are jointly normal", "[law]") {
             const double y = 0.08 * (lag + 1) * std::sin(angle);
             const double turns = frequency * (x * std::cos(orientation) + y * std::sin(orientation));
             const double correlation =
-                window_correlation(taps, x) * window_correlation(taps, y) * std::cos(2 * pi * turns);
+                noise::hann_correlation(x) * noise::hann_correlation(y) * std::cos(2 * pi * turns);
             Figure sum(std::sqrt(2 + 2 * correlation)), difference(std::sqrt(2 - 2 * correlation));
             for (int batch = 0; batch < (batches() + 1) / 2; ++batch) {
                 const auto samples = sampler.samples();

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+
+namespace gabor::noise {
+
+/// The noise in the plane as a complex number, and its gradient per kernel radius; the imaginary part is the
+/// noise itself.
+struct Field {
+    std::complex<double> value;
+    std::complex<double> slope_x;
+    std::complex<double> slope_y;
+    std::array<double, 4> four{}; ///< independent noises, the first the noise itself; of lattices alone
+
+    /// Adds a noise whose kernel radius is `radius` of these.
+    void add(double weight, const Field& other, double radius = 1) {
+        value += weight * other.value;
+        slope_x += weight / radius * other.slope_x;
+        slope_y += weight / radius * other.slope_y;
+        for (std::size_t i = 0; i < four.size(); ++i)
+            four[i] += weight * other.four[i];
+    }
+
+    Field scaled(double by) const {
+        Field result;
+        result.add(by, *this);
+        return result;
+    }
+};
+
+} // namespace gabor::noise
