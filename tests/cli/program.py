@@ -67,6 +67,12 @@ class ProgramTest(unittest.TestCase):
     def assert_refused(self, words, *arguments, **options):
         self.assert_fails(2, words, *arguments, **options)
 
+    def assert_plausible(self, interval, truth, name):
+        """The truth lies in 1.5 times the interval of 95 %. Of 40 pictures, two had it outside of the interval, the furthest
+        at 1.18 times its half."""
+        middle, half = (interval["low"] + interval["high"]) / 2, (interval["high"] - interval["low"]) / 2
+        self.assertLess(abs(truth - middle), 1.5 * half, f"{name}: {truth}, {interval}")
+
 
 class RenderTest(ProgramTest):
     def render(self, *flags, output="out.exr", **options):

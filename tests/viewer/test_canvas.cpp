@@ -140,10 +140,10 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
                         std::pow(double{found[at]} - double{wanted[at]}, 2) / std::pow(count - 2 * margin, 2);
                 }
             fmt::print("{}, stride {}: off by {:.3f}\n", name, stride, std::sqrt(off));
-            // Without a filter of its own a noise has each wave's amplitude filtered, but not its windows:
-            // 0.2 in a view of six kernel radii, give or take a fifth by chance. Aliased waves would make
-            // it 1.
-            CHECK(std::sqrt(off) < (document.request.filter ? 0.03 : 0.25));
+            // Without a filter of its own a noise has each wave's amplitude filtered, but not its windows.
+            // Over ten seeds the largest errors are 0.16 to 0.21, and 0.007 at most with a filter of its own;
+            // aliased waves would make it 1.
+            CHECK(std::sqrt(off) < (document.request.filter ? 0.01 : 0.23));
         }
     };
     for (const double frequency : {1.0, 4.0}) { // 20 and 5 pixels to a wave
