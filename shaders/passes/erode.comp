@@ -45,7 +45,7 @@ void main() {
     GaborGround ground = GaborGround(ivec2(0), p, period);
     GaborTerrain base;
     if (hills != 0)
-        base = gabor_terrain_at(ground, seed);
+        base = gabor_terrain_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), seed);
     else
         base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
     GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);

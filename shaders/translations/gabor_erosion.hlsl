@@ -1,4 +1,5 @@
-// gabor_erosion.hlsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for HLSL, shader model 5.0 and up.
+// gabor_erosion.hlsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
+// Paste or include this file after gabor_lattice.hlsl: for HLSL, shader model 5.0 and up.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
 //
@@ -74,18 +75,17 @@ GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float
 // GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
 //     Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
 //     The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
-//     ignores that gullies change direction and fade: its rms error is 0.6 of the rms slope.
+//     follows the gullies' phase alone, not how they turn and fade: its rms error is 0.63 of the rms slope.
 
+// GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without gullies that are too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and
-//     dFdy(p), the change of p from one pixel to the next. Removed octaves cost almost nothing.
+//     The same without what is too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and dFdy(p).
 
 // GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed)
 //     The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
 
-// A position, cell + local, and the period of the world.
-struct GaborGround {
+struct GaborGround { // a position, cell + local
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     float2 local;  // small, most precise in [0, 1)^2
     float2 period; // 0 for none. With a period, cell + local is rounded to a float
@@ -100,7 +100,7 @@ GaborGround GaborGround_of(int2 cell, float2 local, float2 period)
     return made;
 }
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
+// GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     Everything together: full precision far away, a period, and a filter, unless dx and dy are float2(0.0).
@@ -135,8 +135,7 @@ void gabor_impl_splines(float t, out float4 value, out float4 slope) {
     slope = 0.5 * float4(-u * u, t * (3.0 * t - 4.0), u * (4.0 - 3.0 * u), t * t);
 }
 
-// The words of the four lines of nodes around line `index`.
-uint4 gabor_impl_lines(int index, int period, uint salt) {
+uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
     return uint4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
                  gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
                  gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
@@ -154,25 +153,29 @@ void gabor_impl_add_hills(inout GaborField sum, uint4 words, float4 x, float4 sl
 
 // Wide hills, with small ones along the contours of a second noise, stronger on high places. The noises are random
 // amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. The sum of their squares is 151 /
-// 315 on average along each axis.
-GaborTerrain gabor_terrain_at(GaborGround ground, uint seed) {
+// 315 on average along each axis, and that of their derivatives is 2 / 3. So the mean of a noise over a pixel, with
+// half a pixel as deviation, is `kept` times its value, and the variance lost lowers the mean of the sine.
+GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
     GaborPlace place = gabor_impl_place(ground, 1.0);
     float2 zero = floor(place.local);
     float4 x, y, slope_x, slope_y;
     gabor_impl_splines(place.local.x - zero.x, x, slope_x);
     gabor_impl_splines(place.local.y - zero.y, y, slope_y);
     uint salt = gabor_impl_salt(seed);
-    uint4 columns = gabor_impl_lines(place.cell.x + int(zero.x), place.period.x, salt);
-    uint4 rows = gabor_impl_lines(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    uint4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
+    uint4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
     GaborField hills = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
     gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
     gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
-    float2 noise = 1.6825360e-9 * hills.value; // 315 / 151 sqrt(3) / 2^31: variance 1
-    float2 wave = gabor_impl_wave(0.4 * noise.y);
+    float4 s = clamp(float4(dx, dy), -1.0e9, 1.0e9);
+    float area = s.x * s.w - s.y * s.z;
+    float kept = rsqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);
+    float unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    float2 noise = unit * hills.value, wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
     float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
-    float2 factors = 0.33 * 1.6825360e-9 * float2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    float2 factors = 0.33 * unit * float2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
     float2 slope = place.radius * float2(dot(factors, hills.slope_x), dot(factors, hills.slope_y));
     return GaborTerrain_of(0.33 * height, slope, height * rsqrt(1.0 + height * height));
 }
@@ -186,10 +189,9 @@ float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies of weight w fade to those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. If
-// a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
-GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
-                             uint seed) {
+// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
+// If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
+GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain_of(base.ridge, (float2)(0.0), base.ridge); // t_i, its slope, and t_i with w = 1
     float2 steer = base.slope;
@@ -201,18 +203,14 @@ GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerr
         float2 wave = frequency / steep * float2(-steer.y, steer.x);
         float2 steps = float2(dot(wave, dx), dot(wave, dy));
         float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
-        float2 z = (float2)(0.0), slope = (float2)(0.0);
+        float2 z = (float2)(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_place(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborField stripes = gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i));
-            z = erosion.sharpness * stripes.value;
-            float even = rsqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
-            slope = float2(dot(z, stripes.slope_x), dot(z, stripes.slope_y)) * (even * even * z.x);
-            slope = kept * even * erosion.sharpness * (float2(stripes.slope_x.x, stripes.slope_y.x) - slope);
-            z *= kept * even;
+            z = erosion.sharpness * gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i)).value;
+            z *= kept * rsqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
         }
         gully.height = lerp(gully.height, erosion.gully_weight * z.x, mask);
-        gully.slope = lerp(gully.slope, erosion.gully_weight * slope, mask);
+        gully.slope = lerp(gully.slope, -6.2831853 * erosion.gully_weight * z.y * wave, mask);
         gully.ridge = lerp(gully.ridge, z.x, mask);
         terrain.height += depth * gully.height;
         terrain.slope += depth * gully.slope;
@@ -233,12 +231,16 @@ GaborErosion gabor_erosion() {
     return GaborErosion_of(5, 1.5, 0.12, 2.0, 0.5, 0.5, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0);
 }
 
+GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed) {
+    return gabor_terrain_at(GaborGround_of((int2)(0), p, (float2)(0.0)), dx, dy, seed);
+}
+
 GaborTerrain gabor_terrain(float2 p, uint seed) {
-    return gabor_terrain_at(GaborGround_of((int2)(0), p, (float2)(0.0)), seed);
+    return gabor_terrain_filtered(p, (float2)(0.0), (float2)(0.0), seed);
 }
 
 GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed) {
-    return gabor_terrain_at(GaborGround_of((int2)(0), p, period), seed);
+    return gabor_terrain_at(GaborGround_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), seed);
 }
 
 GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {

@@ -1,5 +1,6 @@
 // clang-format off
-// gabor_erosion.hpp: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for C++ on the CPU.
+// gabor_erosion.hpp: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
+// Paste or include this file after gabor_lattice.hpp: for C++ on the CPU.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
@@ -48,24 +49,23 @@ struct GaborErosion {
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
 //     Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
 //     The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
-//     ignores that gullies change direction and fade: its rms error is 0.6 of the rms slope.
+//     follows the gullies' phase alone, not how they turn and fade: its rms error is 0.63 of the rms slope.
 
+// GaborTerrain gabor_terrain_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without gullies that are too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and
-//     dFdy(p), the change of p from one pixel to the next. Removed octaves cost almost nothing.
+//     The same without what is too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and dFdy(p).
 
 // GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
 //     The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
 
-// A position, cell + local, and the period of the world.
-struct GaborGround {
+struct GaborGround { // a position, cell + local
     gabor_ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     gabor_vec2 local;  // small, most precise in [0, 1)^2
     gabor_vec2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, uint seed)
+// GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     Everything together: full precision far away, a period, and a filter, unless dx and dy are vec2(0.0).
@@ -100,8 +100,7 @@ GABOR_INLINE void gabor_impl_splines(float t, gabor_vec4& value, gabor_vec4& slo
     slope = 0.5f * gabor_vec4(-u * u, t * (3.0f * t - 4.0f), u * (4.0f - 3.0f * u), t * t);
 }
 
-// The words of the four lines of nodes around line `index`.
-GABOR_INLINE gabor_uvec4 gabor_impl_lines(int index, int period, std::uint32_t salt) {
+GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::uint32_t salt) {
     return gabor_uvec4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
                  gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
                  gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
@@ -119,25 +118,29 @@ GABOR_INLINE void gabor_impl_add_hills(GaborField& sum, gabor_uvec4 words, gabor
 
 // Wide hills, with small ones along the contours of a second noise, stronger on high places. The noises are random
 // amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. The sum of their squares is 151 /
-// 315 on average along each axis.
-GABOR_INLINE GaborTerrain gabor_terrain_at(GaborGround ground, std::uint32_t seed) {
+// 315 on average along each axis, and that of their derivatives is 2 / 3. So the mean of a noise over a pixel, with
+// half a pixel as deviation, is `kept` times its value, and the variance lost lowers the mean of the sine.
+GABOR_INLINE GaborTerrain gabor_terrain_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(ground, 1.0f);
     gabor_vec2 zero = gabor_cpp_floor(place.local);
     gabor_vec4 x, y, slope_x, slope_y;
     gabor_impl_splines(place.local.x - zero.x, x, slope_x);
     gabor_impl_splines(place.local.y - zero.y, y, slope_y);
     std::uint32_t salt = gabor_impl_salt(seed);
-    gabor_uvec4 columns = gabor_impl_lines(place.cell.x + int(zero.x), place.period.x, salt);
-    gabor_uvec4 rows = gabor_impl_lines(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
+    gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
     GaborField hills = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
     gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
     gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
-    gabor_vec2 noise = 1.6825360e-9f * hills.value; // 315 / 151 sqrt(3) / 2^31: variance 1
-    gabor_vec2 wave = gabor_impl_wave(0.4f * noise.y);
+    gabor_vec4 s = gabor_cpp_clamp(gabor_vec4(dx, dy), -1.0e9f, 1.0e9f);
+    float area = s.x * s.w - s.y * s.z;
+    float kept = gabor_cpp_inversesqrt(1.0f + 0.34768212f * gabor_cpp_dot(s, s) + 0.12088286f * area * area);
+    float unit = 1.6825360e-9f * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    gabor_vec2 noise = unit * hills.value, wave = gabor_cpp_exp(3.1582734f * (kept * kept - 1.0f)) * gabor_impl_wave(0.4f * noise.y);
     float rough = 0.3f + 0.12f * noise.x, height = noise.x + rough * wave.y;
-    gabor_vec2 factors = 0.33f * 1.6825360e-9f * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
+    gabor_vec2 factors = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
     gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(factors, hills.slope_x), gabor_cpp_dot(factors, hills.slope_y));
     return GaborTerrain{0.33f * height, slope, height * gabor_cpp_inversesqrt(1.0f + height * height)};
 }
@@ -151,10 +154,9 @@ GABOR_INLINE float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies of weight w fade to those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0. If
-// a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
-GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion,
-                             std::uint32_t seed) {
+// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
+// If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
+GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, gabor_vec2(0.0f), base.ridge}; // t_i, its slope, and t_i with w = 1
     gabor_vec2 steer = base.slope;
@@ -166,18 +168,14 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gab
         gabor_vec2 wave = frequency / steep * gabor_vec2(-steer.y, steer.x);
         gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(wave, dx), gabor_cpp_dot(wave, dy));
         float kept = gabor_cpp_max(1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)) - 0.02f, 0.0f); // deviation: half a pixel
-        gabor_vec2 z = gabor_vec2(0.0f), slope = gabor_vec2(0.0f);
+        gabor_vec2 z = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_place(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborField stripes = gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i));
-            z = erosion.sharpness * stripes.value;
-            float even = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings z to length 1, except where waves cancel
-            slope = gabor_vec2(gabor_cpp_dot(z, stripes.slope_x), gabor_cpp_dot(z, stripes.slope_y)) * (even * even * z.x);
-            slope = kept * even * erosion.sharpness * (gabor_vec2(stripes.slope_x.x, stripes.slope_y.x) - slope);
-            z *= kept * even;
+            z = erosion.sharpness * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
+            z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings z to length 1, except where waves cancel
         }
         gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);
-        gully.slope = gabor_cpp_mix(gully.slope, erosion.gully_weight * slope, mask);
+        gully.slope = gabor_cpp_mix(gully.slope, -6.2831853f * erosion.gully_weight * z.y * wave, mask);
         gully.ridge = gabor_cpp_mix(gully.ridge, z.x, mask);
         terrain.height += depth * gully.height;
         terrain.slope += depth * gully.slope;
@@ -198,12 +196,16 @@ GABOR_INLINE GaborErosion gabor_erosion() {
     return GaborErosion{5, 1.5f, 0.12f, 2.0f, 0.5f, 0.5f, 1.5f, 2.0f, 0.1f, 0.1f, 0.5f, 1.0f};
 }
 
+GABOR_INLINE GaborTerrain gabor_terrain_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
+    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, seed);
+}
+
 GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, seed);
+    return gabor_terrain_filtered(p, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_terrain_tiled(gabor_vec2 p, gabor_vec2 period, std::uint32_t seed) {
-    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, period}, seed);
+    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_eroded_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {

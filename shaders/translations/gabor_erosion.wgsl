@@ -1,7 +1,8 @@
-// gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope: for WGSL.
+// gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
+// Paste or include this file after gabor_lattice.wgsl: for WGSL.
 //
+// Digest of the GLSL and of this file: cb83e8c8358d732c
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: c9557360c4cbf404
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -40,20 +41,24 @@ fn gabor_erosion() -> GaborErosion {
 
 // Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e7 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), seed);
-    return _e7;
+    let _e6 = gabor_terrain_filtered(p, vec2(0f), vec2(0f), seed);
+    return _e6;
 }
 
 // Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
 // The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
-// ignores that gullies change direction and fade: its rms error is 0.6 of the rms slope.
+// follows the gullies' phase alone, not how they turn and fade: its rms error is 0.63 of the rms slope.
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
     return _e8;
 }
 
-// The same without gullies that are too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and
-// dFdy(p), the change of p from one pixel to the next. Removed octaves cost almost nothing.
+// The same without what is too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and dFdy(p).
+fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
+    let _e9 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, seed);
+    return _e9;
+}
+
 fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e11 = gabor_eroded_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
     return _e11;
@@ -61,8 +66,8 @@ fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: Gabor
 
 // The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e6 = gabor_terrain_at(GaborGround(vec2(0i), p, period), seed);
-    return _e6;
+    let _e10 = gabor_terrain_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
+    return _e10;
 }
 
 fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
@@ -70,7 +75,6 @@ fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosi
     return _e12;
 }
 
-// A position, cell + local, and the period of the world.
 struct GaborGround {
     cell: vec2<i32>,
     local: vec2<f32>,
@@ -78,7 +82,7 @@ struct GaborGround {
 }
 
 // Everything together: full precision far away, a period, and a filter, unless dx and dy are vec2(0.0).
-fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
+fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
     var x_5: vec4<f32>;
@@ -89,6 +93,10 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var columns: vec4<u32>;
     var rows: vec4<u32>;
     var hills: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var s_2: vec4<f32>;
+    var area: f32;
+    var kept: f32;
+    var unit: f32;
     var noise_1: vec2<f32>;
     var wave_10: vec2<f32>;
     var rough: f32;
@@ -96,85 +104,102 @@ fn gabor_terrain_at(ground: GaborGround, seed: u32) -> GaborTerrain {
     var factors: vec2<f32>;
     var slope_7: vec2<f32>;
 
-    let _e3 = gabor_impl_place(ground, 1f);
-    place_8 = _e3;
-    let _e5 = place_8;
-    zero_1 = floor(_e5.local);
-    let _e13 = place_8;
-    let _e16 = zero_1;
-    gabor_impl_splines((_e13.local.x - _e16.x), (&x_5), (&slope_x_1));
-    let _e23 = place_8;
-    let _e26 = zero_1;
-    gabor_impl_splines((_e23.local.y - _e26.y), (&y_5), (&slope_y_1));
-    let _e33 = gabor_impl_salt(seed);
-    salt_5 = _e33;
-    let _e35 = place_8;
-    let _e38 = zero_1;
-    let _e42 = place_8;
-    let _e45 = salt_5;
-    let _e46 = gabor_impl_lines((_e35.cell.x + i32(_e38.x)), _e42.period.x, _e45);
-    columns = _e46;
-    let _e48 = place_8;
-    let _e51 = zero_1;
-    let _e55 = place_8;
-    let _e58 = salt_5;
-    let _e61 = gabor_impl_lines((_e48.cell.y + i32(_e51.y)), _e55.period.y, (_e58 ^ 1540483477u));
-    rows = _e61;
-    let _e72 = columns;
-    let _e73 = rows;
-    let _e76 = x_5;
-    let _e77 = slope_x_1;
-    let _e78 = y_5;
-    let _e80 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
-    let _e84 = columns;
-    let _e85 = rows;
-    let _e88 = x_5;
-    let _e89 = slope_x_1;
-    let _e90 = y_5;
-    let _e92 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e84 * _e85.y), _e88, _e89, _e90.y, _e92.y);
-    let _e96 = columns;
-    let _e97 = rows;
-    let _e100 = x_5;
-    let _e101 = slope_x_1;
-    let _e102 = y_5;
-    let _e104 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e96 * _e97.z), _e100, _e101, _e102.z, _e104.z);
-    let _e108 = columns;
-    let _e109 = rows;
-    let _e112 = x_5;
-    let _e113 = slope_x_1;
-    let _e114 = y_5;
-    let _e116 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e108 * _e109.w), _e112, _e113, _e114.w, _e116.w);
-    let _e120 = hills;
-    noise_1 = (0.000000001682536f * _e120.value);
-    let _e125 = noise_1;
-    let _e128 = gabor_impl_wave((0.4f * _e125.y));
-    wave_10 = _e128;
-    let _e132 = noise_1;
-    rough = (0.3f + (0.12f * _e132.x));
-    let _e137 = noise_1;
-    let _e139 = rough;
-    let _e140 = wave_10;
-    height = (_e137.x + (_e139 * _e140.y));
-    let _e150 = wave_10;
-    let _e155 = rough;
-    let _e157 = wave_10;
-    factors = (0.0000000005552369f * vec2<f32>((1f + (0.12f * _e150.y)), ((2.5132742f * _e155) * _e157.x)));
-    let _e163 = place_8;
-    let _e165 = factors;
-    let _e166 = hills;
-    let _e169 = factors;
-    let _e170 = hills;
-    slope_7 = (_e163.radius * vec2<f32>(dot(_e165, _e166.slope_x), dot(_e169, _e170.slope_y)));
-    let _e177 = height;
-    let _e179 = slope_7;
-    let _e180 = height;
-    let _e182 = height;
-    let _e183 = height;
-    return GaborTerrain((0.33f * _e177), _e179, (_e180 * inverseSqrt((1f + (_e182 * _e183)))));
+    let _e5 = gabor_impl_place(ground, 1f);
+    place_8 = _e5;
+    let _e7 = place_8;
+    zero_1 = floor(_e7.local);
+    let _e15 = place_8;
+    let _e18 = zero_1;
+    gabor_impl_splines((_e15.local.x - _e18.x), (&x_5), (&slope_x_1));
+    let _e25 = place_8;
+    let _e28 = zero_1;
+    gabor_impl_splines((_e25.local.y - _e28.y), (&y_5), (&slope_y_1));
+    let _e35 = gabor_impl_salt(seed);
+    salt_5 = _e35;
+    let _e37 = place_8;
+    let _e40 = zero_1;
+    let _e44 = place_8;
+    let _e47 = salt_5;
+    let _e48 = gabor_impl_four_line_words((_e37.cell.x + i32(_e40.x)), _e44.period.x, _e47);
+    columns = _e48;
+    let _e50 = place_8;
+    let _e53 = zero_1;
+    let _e57 = place_8;
+    let _e60 = salt_5;
+    let _e63 = gabor_impl_four_line_words((_e50.cell.y + i32(_e53.y)), _e57.period.y, (_e60 ^ 1540483477u));
+    rows = _e63;
+    let _e74 = columns;
+    let _e75 = rows;
+    let _e78 = x_5;
+    let _e79 = slope_x_1;
+    let _e80 = y_5;
+    let _e82 = slope_y_1;
+    gabor_impl_add_hills((&hills), (_e74 * _e75.x), _e78, _e79, _e80.x, _e82.x);
+    let _e86 = columns;
+    let _e87 = rows;
+    let _e90 = x_5;
+    let _e91 = slope_x_1;
+    let _e92 = y_5;
+    let _e94 = slope_y_1;
+    gabor_impl_add_hills((&hills), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
+    let _e98 = columns;
+    let _e99 = rows;
+    let _e102 = x_5;
+    let _e103 = slope_x_1;
+    let _e104 = y_5;
+    let _e106 = slope_y_1;
+    gabor_impl_add_hills((&hills), (_e98 * _e99.z), _e102, _e103, _e104.z, _e106.z);
+    let _e110 = columns;
+    let _e111 = rows;
+    let _e114 = x_5;
+    let _e115 = slope_x_1;
+    let _e116 = y_5;
+    let _e118 = slope_y_1;
+    gabor_impl_add_hills((&hills), (_e110 * _e111.w), _e114, _e115, _e116.w, _e118.w);
+    s_2 = clamp(vec4<f32>(dx.x, dx.y, dy.x, dy.y), vec4(-1000000000f), vec4(1000000000f));
+    let _e133 = s_2;
+    let _e135 = s_2;
+    let _e138 = s_2;
+    let _e140 = s_2;
+    area = ((_e133.x * _e135.w) - (_e138.y * _e140.z));
+    let _e147 = s_2;
+    let _e148 = s_2;
+    let _e153 = area;
+    let _e155 = area;
+    kept = inverseSqrt(((1f + (0.34768212f * dot(_e147, _e148))) + ((0.12088286f * _e153) * _e155)));
+    let _e161 = kept;
+    unit = (0.000000001682536f * _e161);
+    let _e164 = unit;
+    let _e165 = hills;
+    noise_1 = (_e164 * _e165.value);
+    let _e170 = kept;
+    let _e171 = kept;
+    let _e178 = noise_1;
+    let _e181 = gabor_impl_wave((0.4f * _e178.y));
+    wave_10 = (exp((3.1582735f * ((_e170 * _e171) - 1f))) * _e181);
+    let _e186 = noise_1;
+    rough = (0.3f + (0.12f * _e186.x));
+    let _e191 = noise_1;
+    let _e193 = rough;
+    let _e194 = wave_10;
+    height = (_e191.x + (_e193 * _e194.y));
+    let _e200 = unit;
+    let _e204 = wave_10;
+    let _e209 = rough;
+    let _e211 = wave_10;
+    factors = ((0.33f * _e200) * vec2<f32>((1f + (0.12f * _e204.y)), ((2.5132742f * _e209) * _e211.x)));
+    let _e217 = place_8;
+    let _e219 = factors;
+    let _e220 = hills;
+    let _e223 = factors;
+    let _e224 = hills;
+    slope_7 = (_e217.radius * vec2<f32>(dot(_e219, _e220.slope_x), dot(_e223, _e224.slope_y)));
+    let _e231 = height;
+    let _e233 = slope_7;
+    let _e234 = height;
+    let _e236 = height;
+    let _e237 = height;
+    return GaborTerrain((0.33f * _e231), _e233, (_e234 * inverseSqrt((1f + (_e236 * _e237)))));
 }
 
 fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
@@ -190,12 +215,9 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
     var full: f32;
     var wave_11: vec2<f32>;
     var steps: vec2<f32>;
-    var kept: f32;
+    var kept_1: f32;
     var z_1: vec2<f32>;
-    var slope_8: vec2<f32>;
     var place_9: GaborPlace;
-    var stripes: GaborField;
-    var even: f32;
     var local_13: f32;
     var side: f32;
 
@@ -231,105 +253,87 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
             steps = vec2<f32>(dot(_e70, dx), dot(_e72, dy));
             let _e79 = steps;
             let _e80 = steps;
-            kept = max(((1.02f * exp((-4.934802f * dot(_e79, _e80)))) - 0.02f), 0f);
+            kept_1 = max(((1.02f * exp((-4.934802f * dot(_e79, _e80)))) - 0.02f), 0f);
             z_1 = vec2(0f);
-            slope_8 = vec2(0f);
-            let _e96 = kept;
-            if (_e96 > 0f) {
+            let _e93 = kept_1;
+            if (_e93 > 0f) {
                 {
-                    let _e105 = frequency_7;
-                    let _e107 = gabor_impl_place(ground, (1.2f * _e105));
-                    place_9 = _e107;
-                    let _e109 = place_9;
-                    let _e110 = wave_11;
-                    let _e112 = i;
-                    let _e113 = gabor_lobe_seed(seed, _e112);
-                    let _e114 = gabor_field(_e109, GaborKernel(_e110), _e113);
-                    stripes = _e114;
-                    let _e117 = stripes;
-                    z_1 = (erosion.sharpness * _e117.value);
-                    let _e121 = z_1;
-                    let _e122 = z_1;
-                    even = inverseSqrt((1f + dot(_e121, _e122)));
-                    let _e127 = z_1;
-                    let _e128 = stripes;
-                    let _e131 = z_1;
-                    let _e132 = stripes;
-                    let _e136 = even;
-                    let _e137 = even;
-                    let _e139 = z_1;
-                    slope_8 = (vec2<f32>(dot(_e127, _e128.slope_x), dot(_e131, _e132.slope_y)) * ((_e136 * _e137) * _e139.x));
-                    let _e143 = kept;
-                    let _e144 = even;
-                    let _e148 = stripes;
-                    let _e151 = stripes;
-                    let _e155 = slope_8;
-                    slope_8 = (((_e143 * _e144) * erosion.sharpness) * (vec2<f32>(_e148.slope_x.x, _e151.slope_y.x) - _e155));
-                    let _e158 = z_1;
-                    let _e159 = kept;
-                    let _e160 = even;
-                    z_1 = (_e158 * (_e159 * _e160));
+                    let _e102 = frequency_7;
+                    let _e104 = gabor_impl_place(ground, (1.2f * _e102));
+                    place_9 = _e104;
+                    let _e107 = place_9;
+                    let _e108 = wave_11;
+                    let _e110 = i;
+                    let _e111 = gabor_lobe_seed(seed, _e110);
+                    let _e112 = gabor_field(_e107, GaborKernel(_e108), _e111);
+                    z_1 = (erosion.sharpness * _e112.value);
+                    let _e115 = z_1;
+                    let _e116 = kept_1;
+                    let _e118 = z_1;
+                    let _e119 = z_1;
+                    z_1 = (_e115 * (_e116 * inverseSqrt((1f + dot(_e118, _e119)))));
                 }
             }
-            let _e164 = gully;
-            let _e167 = z_1;
-            let _e170 = mask;
-            gully.height = mix(_e164.height, (erosion.gully_weight * _e167.x), _e170);
-            let _e173 = gully;
-            let _e176 = slope_8;
-            let _e178 = mask;
-            gully.slope = mix(_e173.slope, (erosion.gully_weight * _e176), vec2(_e178));
-            let _e182 = gully;
-            let _e184 = z_1;
-            let _e186 = mask;
-            gully.ridge = mix(_e182.ridge, _e184.x, _e186);
-            let _e189 = terrain;
-            let _e191 = depth;
-            let _e192 = gully;
-            terrain.height = (_e189.height + (_e191 * _e192.height));
-            let _e197 = terrain;
-            let _e199 = depth;
-            let _e200 = gully;
-            terrain.slope = (_e197.slope + (_e199 * _e200.slope));
-            let _e204 = z_1;
-            if (_e204.y < 0f) {
+            let _e126 = gully;
+            let _e129 = z_1;
+            let _e132 = mask;
+            gully.height = mix(_e126.height, (erosion.gully_weight * _e129.x), _e132);
+            let _e135 = gully;
+            let _e141 = z_1;
+            let _e144 = wave_11;
+            let _e146 = mask;
+            gully.slope = mix(_e135.slope, (((-6.2831855f * erosion.gully_weight) * _e141.y) * _e144), vec2(_e146));
+            let _e150 = gully;
+            let _e152 = z_1;
+            let _e154 = mask;
+            gully.ridge = mix(_e150.ridge, _e152.x, _e154);
+            let _e157 = terrain;
+            let _e159 = depth;
+            let _e160 = gully;
+            terrain.height = (_e157.height + (_e159 * _e160.height));
+            let _e165 = terrain;
+            let _e167 = depth;
+            let _e168 = gully;
+            terrain.slope = (_e165.slope + (_e167 * _e168.slope));
+            let _e172 = z_1;
+            if (_e172.y < 0f) {
                 local_13 = -6.2831855f;
             } else {
                 local_13 = 6.2831855f;
             }
-            let _e212 = local_13;
-            let _e213 = kept;
-            side = (((_e212 * _e213) * erosion.branching) * erosion.gully_weight);
-            let _e220 = steer;
-            let _e221 = side;
-            let _e222 = depth;
-            let _e224 = mask;
-            let _e226 = wave_11;
-            steer = (_e220 - (((_e221 * _e222) * _e224) * _e226));
-            let _e233 = z_1;
-            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e233.x)));
-            let _e238 = mask;
-            let _e242 = mask;
-            let _e251 = kept;
-            let _e254 = z_1;
-            let _e258 = rounding_1;
-            let _e259 = frequency_7;
-            let _e263 = gabor_impl_mask(((0.5f - (0.5f * _e251)) + abs(_e254.y)), ((_e258 * _e259) / erosion.frequency));
-            mask = (((_e238 * erosion.detail) / (1f + (_e242 * (erosion.detail - 1f)))) * _e263);
-            let _e265 = frequency_7;
-            frequency_7 = (_e265 * erosion.lacunarity);
-            let _e268 = depth;
-            depth = (_e268 * erosion.gain);
+            let _e180 = local_13;
+            let _e181 = kept_1;
+            side = (((_e180 * _e181) * erosion.branching) * erosion.gully_weight);
+            let _e188 = steer;
+            let _e189 = side;
+            let _e190 = depth;
+            let _e192 = mask;
+            let _e194 = wave_11;
+            steer = (_e188 - (((_e189 * _e190) * _e192) * _e194));
+            let _e201 = z_1;
+            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e201.x)));
+            let _e206 = mask;
+            let _e210 = mask;
+            let _e219 = kept_1;
+            let _e222 = z_1;
+            let _e226 = rounding_1;
+            let _e227 = frequency_7;
+            let _e231 = gabor_impl_mask(((0.5f - (0.5f * _e219)) + abs(_e222.y)), ((_e226 * _e227) / erosion.frequency));
+            mask = (((_e206 * erosion.detail) / (1f + (_e210 * (erosion.detail - 1f)))) * _e231);
+            let _e233 = frequency_7;
+            frequency_7 = (_e233 * erosion.lacunarity);
+            let _e236 = depth;
+            depth = (_e236 * erosion.gain);
         }
         continuing {
             let _e38 = i;
             i = (_e38 + 1i);
         }
     }
-    let _e271 = terrain;
-    let _e273 = terrain;
-    let _e275 = gully;
-    return GaborTerrain(_e271.height, _e273.slope, _e275.ridge);
+    let _e239 = terrain;
+    let _e241 = terrain;
+    let _e243 = gully;
+    return GaborTerrain(_e239.height, _e241.slope, _e243.ridge);
 }
 
 // ====================================================================================================================
@@ -405,8 +409,7 @@ fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     return;
 }
 
-// The words of the four lines of nodes around line `index`.
-fn gabor_impl_lines(index: i32, period: i32, salt: u32) -> vec4<u32> {
+fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
     let _e5 = gabor_impl_wrap((index - 1i), period);
     let _e6 = gabor_impl_line_word(_e5, salt);
     let _e7 = gabor_impl_wrap(index, period);
@@ -445,7 +448,7 @@ fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec
 // Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
     var local_12: f32;
-    var s_2: f32;
+    var s_3: f32;
 
     if (t < rounding) {
         local_12 = (((0.5f * t) * t) / rounding);
@@ -453,8 +456,8 @@ fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
         local_12 = (t - (0.5f * rounding));
     }
     let _e12 = local_12;
-    s_2 = (1f - min(_e12, 1f));
-    let _e18 = s_2;
-    let _e19 = s_2;
+    s_3 = (1f - min(_e12, 1f));
+    let _e18 = s_3;
+    let _e19 = s_3;
     return (1f - (_e18 * _e19));
 }

@@ -342,7 +342,10 @@ TEST_CASE("eroded hills agree with the reference") {
             const Pixel pixel{{draw.uniform(-0.1, 0.1), 0}, {0, draw.uniform(-0.1, 0.1)}};
             const test::Eroded found = test::eroded(taps, a, pixel, true);
             const noise::Ground ground{{a.column, a.row}, {a.local_x, a.local_y}, {}};
-            hills.see(found.base[0], noise::terrain(ground, a.seed).height, 1e-6, a);
+            hills.see(
+                found.base[0],
+                noise::terrain(ground, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}, a.seed).height,
+                1e-6, a);
             const noise::Terrain base{found.base[0], {found.base[1], found.base[2]}, found.base[3]};
             const noise::Terrain terrain = noise::eroded(taps, ground, {pixel.dx[0], pixel.dx[1]},
                                                          {pixel.dy[0], pixel.dy[1]}, base, {}, a.seed);

@@ -60,7 +60,7 @@ VALUES_OF(4)
         const GaborGround ground{{a.column, a.row}, {a.local_x, a.local_y}, {a.period_x, a.period_y}};       \
         GaborTerrain base{a.x, {a.wave_x, a.wave_y}, a.time};                                                \
         if (hills)                                                                                           \
-            base = gabor_terrain_at(ground, a.seed);                                                         \
+            base = gabor_terrain_at(ground, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}, a.seed); \
         const GaborTerrain terrain = gabor_eroded_at(                                                        \
             ground, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}, base, gabor_erosion(), a.seed);  \
         return {{base.height, base.slope.x, base.slope.y, base.ridge},                                       \

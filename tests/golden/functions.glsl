@@ -298,7 +298,8 @@ void see_all(int i) {
     if (i % 2 == 1) ground.cell = ivec2(i, -i);
     SEE(kept(base))
     SEE(kept(gabor_terrain_tiled(s.p, vec2(4.0f, 7.5f) + s.period, s.seed)))
-    SEE(kept(gabor_terrain_at(ground, s.seed)))
+    SEE(kept(gabor_terrain_filtered(s.p, s.dx, s.dy, s.seed)))
+    SEE(kept(gabor_terrain_at(ground, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_tiled(s.p, vec2(4.0f, 7.5f) + s.period, slope, erosion, s.seed)))

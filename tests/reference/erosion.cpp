@@ -70,7 +70,7 @@ double mask_of(double t, double rounding) {
 
 } // namespace
 
-Terrain terrain(const Ground& ground, std::uint32_t seed) {
+Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed) {
     const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], 1);
     const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], 1);
     const auto left = static_cast<std::int32_t>(std::floor(x.local));
@@ -86,13 +86,21 @@ Terrain terrain(const Ground& ground, std::uint32_t seed) {
             slope_y += amplitude * y.nodes * spline(x.local - i) * spline_slope(y.local - j);
         }
     }
-    const double unit = 315.0 / 151 * std::numbers::sqrt3 / 2147483648.0; // the noises have variance 1
+    // The noises have variance 1 and correlations like exp(-curvature d^2 / 2). A normal filter of half a
+    // pixel has the covariance matrix (dx dx^T + dy dy^T) / 4.
+    const double curvature = 2.0 / 3 / (151.0 / 315);
+    const double xx = (dx[0] * dx[0] + dy[0] * dy[0]) / 4, yy = (dx[1] * dx[1] + dy[1] * dy[1]) / 4,
+                 xy = (dx[0] * dx[1] + dy[0] * dy[1]) / 4;
+    const double kept =
+        1 / std::sqrt((1 + curvature * xx) * (1 + curvature * yy) - curvature * curvature * xy * xy);
+    const double damped = std::exp(-std::pow(two_pi * 0.4, 2) / 2 * (1 - kept * kept));
+    const double unit = kept * 315.0 / 151 * std::numbers::sqrt3 / 2147483648.0;
     const double a = unit * value.real(), b = unit * value.imag();
-    const double small = std::sin(two_pi * 0.4 * b), height = a + (0.3 + 0.12 * a) * small;
+    const double small = damped * std::sin(two_pi * 0.4 * b), height = a + (0.3 + 0.12 * a) * small;
     const auto slope = [&](std::complex<double> d) {
         return 0.33 * unit *
                (d.real() * (1 + 0.12 * small) +
-                (0.3 + 0.12 * a) * std::cos(two_pi * 0.4 * b) * two_pi * 0.4 * d.imag());
+                (0.3 + 0.12 * a) * damped * std::cos(two_pi * 0.4 * b) * two_pi * 0.4 * d.imag());
     };
     return {0.33 * height, {slope(slope_x), slope(slope_y)}, height / std::sqrt(1 + height * height)};
 }
@@ -116,7 +124,6 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
         const double kept =
             std::max(1.02 * std::exp(-std::numbers::pi * std::numbers::pi / 2 * across) - 0.02, 0.0);
         std::complex<double> z;
-        Vector slope{};
         if (kept > 0) {
             const float nodes = 0.8f * (0.5f * static_cast<float>(taps)) * frequency;
             const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], nodes);
@@ -124,21 +131,16 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
             const Lattice lattice(taps, wave, lattice_lobe_seed(seed, octave));
             const Lattice::Field field =
                 lattice.field({x.cell, y.cell, x.local, y.local, x.nodes, y.nodes, x.period, y.period});
-            // z / sqrt(1 / sharpness^2 + |z|^2), by the quotient rule.
-            const double s = erosion.sharpness, length = std::sqrt(1 + s * s * std::norm(field.value));
-            z = kept * s / length * field.value;
-            const auto derivative = [&](std::complex<double> d) {
-                const double radial = (std::conj(field.value) * d).real();
-                return kept * s *
-                       (d.real() / length - field.value.real() * s * s * radial / std::pow(length, 3));
-            };
-            slope = {derivative(field.slope_x), derivative(field.slope_y)};
+            const double s = erosion.sharpness;
+            z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;
         }
         gully = mix(gully, erosion.gully_weight * z.real(), mask);
         result.ridge = mix(result.ridge, z.real(), mask);
         result.height += depth * gully;
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            gully_slope[axis] = mix(gully_slope[axis], erosion.gully_weight * slope[axis], mask);
+            // Of cos(2 pi wave.p), with the length of z held fixed.
+            gully_slope[axis] =
+                mix(gully_slope[axis], -erosion.gully_weight * two_pi * wave[axis] * z.imag(), mask);
             result.slope[axis] += depth * gully_slope[axis];
             const double side = z.imag() < 0 ? -two_pi : two_pi;
             steer[axis] -= side * kept * erosion.branching * erosion.gully_weight * depth * mask * wave[axis];

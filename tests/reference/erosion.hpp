@@ -35,7 +35,7 @@ struct Ground {
 
 /// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not
 /// from the shader.
-Terrain terrain(const Ground& ground, std::uint32_t seed);
+Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed);
 Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed);
 

@@ -118,7 +118,7 @@ USE_MORE = {
     GaborGround ground = GaborGround(ivec2(p), p, vec2(0.0));
     noise += gabor_eroded(p, hills, erosion, 7u).height + gabor_eroded_tiled(p, p.yx, tile, erosion, 7u).slope.x
            + gabor_eroded_filtered(p, p, p.yx, hills, erosion, 7u).ridge
-           + gabor_eroded_at(ground, p, p.yx, gabor_terrain_at(ground, 7u), erosion, 7u).height;
+           + gabor_eroded_at(ground, p, p.yx, gabor_terrain_at(ground, p, p.yx, 7u), erosion, 7u).height;
 """,
 }
 FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \

@@ -48,7 +48,7 @@ void main() {
         return;
     Sample s = samples[i];
     GaborGround ground = GaborGround(s.cell, s.local, s.period);
-    GaborTerrain hills = gabor_terrain_at(ground, s.seed);
+    GaborTerrain hills = gabor_terrain_at(ground, s.dx, s.dy, s.seed);
     GaborTerrain base = hills;
     if (s.own_base != 0)
         base = GaborTerrain(s.height, s.slope, s.ridge);
@@ -63,7 +63,7 @@ void main() {
     if (s.period.x > 0.0 && s.period.y > 0.0)
         answers[i].plain = numbers(gabor_eroded_tiled(p, s.period, gabor_terrain_tiled(p, s.period, s.seed), s.erosion, s.seed));
     else if (s.dx != vec2(0.0) || s.dy != vec2(0.0))
-        answers[i].plain = numbers(gabor_eroded_filtered(p, s.dx, s.dy, gabor_terrain(p, s.seed), s.erosion, s.seed));
+        answers[i].plain = numbers(gabor_eroded_filtered(p, s.dx, s.dy, gabor_terrain_filtered(p, s.dx, s.dy, s.seed), s.erosion, s.seed));
     else
         answers[i].plain = numbers(gabor_eroded(p, gabor_terrain(p, s.seed), s.erosion, s.seed));
 }
