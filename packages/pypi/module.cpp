@@ -6,8 +6,11 @@
 
 #include "gabor_lattice_3d.hpp"
 
+#include "gabor_erosion.hpp"
+
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -193,6 +196,51 @@ NB_MODULE(_native, module) {
                                                  gabor_kernel(frequencies[i], orientations[i]), footprint,
                                                  seed, values[count + i])
                                 .value.y;
+        });
+    });
+    module.def("stripes", [](const Doubles& x, const Doubles& y, const Floats& wave_x, const Floats& wave_y,
+                             float period_x, float period_y, float sharpness, std::uint32_t seed) {
+        const Values<double> across(x), down(y);
+        const Values<float> waves_x(wave_x), waves_y(wave_y);
+        const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, {period_x, period_y});
+        const std::size_t count = x.size();
+        return evaluate(count, 3, [=](float* values, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Split right(across[i], origin.radius.x), below(down[i], origin.radius.y);
+                GaborPlace place = origin;
+                place.cell = {right.cell, below.cell};
+                place.local = {right.local, below.local};
+                const gabor_vec3 stripes = gabor_stripes_at(place, {waves_x[i], waves_y[i]}, sharpness, seed);
+                values[i] = stripes.x;
+                values[count + i] = stripes.y;
+                values[2 * count + i] = stripes.z;
+            }
+        });
+    });
+    module.def("terrain", [](const Doubles& x, const Doubles& y, const std::vector<Floats>& base,
+                             const std::vector<float>& options, float period, std::uint32_t seed) {
+        const Values<double> across(x), down(y);
+        std::vector<Values<float>> given;
+        for (const Floats& each : base)
+            given.emplace_back(each);
+        const GaborErosion erosion{static_cast<int>(options[0]), options[1], options[2],  options[3],
+                                   options[4],                   options[5], options[6],  options[7],
+                                   options[8],                   options[9], options[10], options[11]};
+        const std::size_t count = x.size();
+        return evaluate(count, 4, [=](float* values, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Split right(across[i], 1.0f), below(down[i], 1.0f);
+                const GaborGround ground{{right.cell, below.cell}, {right.local, below.local}, {period, period}};
+                GaborTerrain terrain = given.empty() // hills of their own
+                                           ? gabor_terrain_at(ground, seed)
+                                           : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i]};
+                if (erosion.octaves > 0)
+                    terrain = gabor_eroded_at(ground, {0.0f, 0.0f}, {0.0f, 0.0f}, terrain, erosion, seed);
+                values[i] = terrain.height;
+                values[count + i] = terrain.slope.x;
+                values[2 * count + i] = terrain.slope.y;
+                values[3 * count + i] = terrain.ridge;
+            }
         });
     });
     module.def("solid", [](const Doubles& x, const Doubles& y, const Doubles& z, float frequency, float dx,

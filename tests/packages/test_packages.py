@@ -134,12 +134,21 @@ pictures = {
     "gradient": gradient @ np.float32([1, 1 / 32, 2 / 32]),
     "tiled": gabor_noise.noise(x, y, period=(2, 1), **common),
     "animated": gabor_noise.noise(x, y, time=0.3, **common),
+    "stripes": gabor_noise.stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
 }
 assert all(each.dtype == np.float32 for each in pictures.values())
 np.savez("pictures.npz", **pictures)
 np.save("solid.npy", gabor_noise.noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
+hills = gabor_noise.terrain(x, y, seed=7, octaves=0)
+mountains = gabor_noise.terrain(x, y, seed=7)
+badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4,
+                               detail=1.2, sharpness=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
+island = gabor_noise.terrain(x, y, seed=7, period=8)
+np.save("terrain.npy", [hills, mountains, badlands, island])
+np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
 for bad in (lambda: gabor_noise.source("lattice", "basic"), lambda: gabor_noise.source("perlin"),
-            lambda: gabor_noise.noise([0, 1], [0, 1, 2]), lambda: gabor_noise.noise(0, 0, period=-1)):
+            lambda: gabor_noise.noise([0, 1], [0, 1, 2]), lambda: gabor_noise.noise(0, 0, period=-1),
+            lambda: gabor_noise.terrain(0, 0, [1, 2, 3]), lambda: gabor_noise.terrain(0, 0, period=3)):
     try:
         bad()
     except ValueError:
@@ -180,6 +189,44 @@ print(gabor_noise.__version__)
         difference = np.abs(np.load(self.folder / "solid.npy")[:32] - expected)
         print(f"solid: largest difference {difference.max():.2g}")
         self.assertLess(difference.max(), 1e-5)
+        self.check_terrain()
+
+
+    TERRAIN = """
+#include "gabor_lattice.hpp"
+#include "gabor_erosion.hpp"
+#include <cstdio>
+int main() {
+    for (int kind = 0; kind < 4; ++kind)
+        for (int i = 0; i < 256 * 256; ++i) {
+            const gabor_ivec2 cell(i % 256 / 32, i / 256 / 32);
+            const gabor_vec2 local((i % 32 + 0.5f) / 32, (i / 256 % 32 + 0.5f) / 32), none(0.0f);
+            const GaborGround ground{cell, local, kind == 3 ? gabor_vec2(8.0f) : none};
+            GaborTerrain t = gabor_terrain_at(ground, 7u);
+            if (kind > 0)
+                t = gabor_eroded_at(ground, none, none, t, gabor_erosion(), 7u);
+            const GaborErosion badlands{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
+            if (kind == 2)
+                t = gabor_eroded_at(ground, none, none, t, badlands, 8u);
+            const float values[] = {t.height, t.slope.x, t.slope.y, t.ridge};
+            std::fwrite(values, 4, 4, stdout);
+        }
+}
+"""
+
+    def check_terrain(self):
+        """The module against the header that it wraps, which other tests compare with the reference."""
+        compiler = shutil.which("c++")
+        if not compiler:
+            self.skipTest("no C++ compiler")
+        program = self.folder / "terrain"
+        run(compiler, "-x", "c++", "-std=c++17", "-O1", "-ffp-contract=off", "-I", ROOT / "shaders" / "translations", "-o", program,
+            "-", input=self.TERRAIN)
+        made = subprocess.run([program], stdout=subprocess.PIPE, check=True).stdout
+        expected = np.frombuffer(made, "<f4").reshape(4, 256, 256, 4)
+        difference = np.abs(np.load(self.folder / "terrain.npy") - expected)
+        print(f"terrain: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
+        self.assertLess(difference.max(), 2e-5)
 
 
 class Unity(Package):

@@ -21,7 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 
-__all__ = ["noise", "noise_gradient", "noise_complex", "noise_spread", "noise_filtered", "noise_3d", "source"]
+__all__ = ["noise", "noise_gradient", "noise_complex", "noise_spread", "noise_filtered", "noise_3d", "stripes", "terrain",
+           "source"]
 __version__ = "@VERSION@"
 
 
@@ -40,12 +41,16 @@ def _with_channels(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArr
     return values.reshape(shape) if len(values) == 1 else np.moveaxis(values.reshape(-1, *shape), 0, -1)
 
 
+def _periods(period: ArrayLike | None) -> tuple[float, float]:
+    x, y = np.broadcast_to(np.asarray(0.0 if period is None else period, float), 2)
+    if not (np.isfinite([x, y]).all() and min(x, y) >= 0):
+        raise ValueError(f"period is {period}: a number or a pair of them, not negative, 0 for none")
+    return float(x), float(y)
+
+
 def _field(kind: int, x, y, frequency, orientation, seed: int, period, time) -> NDArray[np.float32]:
     shape, flat, parameters = _points(x, y, also=(frequency, orientation))
-    period_x, period_y = np.broadcast_to(np.asarray(0.0 if period is None else period, float), 2)
-    if not (np.isfinite([period_x, period_y]).all() and min(period_x, period_y) >= 0):
-        raise ValueError(f"period is {period}: a number or a pair of them, not negative, 0 for none")
-    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, float(period_x), float(period_y), time is not None,
+    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, *_periods(period), time is not None,
                            0.0 if time is None else float(time) % 1.0, kind)
     return _with_channels(values, shape)
 
@@ -100,6 +105,40 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: float = 4.0
     if direction is not None and not any(vector):
         raise ValueError("direction is (0, 0, 0): a vector of any other length, or None for all directions")
     return _native.solid(*flat, frequency, *vector, direction is None, seed & 0xFFFFFFFF).reshape(shape)
+
+
+def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: float = 2.0, seed: int = 0,
+            period: ArrayLike | None = None) -> NDArray[np.float32]:
+    """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
+
+    wave_x, wave_y: the wave vector in cycles per kernel radius, across the stripes; (0, 0) where the map has no direction.
+    sharpness: (cosine, sine) has length 1 where the intensity exceeds 1 / sharpness, and fades below, where stripes fork.
+    period: as in `noise`.
+    """
+    shape, flat, waves = _points(x, y, also=(wave_x, wave_y))
+    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(sharpness), seed & 0xFFFFFFFF), shape)
+
+
+def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: int = 0, period: float | None = None,
+            octaves: int = 5, frequency: float = 1.5, strength: float = 0.12, lacunarity: float = 2.0, gain: float = 0.5,
+            onset: float = 0.5, detail: float = 1.5, sharpness: float = 2.0, ridge_rounding: float = 0.1,
+            crease_rounding: float = 0.1, gully_weight: float = 0.5, branching: float = 1.0) -> NDArray[np.float32]:
+    """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in units of x and y, ridge
+    goes from -1 in valleys to 1 on ridges.
+
+    base: the same four values of a terrain to erode, along its last axis; None for hills about four units wide.
+    period: units after which the terrain repeats, at least 4; None for no repetition.
+    octaves: of gullies, 0 for the base alone; the other arguments are the members of GaborErosion in gabor_erosion.glsl.
+    """
+    if period is not None and not 4 <= period < np.inf:
+        raise ValueError(f"period is {period}: at least 4, or None")
+    given = () if base is None else tuple(np.moveaxis(np.asarray(base, np.float32), -1, 0))
+    if base is not None and len(given) != 4:
+        raise ValueError(f"base has {len(given)} values along its last axis: height, d/dx, d/dy, ridge")
+    shape, flat, given = _points(x, y, also=given)
+    options = [float(octaves), frequency, strength, lacunarity, gain, onset, detail, sharpness, ridge_rounding, crease_rounding,
+               gully_weight, branching]
+    return _with_channels(_native.terrain(*flat, given, options, period or 0.0, seed & 0xFFFFFFFF), shape)
 
 
 _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "godot": "gdshaderinc", "cpp": "hpp"}

@@ -1,18 +1,18 @@
-// Opens a page of this repository in headless Chromium and keeps what it drew:
-// run.mjs PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
+// Opens a page of this repository in a browser without a window and keeps what it drew:
+// run.mjs chrome|firefox PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
 // A page with scripts is opened from its file, and they are added to it as one. The page sets globalThis.drawn to a promise
 // of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are Chromium's; DRIVER is what
-// the driver's name must contain, for Chromium takes another without a word.
+// the driver's name must contain, since browsers take another without a word.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
+import puppeteer from "puppeteer-core";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript" };
-const [pages, output, wanted = "", ...flags] = process.argv.slice(2);
+const [name, pages, output, wanted = "", ...flags] = process.argv.slice(2);
 const [page, ...scripts] = pages.split(",");
 const angle = flags.some(flag => flag.startsWith("--use-angle")) ? [] : ["--use-angle=swiftshader"];
 
@@ -39,7 +39,11 @@ function deviation(tab, png) {
 
 await new Promise(resolve => server.listen(0, "localhost", resolve));
 
-const browser = await chromium.launch({
+const browser = await puppeteer.launch(name === "firefox" ? {
+    browser: "firefox",
+    executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr",
+    extraPrefsFirefox: { "webgl.force-enabled": true },
+} : {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
            "--disable-component-update", "--disable-sync", ...angle, ...flags,
@@ -49,8 +53,10 @@ const browser = await chromium.launch({
 setTimeout(() => browser.close(), 580000).unref();
 try {
     const tab = await browser.newPage();
-    tab.on("console", message => console.error(message.text()));
-    tab.on("pageerror", error => console.error(error.message));
+    await tab.setViewport({ width: 1280, height: 720 });
+    const messages = [];
+    tab.on("console", message => messages.push(message.text()));
+    tab.on("pageerror", error => messages.push(error.message));
     await tab.goto(scripts.length ? `file://${root}${page}` : `http://localhost:${server.address().port}/${page}`);
     if (scripts.length) {
         const texts = await Promise.all(scripts.map(script => readFile(join(root, script), "utf8")));
@@ -62,13 +68,26 @@ try {
         const { values, ...facts } = await globalThis.drawn;
         return { values: Array.from(values), ...facts };
     });
+    messages.forEach(message => console.error(message));
+    if (scripts.length && messages.length)
+        throw new Error("a page for visitors must not write to the console");
     if (!facts.driver.includes(wanted))
         throw new Error(`the driver should be ${wanted}, and is ${facts.driver}`);
-    const shown = await deviation(tab, await tab.locator("canvas").first().screenshot());
+    const shown = await deviation(tab, Buffer.from(await (await tab.$("canvas")).screenshot()));
     if (!(Math.abs(shown - 0.24) < 0.04))
         throw new Error(`the page should show grey values that deviate by 0.24 from their mean, and they do by ${shown}`);
+    if (scripts.length) { // on a phone
+        await tab.setViewport({ width: 390, height: 844 });
+        await new Promise(resolve => setTimeout(resolve, 1000));
+        const wide = await tab.evaluate(() => [...document.querySelectorAll("body *")]
+            .filter(each => each.checkVisibility() && each.tabIndex >= 0 && !each.closest("[role=tablist], pre"))
+            .filter(each => each.getBoundingClientRect().left < -1 || each.getBoundingClientRect().right > innerWidth + 1)
+            .map(each => each.outerHTML.slice(0, 80)));
+        if (wide.length)
+            throw new Error(`on a phone these reach beyond the screen: ${wide.join(", ")}`);
+    }
     await writeFile(output, new Uint8Array(Float32Array.from(values).buffer));
-    console.log(JSON.stringify({ ...facts, version: `${facts.version ?? browser.version()}` }));
+    console.log(JSON.stringify({ ...facts, version: `${facts.version ?? (await browser.version()).split("/").pop()}` }));
 } finally {
     await browser.close();
     server.close();
