@@ -36,6 +36,7 @@ class Bench(ProgramTest):
             self.assertTrue(cvm["low"] < 0.5 < cvm["high"], f"{name}: {cvm}")
         self.assertLess(rows["gabor_noise, one"]["cvm"]["high"], 0.3)
         self.assertEqual(len(report["trends"]), 16)
+        self.assertRegex(text, r"(?m)^\| .* \| Vulkan \|( [\d.e+-]+ \|){6}$")  # the row of docs/benchmark.html
         self.check_page(report)
 
     def check_page(self, report):

@@ -1,4 +1,4 @@
-"""What tools/package builds, installed in a clean place and used there: test_packages.py [-v] npm|pypi|unity|godot|blender"""
+"""What tools/package builds, installed in a clean place and used there: test_packages.py [-v] npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
 
 import importlib.util
 import json
@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tarfile
@@ -265,6 +266,8 @@ class Godot(Package):
         for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
             self.assertIn(path, files)
         self.assertIn("addons/gabor_noise/LICENSE", files)
+        icon = (root / "icon.png").read_bytes()
+        self.assertEqual((icon[:8], struct.unpack(">II", icon[16:24])), (b"\x89PNG\r\n\x1a\n", (128, 128)))
 
 
 class Blender(Package):
@@ -282,7 +285,104 @@ class Blender(Package):
         compile((self.folder / "__init__.py").read_text(), "__init__.py", "exec")
 
 
-PACKAGES = {each.__name__.lower(): each for each in (Npm, Pypi, Unity, Godot, Blender)}
+class Vcpkg(Package):
+    """vcpkg itself comes from a source host. Its functions, as its manual describes them, run the port."""
+
+    tools = "cmake",
+    VCPKG = """
+set(CURRENT_PACKAGES_DIR "${FOLDER}/installed")
+function(run)
+    execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+endfunction()
+function(vcpkg_cmake_configure)
+    cmake_parse_arguments(PARSE_ARGV 0 given "" "SOURCE_PATH" "OPTIONS")
+    run(${CMAKE_COMMAND} -S "${given_SOURCE_PATH}" -B "${FOLDER}/b" "-DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR}" ${given_OPTIONS})
+endfunction()
+function(vcpkg_cmake_install)
+    run(${CMAKE_COMMAND} --build "${FOLDER}/b" --target install)
+endfunction()
+function(vcpkg_cmake_config_fixup)
+    cmake_parse_arguments(PARSE_ARGV 0 given "" "CONFIG_PATH" "")
+    file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/share")
+    file(COPY "${CURRENT_PACKAGES_DIR}/${given_CONFIG_PATH}/" DESTINATION "${CURRENT_PACKAGES_DIR}/share/gabor-noise")
+    file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/${given_CONFIG_PATH}")
+    # The real one also mends the prefix that the targets derive from their own folder, now one level higher.
+    file(GLOB scripts "${CURRENT_PACKAGES_DIR}/share/gabor-noise/*.cmake")
+    foreach(script ${scripts})
+        file(READ "${script}" text)
+        string(REPLACE "/../../../" "/../../" text "${text}")
+        set(up [[get_filename_component(_IMPORT_PREFIX "${_IMPORT_PREFIX}" PATH)]])
+        string(REPLACE "${up}\\n${up}\\n${up}" "${up}\\n${up}" text "${text}")
+        file(WRITE "${script}" "${text}")
+    endforeach()
+endfunction()
+function(vcpkg_install_copyright)
+    cmake_parse_arguments(PARSE_ARGV 0 given "" "" "FILE_LIST")
+    configure_file("${given_FILE_LIST}" "${CURRENT_PACKAGES_DIR}/share/gabor-noise/copyright" COPYONLY)
+endfunction()
+include("${FOLDER}/gabor-noise/portfile.cmake")
+"""
+
+    def test_port_installs_and_is_found(self):
+        self.unpack()
+        manifest = json.loads((self.folder / "gabor-noise" / "vcpkg.json").read_text())
+        self.assertEqual((manifest["name"], manifest["version"]), ("gabor-noise", VERSION))
+        (self.folder / "vcpkg.cmake").write_text(self.VCPKG)
+        run("cmake", f"-DFOLDER={self.folder}", "-P", self.folder / "vcpkg.cmake")
+        installed = self.folder / "installed"
+        self.assertEqual({path.name for path in installed.iterdir()}, {"share"})
+        self.assertEqual((installed / "share/gabor-noise/copyright").read_text(), (ROOT / "LICENSE").read_text())
+        user = self.folder / "user"
+        user.mkdir()
+        (user / "main.cpp").write_text(
+            '#include "gabor_lattice.hpp"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n')
+        (user / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(user LANGUAGES CXX)\nfind_package(gabor-noise CONFIG REQUIRED)\n"
+            "add_executable(user main.cpp)\ntarget_link_libraries(user PRIVATE gabor_noise::cpp)\n")
+        run("cmake", "-S", user, "-B", user / "b", f"-DCMAKE_PREFIX_PATH={installed}")
+        run("cmake", "--build", user / "b")
+        run(user / "b" / "user")
+
+
+class OpenUpm(unittest.TestCase):
+    def copy_with(self, remote):
+        """tools/package openupm in a repository with that remote."""
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        root = pathlib.Path(folder.name)
+        for file in ("CMakeLists.txt", "tools/package", "shaders/nodes/unity/package.json"):
+            (root / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, root / file)
+        run("git", "init", "-q", root)
+        if remote:
+            run("git", "-C", root, "remote", "add", "origin", remote)
+        made = subprocess.run([sys.executable, root / "tools/package", "openupm"], capture_output=True, text=True)
+        return made, root / "build/packages/com.gabor-noise.nodes.yml"
+
+    def test_names_the_repository(self):
+        for remote in ("https://example.org/somebody/gabor.git", "git@example.org:somebody/gabor.git"):
+            made, listing = self.copy_with(remote)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertIn("repoUrl: https://example.org/somebody/gabor\n", listing.read_text())
+            self.assertIn("name: com.gabor-noise.nodes\n", listing.read_text())
+
+    def test_needs_an_address(self):
+        for remote in (None, "/a/folder"):
+            made, listing = self.copy_with(remote)
+            self.assertEqual(made.returncode, 1)
+            self.assertRegex(made.stderr, "^package: OpenUPM names the repository: .*\n$")
+            self.assertFalse(listing.exists())
+
+
+class Release(unittest.TestCase):
+    def test_refuses_another_version(self):
+        for version, reason in ("9.9.9", f"CMakeLists.txt has version {VERSION}, not 9.9.9"), ("two", "three numbers such as"):
+            made = subprocess.run([sys.executable, ROOT / "tools/release", version], capture_output=True, text=True)
+            self.assertEqual(made.returncode, 2)
+            self.assertIn(reason, made.stderr)
+
+
+PACKAGES = {each.__name__.lower(): each for each in (Npm, Pypi, Unity, Godot, Blender, Vcpkg, OpenUpm, Release)}
 
 
 def main():

@@ -54,6 +54,18 @@ void print_base(const std::vector<bench::Row>& rows) {
     }
 }
 
+// The row that docs/benchmark.html prints: ms per megapixel, which are ns per pixel, without the writing.
+void print_row(const vulkan::Device& device, const std::vector<bench::Row>& rows) {
+    const double writing = find(rows, "writing alone").nanoseconds_per_pixel();
+    fmt::print("\n| device | API | gabor_noise | 2 taps | Perlin | simplex | advice | seminal |\n"
+               "| --- | --- | --- | --- | --- | --- | --- | --- |\n| {} | Vulkan |",
+               device.info().name);
+    for (const char* name : {"gabor_noise, lattice", "gabor_noise, lattice-2", "gradient noise",
+                             "simplex noise", bench::advice_yardstick, bench::seminal_yardstick})
+        fmt::print(" {:.3g} |", std::max(find(rows, name).nanoseconds_per_pixel() - writing, 0.0));
+    fmt::print("\n");
+}
+
 void print_trends(const std::vector<bench::Row>& rows) {
     fmt::print("\n{:<22}{:>8}{:>8}{:>11}{:>10}{:>19}\n", "", "side", "scale", "frequency", "ns/pixel",
                "quartiles");
@@ -103,6 +115,7 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
     print_device(device);
     print_base(report.base);
     print_trends(report.trends);
+    print_row(device, report.base);
     fmt::print("\nresident memory {} MiB at most\n", cli::peak_memory() >> 20);
     return {{"base", to_json(report.base)},
             {"trends", to_json(report.trends)},
