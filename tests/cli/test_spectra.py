@@ -152,6 +152,10 @@ class Spectra(SpectraTest):
         shown = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
         self.assertLess(np.abs(read_colour_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
 
+    def test_a_body_has_all_of_a_material_on_every_side(self):
+        metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels
+        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # from up to three planes, less 1 % of each
+
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
         for words, arguments in [

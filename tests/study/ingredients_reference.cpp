@@ -48,6 +48,16 @@ int poisson(float mean, std::uint32_t cell_word) {
     return count;
 }
 
+// Point `index` of Sobol's sequence, as 32-bit fractions.
+std::pair<std::uint32_t, std::uint32_t> sobol(std::uint32_t index) {
+    // Direction numbers of the primitive polynomial x + 1 from m_1 = 1: v_(k+1) = v_k ^ (v_k >> 1).
+    std::uint32_t second = 0;
+    for (std::uint32_t v = 0x80000000u, rest = index; rest != 0; rest >>= 1, v ^= v >> 1)
+        if (rest & 1)
+            second ^= v;
+    return {reversed(index), second};
+}
+
 // Laine and Karras' hash on the reversed bits.
 std::uint32_t owen(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t v = reversed(fraction) + seed;
@@ -98,15 +108,6 @@ double envelope(Envelope envelope, double x, double y) {
 }
 
 } // namespace
-
-std::pair<std::uint32_t, std::uint32_t> sobol(std::uint32_t index) {
-    // Direction numbers of the primitive polynomial x + 1 from m_1 = 1: v_(k+1) = v_k ^ (v_k >> 1).
-    std::uint32_t second = 0;
-    for (std::uint32_t v = 0x80000000u, rest = index; rest != 0; rest >>= 1, v ^= v >> 1)
-        if (rest & 1)
-            second ^= v;
-    return {reversed(index), second};
-}
 
 std::vector<Impulse> cell_impulses(const Ingredients& it, std::int32_t cell_x, std::int32_t cell_y,
                                    std::uint32_t seed) {

@@ -33,7 +33,4 @@ struct Place {
 
 Place random_place(std::uint32_t instance, std::uint32_t noise_seed, std::uint32_t place_seed);
 
-/// Point `index` of Sobol's sequence, as 32-bit fractions.
-std::pair<std::uint32_t, std::uint32_t> sobol(std::uint32_t index);
-
 } // namespace gabor::test

@@ -1,6 +1,5 @@
 // The point sets: their counts, and that they are where they should be.
 
-#include "ingredients_reference.hpp"
 #include "study/ingredients.hpp"
 #include "study/noise.hpp"
 
@@ -99,7 +98,7 @@ TEST_CASE("hexagons meet seamlessly: each point is nearest to its own centre, ac
     CHECK(std::hypot(hex.b[0], hex.b[1]) < 1.05 * std::hypot(hex.a[0], hex.a[1]));
 }
 
-TEST_CASE("2^k Sobol points are one in each elementary interval, scrambled or not", "[points]") {
+TEST_CASE("2^k scrambled Sobol points are one in each elementary interval", "[points]") {
     const vulkan::Device device;
     const study::PointSet set =
         study::point_set(device, {.points = Points::scrambled_sobol, .impulses = 16}, 6, 5);
@@ -112,11 +111,5 @@ TEST_CASE("2^k Sobol points are one in each elementary interval, scrambled or no
                 intervals.emplace(static_cast<int>(std::floor(p.x * columns)),
                                   static_cast<int>(std::floor(p.y * rows)));
         CHECK(intervals.size() == 16 * set.size());
-        std::set<std::pair<std::uint32_t, std::uint32_t>> plain;
-        for (std::uint32_t i = 32; i < 48; ++i) {
-            const auto [x, y] = test::sobol(i);
-            plain.emplace(std::uint64_t{x} >> (32 - x_bits), std::uint64_t{y} >> (28 + x_bits));
-        }
-        CHECK(plain.size() == 16);
     }
 }
