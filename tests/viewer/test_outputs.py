@@ -4,7 +4,27 @@ import unittest
 
 from outputs import COLOURED, GRADIENT, INTENSITY, LOBES, NAMES, PHASE, VALUE, VARIANCE, OutputsTest, padded
 
+NOISES = {
+    "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
+    "lattice-4, later": {"recipe": "lattice-4", "frequency": 5, "orientation": -50, "time": 0.3},
+    "lattice, tileable": {"orientation": 40, "tileable": True},
+    "one": {"recipe": "one"},
+    "paper": {"recipe": "paper", "frequency": 2.5, "orientation": 30, "seed": 9},
+    "pure, later": {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 4000000000, "time": 0.3},
+    "lobes": {"lobes": [{"frequency": 3, "orientation": 20}, {"frequency": 5, "orientation": 100, "power": 0.5}],
+              "seed": 5},
+    "radii": {"lobes": [{"frequency": 3, "frequency_spread": 0.3, "radius": 2},
+                        {"frequency": 5, "orientation": 70, "power": 0.3, "radius": 0.6}], "tileable": True},
+    "filtered radii": {"lobes": [{"frequency": 3, "orientation_spread": 90}, {"frequency": 8, "radius": 0.6}],
+                       "filter": True},
+    "spread": {"frequency": 3, "orientation": 10, "orientation_spread": 40, "frequency_spread": 0.2},
+    "filtered": {"frequency": 9, "orientation": 25, "filter": True},
+    "horizon": {"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"},
+    "tileable": {"recipe": "pure", "orientation": 40, "tileable": True},
+    "spelled out": {"recipe": "N=2,R=1.2,A=0.5,phases=64,window=1:0.5:0", "frequency": 3, "scale": 40},
+}
 PLANES = {
+    **{name: (parameters, VALUE, 1, 2) for name, parameters in NOISES.items()},
     "value": ({}, VALUE, 1, 3),
     "gradient of lobes": ({"lobes": LOBES, "seed": 5}, GRADIENT, 0, 1.5),
     "phase": ({"recipe": "one", "orientation": 40}, PHASE, 1, 2),
