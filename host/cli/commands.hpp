@@ -14,6 +14,7 @@ void add_terrain_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
+void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
 
 } // namespace gabor::cli

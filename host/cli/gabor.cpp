@@ -10,7 +10,7 @@ Program gabor_program() {
 #if GABOR_FIT
              add_fit_command,
 #endif
-             add_devices_command, add_recipes_command}};
+             add_devices_command, add_recipes_command, add_materials_command}};
 }
 
 } // namespace gabor::cli

@@ -1,11 +1,14 @@
-// What there is to choose from: devices and recipes.
+// What there is to choose from: devices, recipes, and parameters of materials.
 
 #include "cli/commands.hpp"
 #include "noise/recipe.hpp"
+#include "render/material.hpp"
+#include "render/parameters.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -50,11 +53,33 @@ void print_recipes(bool as_json) {
         fmt::print("{}\n", list.dump(2));
 }
 
+void print_material(const std::string& name) {
+    render::Request request;
+    render::set(request, "material", name);
+    for (const render::Parameter& p : render::parameters())
+        if (const auto value = render::is_of_one_material(p) ? p.get(request) : std::nullopt)
+            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p), render::to_text(*value));
+}
+
 } // namespace
 
 void add_devices_command(CLI::App& app) {
     app.add_subcommand("devices", "List the Vulkan devices, their drivers and the limits that matter here")
         ->callback(print_devices);
+}
+
+void add_materials_command(CLI::App& app) {
+    auto name = std::make_shared<std::string>();
+    CLI::App* command =
+        app.add_subcommand("materials", "List the materials, or the options of gabor render for one");
+    command->add_option("MATERIAL", *name, fmt::format("{}", fmt::join(render::materials, ", ")))
+        ->type_name("");
+    command->callback([name] {
+        if (!name->empty())
+            print_material(*name);
+        else
+            fmt::print("{}\n", fmt::join(render::materials, "\n"));
+    });
 }
 
 void add_recipes_command(CLI::App& app) {

@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "render/file.hpp"
 #include "render/load.hpp"
+#include "render/maps.hpp"
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
 #include "vulkan/device.hpp"
@@ -38,8 +39,10 @@ double seconds_since(Clock::time_point start) {
 
 // The options as given. What is absent comes from --like or --preset, or else is as by default.
 struct RenderOptions {
-    std::string output;
+    std::optional<std::string> output;
     std::optional<std::string> png;
+    std::optional<std::string> maps;
+    bool directx = false;
     std::optional<std::string> size;
     std::optional<std::string> region;
     std::optional<std::string> like;
@@ -214,14 +217,14 @@ bool is_png(const std::string& path) {
 // The files that -o and --png name.
 render::Files files_of(const RenderOptions& options) {
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
-    const std::string extension = std::filesystem::path(options.output).extension();
-    if (options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
-        refuse("-o", options.output, "the name of a file that ends in .exr or .png");
-    (is_png(options.output) ? files.png : files.exr) = options.output;
+    const std::string extension = std::filesystem::path(*options.output).extension();
+    if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
+        refuse("-o", *options.output, "the name of a file that ends in .exr or .png");
+    (is_png(*options.output) ? files.png : files.exr) = *options.output;
     if (options.png) {
-        if (same_file(*options.png, options.output))
+        if (same_file(*options.png, *options.output))
             throw RequestError(
-                fmt::format("--png and -o both name '{}': they take two different files", options.output));
+                fmt::format("--png and -o both name '{}': they take two different files", *options.output));
         if (files.png)
             throw RequestError("-o and --png both name a PNG: give the EXR's name with -o");
         if (const std::filesystem::path name = *options.png; !name.extension().empty() && !is_png(name))
@@ -246,8 +249,41 @@ int frames_of(const RenderOptions& options) {
     return frames;
 }
 
+// Without a scale, a set shows four by four units.
+void render_map_set(const RenderOptions& options) {
+    if (options.output || options.png || options.region || options.frames || options.texture ||
+        options.level)
+        throw RequestError("--maps writes whole sets alone: give it without -o, --png, --region, --frames, "
+                           "--texture and --level");
+    Work work = make_work(options);
+    const bool scaled =
+        options.preset || options.like || std::ranges::any_of(options.parameters, [](const auto& given) {
+            return given.first->name == "scale" && given.second->count() > 0;
+        });
+    if (!scaled)
+        work.request.scale = std::max(2.0, std::min(work.request.width, work.request.height) / 4.0);
+    work.request.filter = true;
+    const vulkan::Device device(options.device);
+    {
+        Progress progress("rendering", static_cast<std::uint64_t>(work.request.width) *
+                                           static_cast<std::uint64_t>(work.request.height));
+        render::render_maps(device, work.request, *options.maps, options.directx, [&](std::uint64_t done) {
+            check_interrupt();
+            progress.advance(done);
+        });
+    }
+    fmt::print("{}: maps of {} x {} pixels, material {}, on {}\n", *options.maps, work.request.width,
+               work.request.height, work.request.material, device.info().name);
+}
+
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
+    if (options.maps)
+        return render_map_set(options);
+    if (!options.output)
+        throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material");
+    if (options.directx)
+        throw RequestError("--directx is for --maps");
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
@@ -300,6 +336,8 @@ const char* type_name(Kind kind) {
         return "NUMBER";
     case Kind::angle:
         return "ANGLE";
+    case Kind::colour:
+        return "COLOUR";
     case Kind::text:
     case Kind::lobes:
         return "FILE";
@@ -340,6 +378,8 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
                                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
                                   : command.add_option(name)->type_name(type_name(parameter.kind));
         option->description(help_of(parameter));
+        if (render::is_of_one_material(parameter)) // gabor materials lists them
+            option->group("");
         options.parameters.emplace_back(&parameter, option);
     }
 }
@@ -357,9 +397,14 @@ void add_render_command(CLI::App& app) {
             "-o,--output", options->output,
             "What to write: NAME.exr, 32-bit float channels of which Y is the noise; or NAME.png, to "
             "look at: mean 0.5, two standard deviations to the ends")
-        ->type_name("FILE")
-        ->required();
+        ->type_name("FILE");
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
+    command
+        ->add_option("--maps", options->maps,
+                     "Instead of -o: a folder for the material's maps. PNGs of base colour, normals, height, "
+                     "roughness, metalness and occlusion, one EXR with all, material.mtlx and material.gltf")
+        ->type_name("FOLDER");
+    command->add_flag("--directx", options->directx, "With --maps: also normals for DirectX");
     command
         ->add_option("--size", options->size,
                      fmt::format("Of the picture in pixels, up to {0} x {0} [{1}x{2}]",

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "render/request.hpp"
+
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace gabor::render {
 
@@ -12,6 +15,9 @@ constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leathe
 
 /// Stands for no material: the noise itself.
 constexpr std::string_view no_material = "none";
+
+/// The parameters of the request's material, as its struct lies in a buffer with the layout std430.
+std::vector<float> material_parameters(const Request& request);
 
 /// Channels of a material's pixels: the members of GaborMaterial, and the lit colour.
 constexpr std::array<std::string_view, 9> material_channels{

@@ -70,7 +70,7 @@ Parameter row(std::string_view name, Kind kind, std::string_view unit, Range ran
             unit,
             range,
             slider,
-            applies_to,
+            std::string(applies_to),
             help,
             [find](const Request& request) {
                 const T* value = find(request);
@@ -122,8 +122,54 @@ Parameter single_lobe_row(const LobeParameter& p) {
                });
 }
 
+// A parameter of a material. The first number is that of a number or an angle.
+struct MaterialRow {
+    std::string_view name;
+    Kind kind;
+    Range range;
+    std::array<double, 3> by_default;
+    std::string_view help;
+};
+
+constexpr MaterialRow of_materials[]{
+#include "render/material_rows.inc"
+};
+
+std::string_view material_of(std::string_view name) {
+    return name.substr(0, name.find('.'));
+}
+
+Parameter material_row(const MaterialRow& made) {
+    return {made.name,
+            made.kind,
+            made.kind == Kind::angle ? "degrees" : "",
+            made.range,
+            made.kind == Kind::angle && made.range.low < 0 ? Range{-180, 180} : made.range,
+            fmt::format("the material {}", material_of(made.name)),
+            made.help,
+            [&made](const Request& request) -> std::optional<Value> {
+                if (request.material != material_of(made.name))
+                    return {};
+                const auto found = request.look.find(made.name);
+                const std::array<double, 3>& value =
+                    found == request.look.end() ? made.by_default : found->second;
+                return made.kind == Kind::colour ? Value(value) : Value(value[0]);
+            },
+            [&made](Request& request, const Value& value) {
+                std::array<double, 3> numbers{};
+                if (made.kind == Kind::colour)
+                    numbers = std::get<std::array<double, 3>>(value);
+                else
+                    numbers[0] = std::get<double>(value);
+                if (numbers == made.by_default)
+                    request.look.erase(made.name);
+                else
+                    request.look[made.name] = numbers;
+            }};
+}
+
 std::vector<Parameter> make_table() {
-    return {
+    std::vector<Parameter> table{
         row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture width",
             [](auto& r) { return &r.width; }),
         row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture height",
@@ -152,7 +198,8 @@ std::vector<Parameter> make_table() {
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
          "Draw a material instead of the noise, on planes and bodies: channels R, G, B (linear), height, "
-         "roughness, metalness, and lit.R, lit.G, lit.B, which a PNG shows",
+         "roughness, metalness, and lit.R, lit.G, lit.B, which a PNG shows. `gabor materials NAME` lists its "
+         "own options, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
         flag("tileable", "the view flat", "Make opposite edges match", in_view(&Plane::tileable)),
@@ -183,6 +230,8 @@ std::vector<Parameter> make_table() {
         row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Independent noises per pixel",
             [](auto& r) { return &r.values; }),
     };
+    std::ranges::transform(of_materials, std::back_inserter(table), material_row);
+    return table;
 }
 
 // ---- Conflicts ----
@@ -218,7 +267,7 @@ const std::array exclusions{
 
 // Parameters that materials use.
 constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
-                                 "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv};
+                                 "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv, "tileable"sv};
 
 // Parameters that are set but that a material does not use.
 std::vector<const Parameter*> unused_by_material(const Request& request) {
@@ -257,6 +306,34 @@ std::string accepted_number(Kind kind, const Range& range, std::string_view unit
     return text;
 }
 
+// Linear light from a number of sRGB.
+double linear(int byte) {
+    const double value = byte / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+// Reads "#rrggbb" or three numbers.
+std::optional<std::array<double, 3>> read_colour(std::string_view text) {
+    std::array<double, 3> colour{};
+    const bool hexadecimal = text.starts_with('#') && text.size() == 7;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool last = hexadecimal || i == 2;
+        const std::string_view part =
+            hexadecimal ? text.substr(1 + 2 * i, 2) : text.substr(0, text.find(','));
+        int byte = 0;
+        const char* end = part.data() + part.size();
+        const auto [stop, error] = hexadecimal ? std::from_chars(part.data(), end, byte, 16)
+                                               : std::from_chars(part.data(), end, colour[i]);
+        if (error != std::errc() || stop != end || (!last && part.size() == text.size()))
+            return {};
+        if (hexadecimal)
+            colour[i] = linear(byte);
+        else
+            text.remove_prefix(std::min(part.size() + 1, text.size()));
+    }
+    return hexadecimal || text.empty() ? std::optional(colour) : std::nullopt;
+}
+
 bool has_range(Kind kind) {
     return kind == Kind::integer || kind == Kind::number || kind == Kind::angle;
 }
@@ -289,6 +366,10 @@ void check_value(const Parameter& p, const Value& value) {
         const double number = std::get<double>(value);
         if (!within(number, p.range) || (p.kind == Kind::integer && number != std::floor(number)))
             refused();
+    } else if (p.kind == Kind::colour) {
+        for (const double part : std::get<std::array<double, 3>>(value))
+            if (!within(part, p.range))
+                refused();
     } else if (p.kind == Kind::choice) {
         const std::vector<std::string_view> all = choices(p);
         if (std::ranges::find(all, std::get<std::string>(value)) == all.end())
@@ -320,8 +401,11 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
-    std::vector<std::string_view> names;
-    std::ranges::transform(parameters(), std::back_inserter(names), &Parameter::name);
+    std::vector<std::string_view> names; // of the same material, or of noise
+    for (const Parameter& p : parameters())
+        if (is_of_one_material(p) ? name.starts_with(fmt::format("{}.", material_of(p.name)))
+                                  : name.find('.') == name.npos)
+            names.push_back(p.name);
     throw RequestError(
         fmt::format("unknown parameter '{}': the parameters are {}", name, fmt::join(names, ", ")));
 }
@@ -349,6 +433,8 @@ std::string accepted(const Parameter& p) {
         return noise::accepted_recipes();
     case Kind::text:
         return "a name";
+    case Kind::colour:
+        return "a colour, #rrggbb or its linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
     case Kind::lobes:
         return "a list like [{\"frequency\": 4, \"orientation\": 45, \"power\": 1}]";
     default:
@@ -382,6 +468,11 @@ Value read(const Parameter& p, std::string_view text) {
         value = text == "true";
     } else if (p.kind == Kind::lobes) {
         value = lobes_from_json(text);
+    } else if (p.kind == Kind::colour) {
+        const auto colour = read_colour(text);
+        if (!colour)
+            refuse(text, accepted(p));
+        value = *colour;
     } else {
         value = std::string(text);
     }
@@ -396,6 +487,8 @@ std::string to_text(const Value& value) {
         return fmt::format("{}", *number);
     if (const auto* on = std::get_if<bool>(&value))
         return *on ? "true" : "false";
+    if (const auto* colour = std::get_if<std::array<double, 3>>(&value))
+        return fmt::format("{}", fmt::join(*colour, ","));
     return lobes_to_json(std::get<std::vector<Lobe>>(value));
 }
 
@@ -408,10 +501,11 @@ void set(Request& request, const Values& values) {
                 continue;
             with_prefix(prefix(*p), [&] { check_value(*p, value); });
             if (!p->get(request))
-                throw RequestError(fmt::format("{} requires {}, not {}", p->name, p->applies_to,
-                                               p->applies_to == one_lobe
-                                                   ? fmt::format("{}", request.lobes.size())
-                                                   : std::string(name_of(request.view))));
+                throw RequestError(
+                    fmt::format("{} requires {}, not {}", p->name, p->applies_to,
+                                p->applies_to == one_lobe ? fmt::format("{}", request.lobes.size())
+                                : is_of_one_material(*p)  ? request.material
+                                                          : std::string(name_of(request.view))));
             p->put(request, value);
         }
     }
@@ -433,6 +527,7 @@ bool is_set(const Request& request, std::string_view name) {
     if (!by_default) { // only some views or lobes have it
         Request fresh;
         fresh.lobes = request.lobes;
+        fresh.material = request.material;
         fresh.view = view_of(name_of(request.view), fresh.view);
         by_default = p.get(fresh);
     }
@@ -460,7 +555,31 @@ void drop_conflicting(Request& request, std::string_view name) {
 }
 
 bool applies_to_material(std::string_view name) {
-    return std::ranges::find(of_material, name) != of_material.end();
+    return name.find('.') != name.npos || std::ranges::find(of_material, name) != of_material.end();
+}
+
+bool is_of_one_material(const Parameter& p) {
+    return p.name.find('.') != p.name.npos;
+}
+
+std::vector<float> material_parameters(const Request& request) {
+    std::vector<float> values;
+    for (const Parameter& p : parameters()) {
+        if (!is_of_one_material(p))
+            continue;
+        const std::optional<Value> value = p.get(request);
+        if (!value)
+            continue;
+        if (const auto* colour = std::get_if<std::array<double, 3>>(&*value)) {
+            values.resize((values.size() + 3) / 4 * 4); // where a vec3 may begin
+            for (const double part : *colour)
+                values.push_back(static_cast<float>(part));
+        } else {
+            const double number = std::get<double>(*value);
+            values.push_back(static_cast<float>(p.kind == Kind::angle ? noise::radians(number) : number));
+        }
+    }
+    return values;
 }
 
 void check(const Request& request) {
@@ -488,7 +607,7 @@ void check(const Request& request) {
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);
-    if (plane && plane->tileable && std::min(request.width, request.height) < least)
+    if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
         throw RequestError(
             fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
                         "kernel radii{}, {} pixels",

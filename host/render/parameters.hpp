@@ -9,8 +9,8 @@
 
 namespace gabor::render {
 
-/// The value of any parameter. Integers are `double` too: all that fit here are exact.
-using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>>;
+/// The value of any parameter. Integers are `double` too: all that fit here are exact. Colours are linear.
+using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>, std::array<double, 3>>;
 
 /// A closed interval.
 struct Range {
@@ -21,15 +21,15 @@ struct Range {
 /// A row of the table of what a Request holds. Options of the command line, JSON, checks with their messages
 /// and the viewer's controls come from these rows.
 struct Parameter {
-    enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes };
+    enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes, colour };
 
     std::string_view name; ///< in JSON; the option has - for _
     Kind kind;
-    std::string_view unit;       ///< "cycles per kernel radius"; empty for none
-    Range range;                 ///< of integers, numbers and angles
-    Range slider;                ///< the part of the range that a slider covers, logarithmic if low > 0
-    std::string_view applies_to; ///< requests that have it, as in "the view slice"; empty for all
-    std::string_view help;       ///< a sentence without its full stop
+    std::string_view unit;  ///< "cycles per kernel radius"; empty for none
+    Range range;            ///< of integers, numbers and angles
+    Range slider;           ///< the part of the range that a slider covers, logarithmic if low > 0
+    std::string applies_to; ///< requests that have it, as in "the view slice"; empty for all
+    std::string_view help;  ///< a sentence without its full stop
 
     /// Returns the value, or nothing if the request has no such parameter.
     std::function<std::optional<Value>(const Request&)> get;
@@ -63,8 +63,8 @@ std::vector<std::string_view> choices(const Parameter& parameter);
 /// What is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
-/// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", or a JSON list of lobes. Throws
-/// RequestError, "'text': it takes ...". `to_text` is its inverse.
+/// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON list of
+/// lobes. Throws RequestError, "'text': it takes ...". `to_text` is its inverse.
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
@@ -89,6 +89,9 @@ void check(const Request& request);
 
 /// Whether materials use that parameter.
 bool applies_to_material(std::string_view name);
+
+/// Whether it is a parameter of one material, named MATERIAL.PARAMETER.
+bool is_of_one_material(const Parameter& parameter);
 
 /// Writes the request as one JSON object, like the `gabor` attribute of EXR files, and reads it. `from_json`
 /// uses defaults for absent values, ignores known ones that the request does not have, and throws

@@ -287,6 +287,9 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     Constants constants{};
     constants[passes::filter_id] = request.filter;
     constants[passes::view_id] = view_constant(request.view);
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    constants[passes::tiled_id] = plane && plane->tileable;
+    plan.tables = {bytes_of(material_parameters(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');
     plan.steps = {step_of("material@" + function, constants, push, passes::material_group)};

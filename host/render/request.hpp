@@ -4,7 +4,9 @@
 #include "noise/lobe.hpp"
 #include "noise/recipe.hpp"
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,7 +61,9 @@ struct Request {
     double time = 0; ///< in periods of the animation
     View view = Plane();
     std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
-    bool filter = false;           ///< antialias with a normal filter of half a pixel
+    std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
+                                                                 ///< default, by their names in the table
+    bool filter = false;    ///< antialias with a normal filter of half a pixel
     std::string paint = {}; ///< EXR with channels `frequency` and `orientation` (degrees), stretched over the
                             ///< picture; replaces those of the lobe; empty for none
 

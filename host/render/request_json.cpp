@@ -78,6 +78,12 @@ Value value_of(const Parameter& p, const json& value) {
         return value.get<double>();
     case Kind::lobes:
         return lobes_of(value);
+    case Kind::colour:
+        if (value.is_string())
+            return with_prefix(fmt::format("{} ", p.name), [&] { return read(p, value.get<std::string>()); });
+        must(value.is_array() && value.size() == 3 &&
+             std::ranges::all_of(value, [](const json& part) { return part.is_number(); }));
+        return value.get<std::array<double, 3>>();
     default:
         must(value.is_string());
         return value.get<std::string>();
@@ -93,6 +99,8 @@ ordered_json json_of(const Parameter& p, const Value& value) {
         return *text;
     if (const auto* number = std::get_if<double>(&value))
         return *number;
+    if (const auto* colour = std::get_if<std::array<double, 3>>(&value))
+        return *colour;
     return std::get<bool>(value);
 }
 

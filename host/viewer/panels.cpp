@@ -1,5 +1,6 @@
 #include "viewer/panels.hpp"
 
+#include "render/file.hpp"
 #include "render/load.hpp"
 #include "viewer/document_json.hpp"
 
@@ -23,7 +24,8 @@ std::string help_of(const render::Parameter& parameter) {
 // The default of a parameter in a view like this one.
 double default_of(const render::Parameter& parameter, const render::Request& request) {
     render::Request fresh;
-    render::set(fresh, "view", *render::parameter("view").get(request));
+    for (const char* name : {"view", "material"})
+        render::set(fresh, name, *render::parameter(name).get(request));
     return std::get<double>(*parameter.get(fresh));
 }
 
@@ -72,6 +74,16 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         if (ImGui::InputText(label.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue))
             return text;
         return {};
+    }
+    case Kind::colour: { // shown as sRGB, as everywhere else
+        std::array<float, 3> shown{};
+        const auto& colour = std::get<std::array<double, 3>>(value);
+        std::ranges::transform(colour, shown.begin(),
+                               [](double part) { return render::srgb(static_cast<float>(part)); });
+        if (!ImGui::ColorEdit3(label.c_str(), shown.data(), ImGuiColorEditFlags_DisplayHex))
+            return {};
+        return render::read(parameter, fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * shown[0]),
+                                                   std::lround(255 * shown[1]), std::lround(255 * shown[2])));
     }
     case Kind::lobes: // spectrum_panel
         break;
@@ -156,7 +168,7 @@ constexpr const char* export_tips[]{
 } // namespace
 
 std::string label_of(std::string_view name) {
-    std::string label(name);
+    std::string label(name.substr(name.find('.') + 1)); // of MATERIAL.PARAMETER
     std::ranges::replace(label, '_', ' ');
     return label;
 }
@@ -209,7 +221,11 @@ void noise_panel(Session& session) {
 
 void output_panel(Session& session) {
     Document& document = session.document();
-    for (const char* name : {"material", "view", "tileable"})
+    control(session, "material");
+    for (const render::Parameter& parameter : render::parameters())
+        if (render::is_of_one_material(parameter))
+            control(session, parameter.name);
+    for (const char* name : {"view", "tileable"})
         control(session, name);
     explained(disabled_reason(document, "tiles"),
               "T: show four copies of the picture, to look for seams. This view sets its own scale.",

@@ -318,11 +318,42 @@ std::string of_colours(const Document& document, const Quantity& of) {
 // A call at a place, with the steps to the next pixels if it is filtered.
 std::string call(const render::Request& request, std::string_view p, std::string_view dx,
                  std::string_view dy) {
+    return request.filter ? fmt::format("material_at(gabor_pixel_filtered({}, {}, {}))", p, dx, dy)
+                          : fmt::format("material_at(gabor_pixel({}))", p);
+}
+
+// The material with its parameters.
+std::string material_function(const render::Request& request) {
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');
-    return request.filter
-               ? fmt::format("gabor_{}_filtered({}, {}, {}, {}u)", function, p, dx, dy, request.seed)
-               : fmt::format("gabor_{}({}, {}u)", function, p, request.seed);
+    std::string type = "Gabor";
+    for (std::size_t i = 0; i < function.size(); ++i)
+        if (function[i] != '_')
+            type += i == 0 || function[i - 1] == '_'
+                        ? static_cast<char>(std::toupper(static_cast<unsigned char>(function[i])))
+                        : function[i];
+    std::string text = fmt::format(R"(
+GaborMaterial material_at(GaborPixel pixel)
+{{
+    {} m = gabor_{}_default();
+)",
+                                   type, function);
+    for (const render::Parameter& p : render::parameters()) {
+        if (!render::is_of_one_material(p) || !render::is_set(request, p.name))
+            continue;
+        const render::Value value = *p.get(request);
+        const auto* colour = std::get_if<std::array<double, 3>>(&value);
+        const double number = colour ? 0 : std::get<double>(value);
+        const bool angle = p.kind == render::Parameter::Kind::angle;
+        text += fmt::format("    m.{} = {};\n", p.name.substr(p.name.find('.') + 1),
+                            colour ? vec3((*colour)[0], (*colour)[1], (*colour)[2])
+                                   : literal(angle ? noise::radians(number) : number));
+    }
+    const auto* plane = std::get_if<render::Plane>(&request.view);
+    if (plane && plane->tileable)
+        text += fmt::format("    pixel = gabor_pixel_tiled(pixel, {});\n",
+                            vec2(request.width / request.scale, request.height / request.scale));
+    return text + fmt::format("    return gabor_{}_at(pixel, m, {}u);\n}}\n", function, request.seed);
 }
 
 std::string material_of_body(const render::Request& request) {
@@ -379,11 +410,13 @@ GaborMaterial material_of_view(vec2 pixel)
 
 std::string material_snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
-    const std::string text = R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
+    const std::string text =
+        fmt::format(R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
 #include "gabor_lattice.glsl" // or paste it here
 #include "gabor_spectrum.glsl" // and this one
 #include "gabor_materials.glsl" // and this one
-)";
+{})",
+                    material_function(request));
     if (render::in_space(request))
         return text + material_of_body(request);
     const render::Plan plan =

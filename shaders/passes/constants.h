@@ -39,7 +39,10 @@ const uint sum_id = 22;
 // passes/bake_colour.comp
 const uint channels_id = 23;
 
-const uint constant_count = 24;
+// passes/material.comp
+const uint tiled_id = 24;
+
+const uint constant_count = 25;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws the material GABOR_MATERIAL: its colour, height, roughness and metalness, and its look under a lamp.
+// Draws the material that the function GABOR_MATERIAL makes with the parameters GABOR_PARAMETERS: its colour, height, roughness and metalness, and its look under a lamp.
 
 #include "passes/material_interface.h"
 #include "gabor_lattice.glsl"
@@ -10,6 +10,7 @@
 #include "light.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;
+layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? 10 : 9;
@@ -20,11 +21,15 @@ const int rays = 4;
 layout(local_size_x = material_group, local_size_y = material_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Parameters { GABOR_PARAMETERS parameters; };
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
+    GaborPixel there = gabor_pixel(p);
     if (filtered)
-        return GABOR_MATERIAL_FILTERED(p, dx, dy, seed);
-    return GABOR_MATERIAL(p, seed);
+        there = gabor_pixel_filtered(p, dx, dy);
+    if (tiled)
+        there = gabor_pixel_tiled(there, pixel * size);
+    return GABOR_MATERIAL(there, parameters, seed);
 }
 
 // A plane in space that carries the material, and its origin's place on the material: far from those of other planes, which

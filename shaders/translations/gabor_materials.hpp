@@ -6,7 +6,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -55,8 +55,9 @@ struct GaborPixel {
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults. Colours
-// are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change the look.
+// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults.
+// Colours are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change
+// the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
 // A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
@@ -90,7 +91,7 @@ struct GaborFabric {
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
     gabor_vec3 pebble;     // colour of the cells
-    gabor_vec3 crease;     // colour between them
+    gabor_vec3 crease;     // colour between the cells
     float cells;     // cells per unit, 2 to 30
     float wrinkles;  // bends of the rows of cells, 0 to 3
     float relief;    // height of the cells, 0 to 3
@@ -118,9 +119,9 @@ struct GaborMarble {
 // Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
     gabor_vec3 trough;     // colour between the ripples
-    gabor_vec3 crest;      // colour on top of them
+    gabor_vec3 crest;      // colour on the ripples
     float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units of p, 0 to 0.2
+    float relief;    // height of the ripples, in units, 0 to 0.2
     float grain;     // contrast of the grains, 0 to 0.25
     float roughness; // 0 to 1
 };
@@ -136,7 +137,7 @@ struct GaborRipples {
     float waves;     // longest waves per unit, 0.1 to 5
     float direction; // of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
-    float relief;    // height of the longest waves, in units of p, 0 to 0.2
+    float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
 };
 // GaborRipples gabor_ripples_default()
@@ -149,7 +150,7 @@ struct GaborBrushedMetal {
     gabor_vec3 colour;     // colour of the metal
     float streaks;   // widest streaks per unit, 1 to 50
     float contrast;  // of the streaks, 0 to 0.5
-    float relief;    // height of the widest streaks, in units of p, 0 to 0.01
+    float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
 // GaborBrushedMetal gabor_brushed_metal_default()
@@ -162,10 +163,10 @@ struct GaborScratches {
     gabor_vec3 lacquer;    // colour of the lacquer
     gabor_vec3 scratch;    // colour in the scratches
     float amount;    // how many scratches, 0.01 to 8
-    float reach;     // length of the scratches, in units of p, 0.3 to 10
-    float direction; // middle of their directions, -6.2832 to 6.2832 radians
-    float spread;    // range of their directions, 0 to 3.1416 radians
-    float depth;     // of the scratches, in units of p, 0 to 0.02
+    float reach;     // length of the scratches, in units, 0.3 to 10
+    float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
+    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
+    float depth;     // of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
 // GaborScratches gabor_scratches_default()
@@ -178,8 +179,8 @@ struct GaborZebra {
     gabor_vec3 bright;     // colour between the stripes
     gabor_vec3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // across the stripes, -6.2832 to 6.2832 radians
-    float bends;     // change of their direction, 0 to 1.5 radians
+    float direction; // of the waves, across the stripes, -6.2832 to 6.2832 radians
+    float bends;     // change of the stripes' direction, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
@@ -195,7 +196,7 @@ struct GaborBark {
     gabor_vec3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
     float cover;     // cover of moss, 0 to 1
-    float depth;     // of the furrows, in units of p, 0 to 0.4
+    float depth;     // of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
 // GaborBark gabor_bark_default()
@@ -333,8 +334,9 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 2e-5.
 GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
-    float x = gabor_cpp_clamp((noise - threshold) * gabor_cpp_inversesqrt(softness * softness + removed), -8.0f, 8.0f);
-    return 1.0f / (1.0f + gabor_cpp_exp(-x * (1.595435f + x * x * (0.0735975f - 0.0006319f * x * x))));
+    float scale = gabor_cpp_inversesqrt(softness * softness + removed);
+    float x = gabor_cpp_clamp(scale * noise - scale * threshold, -8.0f, 8.0f);
+    return 1.0f / (1.0f + gabor_cpp_exp2(-x * (2.301726f + x * x * (0.1061787f - 0.00091164f * x * x))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -384,9 +386,11 @@ GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::
 
     float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11f) * gabor_impl_tone(tone.y, tone.z, 0.13f);
     float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1f, 0.25f); // a quarter as deep in late wood
-    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(tones * wood.early, 0.45f * wood.late, pores),
-                      gabor_cpp_mix(tones * wood.late, 0.45f * wood.late, 0.25f * pores), ring);
-    float height = 0.0006f * ring - 0.0024f * (1.0f - 0.75f * ring) * pores + 0.0002f * fibre.y;
+    float early = (1.0f - ring) * (1.0f - pores);
+    float late = ring * (1.0f - 0.25f * pores);
+    float deep = 1.0f - early - late;
+    gabor_vec3 colour = tones * early * wood.early + (tones * late + 0.45f * deep) * wood.late;
+    float height = 0.0006f * ring - 0.0024f * deep + 0.0002f * fibre.y;
     return gabor_impl_material(colour, height, wood.roughness * (1.0f - 0.2f * ring), 0.0f);
 }
 
@@ -412,14 +416,16 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     gabor_vec3 tone = first ? upright : level;
     gabor_vec3 fibre = first ? upright_fibre : level_fibre;
 
-    // The part of the weave that the filter keeps; the rest becomes the mean.
+    // The part of the weave that the filter keeps; the rest becomes the mean, measured by unevenness.
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
-    float light = gabor_cpp_mix(0.87f, gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
+    float uneven = fabric.unevenness;
+    float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
     float share = gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept);
     gabor_vec3 colour = gabor_cpp_mix(fabric.weft, fabric.warp, share) * gabor_cpp_mix(0.18f, 1.0f, light);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09f * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
-    float height = fabric.relief / fabric.threads * (0.3f * gabor_cpp_mix(0.146f, top, kept) + 0.035f * fibre.y);
+    top = gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top, kept);
+    float height = fabric.relief / fabric.threads * (0.3f * top + 0.035f * fibre.y);
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
@@ -540,11 +546,11 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushed
 GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float whole = 1.0f;
     float height = 0.0f;
+    float size = 1.0f;
+    float turn = 0.0955f;
     float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // noise is above it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
-        float size = gabor_cpp_exp2(-0.13f * float(i));
-        float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.763932f * float(i) + 0.0955f) - 0.5f);
-        GaborPixel turned = gabor_impl_turned(pixel, angle);
+        GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5f));
         turned = gabor_impl_warp(turned, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), gabor_lobe_seed(seed, 2 * i));
         gabor_vec2 density = gabor_vec2(1.0f / scratches.reach, 42.0f) / size;
         gabor_vec3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
@@ -552,6 +558,8 @@ GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches s
         scratch *= gabor_impl_above(noise.y, noise.z, 0.3f, 0.7f);
         whole *= 1.0f - (0.25f + 0.7f * size) * scratch;
         height -= scratches.depth * size * scratch;
+        size *= 0.9138315f;
+        turn = gabor_cpp_fract(turn + 0.763932f);
     }
     return gabor_impl_material(gabor_cpp_mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0f);
 }
@@ -562,7 +570,7 @@ GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, st
     float lean = gabor_field(place, gabor_kernel(0.0f, 0.0f), gabor_lobe_seed(seed, 1)).value.x;
     gabor_vec3 stripe = gabor_impl_layer(skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, zebra.direction + zebra.bends * lean,
                                    gabor_lobe_seed(seed, 2));
-    gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5f), gabor_vec2(80.0f, 6.0f), gabor_lobe_seed(seed, 3));
+    gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
 
     float intensity = gabor_cpp_length(stripe.xy()); // at the zeros of stripe.x, the smaller its slope, the wider the edge
@@ -677,7 +685,7 @@ GABOR_INLINE GaborSand gabor_sand_default() {
 }
 
 GABOR_INLINE GaborRipples gabor_ripples_default() {
-    return GaborRipples{gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), 0.6f, 0.85f, 1.1f, 0.035f, 0.1f};
+    return GaborRipples{gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f};
 }
 
 GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
@@ -690,7 +698,7 @@ GABOR_INLINE GaborScratches gabor_scratches_default() {
 }
 
 GABOR_INLINE GaborZebra gabor_zebra_default() {
-    return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.3f, 0.35f, 1.0f, 0.7f};
+    return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.2967060f, 0.3490659f, 1.0f, 0.7f};
 }
 
 GABOR_INLINE GaborBark gabor_bark_default() {

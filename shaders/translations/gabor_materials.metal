@@ -5,7 +5,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -58,8 +58,9 @@ struct GaborPixel {
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults. Colours
-// are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change the look.
+// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults.
+// Colours are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change
+// the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
 // A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
@@ -93,7 +94,7 @@ struct GaborFabric {
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
     float3 pebble;     // colour of the cells
-    float3 crease;     // colour between them
+    float3 crease;     // colour between the cells
     float cells;     // cells per unit, 2 to 30
     float wrinkles;  // bends of the rows of cells, 0 to 3
     float relief;    // height of the cells, 0 to 3
@@ -121,9 +122,9 @@ struct GaborMarble {
 // Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
     float3 trough;     // colour between the ripples
-    float3 crest;      // colour on top of them
+    float3 crest;      // colour on the ripples
     float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units of p, 0 to 0.2
+    float relief;    // height of the ripples, in units, 0 to 0.2
     float grain;     // contrast of the grains, 0 to 0.25
     float roughness; // 0 to 1
 };
@@ -139,7 +140,7 @@ struct GaborRipples {
     float waves;     // longest waves per unit, 0.1 to 5
     float direction; // of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
-    float relief;    // height of the longest waves, in units of p, 0 to 0.2
+    float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
 };
 // GaborRipples gabor_ripples_default()
@@ -152,7 +153,7 @@ struct GaborBrushedMetal {
     float3 colour;     // colour of the metal
     float streaks;   // widest streaks per unit, 1 to 50
     float contrast;  // of the streaks, 0 to 0.5
-    float relief;    // height of the widest streaks, in units of p, 0 to 0.01
+    float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
 // GaborBrushedMetal gabor_brushed_metal_default()
@@ -165,10 +166,10 @@ struct GaborScratches {
     float3 lacquer;    // colour of the lacquer
     float3 scratch;    // colour in the scratches
     float amount;    // how many scratches, 0.01 to 8
-    float reach;     // length of the scratches, in units of p, 0.3 to 10
-    float direction; // middle of their directions, -6.2832 to 6.2832 radians
-    float spread;    // range of their directions, 0 to 3.1416 radians
-    float depth;     // of the scratches, in units of p, 0 to 0.02
+    float reach;     // length of the scratches, in units, 0.3 to 10
+    float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
+    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
+    float depth;     // of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
 // GaborScratches gabor_scratches_default()
@@ -181,8 +182,8 @@ struct GaborZebra {
     float3 bright;     // colour between the stripes
     float3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // across the stripes, -6.2832 to 6.2832 radians
-    float bends;     // change of their direction, 0 to 1.5 radians
+    float direction; // of the waves, across the stripes, -6.2832 to 6.2832 radians
+    float bends;     // change of the stripes' direction, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
@@ -198,7 +199,7 @@ struct GaborBark {
     float3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
     float cover;     // cover of moss, 0 to 1
-    float depth;     // of the furrows, in units of p, 0 to 0.4
+    float depth;     // of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
 // GaborBark gabor_bark_default()
@@ -336,8 +337,9 @@ inline float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 2e-5.
 inline float gabor_impl_above(float noise, float removed, float threshold, float softness) {
-    float x = clamp((noise - threshold) * rsqrt(softness * softness + removed), -8.0, 8.0);
-    return 1.0 / (1.0 + exp(-x * (1.595435 + x * x * (0.0735975 - 0.0006319 * x * x))));
+    float scale = rsqrt(softness * softness + removed);
+    float x = clamp(scale * noise - scale * threshold, -8.0, 8.0);
+    return 1.0 / (1.0 + exp2(-x * (2.301726 + x * x * (0.1061787 - 0.00091164 * x * x))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -387,9 +389,11 @@ inline GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) 
 
     float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11) * gabor_impl_tone(tone.y, tone.z, 0.13);
     float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1, 0.25); // a quarter as deep in late wood
-    float3 colour = mix(mix(tones * wood.early, 0.45 * wood.late, pores),
-                      mix(tones * wood.late, 0.45 * wood.late, 0.25 * pores), ring);
-    float height = 0.0006 * ring - 0.0024 * (1.0 - 0.75 * ring) * pores + 0.0002 * fibre.y;
+    float early = (1.0 - ring) * (1.0 - pores);
+    float late = ring * (1.0 - 0.25 * pores);
+    float deep = 1.0 - early - late;
+    float3 colour = tones * early * wood.early + (tones * late + 0.45 * deep) * wood.late;
+    float height = 0.0006 * ring - 0.0024 * deep + 0.0002 * fibre.y;
     return gabor_impl_material(colour, height, wood.roughness * (1.0 - 0.2 * ring), 0.0);
 }
 
@@ -415,14 +419,16 @@ inline GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint 
     float3 tone = first ? upright : level;
     float3 fibre = first ? upright_fibre : level_fibre;
 
-    // The part of the weave that the filter keeps; the rest becomes the mean.
+    // The part of the weave that the filter keeps; the rest becomes the mean, measured by unevenness.
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
-    float light = mix(0.87, smoothstep(-1.3, 0.5, top), kept);
+    float uneven = fabric.unevenness;
+    float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top), kept);
     float share = mix(0.5, first ? 1.0 : 0.0, kept);
     float3 colour = mix(fabric.weft, fabric.warp, share) * mix(0.18, 1.0, light);
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
-    float height = fabric.relief / fabric.threads * (0.3 * mix(0.146, top, kept) + 0.035 * fibre.y);
+    top = mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top, kept);
+    float height = fabric.relief / fabric.threads * (0.3 * top + 0.035 * fibre.y);
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
@@ -543,11 +549,11 @@ inline GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal 
 inline GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed) {
     float whole = 1.0;
     float height = 0.0;
+    float size = 1.0;
+    float turn = 0.0955;
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // noise is above it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
-        float size = exp2(-0.13 * float(i));
-        float angle = scratches.direction + scratches.spread * (fract(0.763932 * float(i) + 0.0955) - 0.5);
-        GaborPixel turned = gabor_impl_turned(pixel, angle);
+        GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5));
         turned = gabor_impl_warp(turned, float2(0.3, 0.1), float2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
         float2 density = float2(1.0 / scratches.reach, 42.0) / size;
         float3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
@@ -555,6 +561,8 @@ inline GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratch
         scratch *= gabor_impl_above(noise.y, noise.z, 0.3, 0.7);
         whole *= 1.0 - (0.25 + 0.7 * size) * scratch;
         height -= scratches.depth * size * scratch;
+        size *= 0.9138315;
+        turn = fract(turn + 0.763932);
     }
     return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0);
 }
@@ -565,7 +573,7 @@ inline GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint see
     float lean = gabor_field(place, gabor_kernel(0.0, 0.0), gabor_lobe_seed(seed, 1)).value.x;
     float3 stripe = gabor_impl_layer(skin, float2(zebra.stripes / 1.4), 1.4, zebra.direction + zebra.bends * lean,
                                    gabor_lobe_seed(seed, 2));
-    float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 0.5), float2(80.0, 6.0), gabor_lobe_seed(seed, 3));
+    float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), gabor_lobe_seed(seed, 3));
     float3 tone = gabor_impl_spots(pixel, float2(1.2), gabor_lobe_seed(seed, 4));
 
     float intensity = length(stripe.xy); // at the zeros of stripe.x, the smaller its slope, the wider the edge
@@ -680,7 +688,7 @@ inline GaborSand gabor_sand_default() {
 }
 
 inline GaborRipples gabor_ripples_default() {
-    return GaborRipples{float3(0.004, 0.06, 0.085), float3(0.03, 0.25, 0.27), 0.6, 0.85, 1.1, 0.035, 0.1};
+    return GaborRipples{float3(0.004, 0.06, 0.085), float3(0.03, 0.25, 0.27), 0.6, 0.8726646, 1.0471976, 0.035, 0.1};
 }
 
 inline GaborBrushedMetal gabor_brushed_metal_default() {
@@ -693,7 +701,7 @@ inline GaborScratches gabor_scratches_default() {
 }
 
 inline GaborZebra gabor_zebra_default() {
-    return GaborZebra{float3(0.70, 0.64, 0.54), float3(0.018, 0.014, 0.012), 1.96, 0.3, 0.35, 1.0, 0.7};
+    return GaborZebra{float3(0.70, 0.64, 0.54), float3(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7};
 }
 
 inline GaborBark gabor_bark_default() {

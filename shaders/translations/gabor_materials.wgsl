@@ -1,12 +1,12 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 36a3a42d72961e63
+// Digest of the GLSL and of this file: c5add54d8fe871c5
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, which may vary by pixel
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -73,6 +73,9 @@ fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial
     var tone: vec3<f32>;
     var tones: f32;
     var pores: f32;
+    var early: f32;
+    var late: f32;
+    var deep: f32;
     var colour_1: vec3<f32>;
     var height_1: f32;
 
@@ -122,22 +125,30 @@ fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial
     let _e108 = pore;
     let _e112 = gabor_impl_above(_e106.y, _e108.z, 1.1f, 0.25f);
     pores = (wood.pores * _e112);
-    let _e115 = tones;
-    let _e121 = pores;
-    let _e124 = tones;
-    let _e131 = pores;
-    let _e135 = ring;
-    colour_1 = mix(mix((_e115 * wood.early), (0.45f * wood.late), vec3(_e121)), mix((_e124 * wood.late), (0.45f * wood.late), vec3((0.25f * _e131))), vec3(_e135));
-    let _e140 = ring;
-    let _e145 = ring;
-    let _e149 = pores;
-    let _e153 = fibre;
-    height_1 = (((0.0006f * _e140) - ((0.0024f * (1f - (0.75f * _e145))) * _e149)) + (0.0002f * _e153.y));
-    let _e158 = colour_1;
-    let _e159 = height_1;
-    let _e163 = ring;
-    let _e168 = gabor_impl_material(_e158, _e159, (wood.roughness * (1f - (0.2f * _e163))), 0f);
-    return _e168;
+    let _e116 = ring;
+    let _e119 = pores;
+    early = ((1f - _e116) * (1f - _e119));
+    let _e123 = ring;
+    let _e126 = pores;
+    late = (_e123 * (1f - (0.25f * _e126)));
+    let _e132 = early;
+    let _e134 = late;
+    deep = ((1f - _e132) - _e134);
+    let _e137 = tones;
+    let _e138 = early;
+    let _e142 = tones;
+    let _e143 = late;
+    let _e146 = deep;
+    colour_1 = (((_e137 * _e138) * wood.early) + (((_e142 * _e143) + (0.45f * _e146)) * wood.late));
+    let _e154 = ring;
+    let _e157 = deep;
+    let _e161 = fibre;
+    height_1 = (((0.0006f * _e154) - (0.0024f * _e157)) + (0.0002f * _e161.y));
+    let _e166 = colour_1;
+    let _e167 = height_1;
+    let _e171 = ring;
+    let _e176 = gabor_impl_material(_e166, _e167, (wood.roughness * (1f - (0.2f * _e171))), 0f);
+    return _e176;
 }
 
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -191,6 +202,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var fibre_1: vec3<f32>;
     var steps: vec2<f32>;
     var kept_1: f32;
+    var uneven: f32;
     var light: f32;
     var local_39: f32;
     var share_2: f32;
@@ -291,37 +303,44 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e206 = steps;
     let _e208 = steps;
     kept_1 = exp(-(min((2.5f * (_e206.x + _e208.y)), 40f)));
-    let _e221 = top;
-    let _e223 = kept_1;
-    light = mix(0.87f, smoothstep(-1.3f, 0.5f, _e221), _e223);
-    let _e227 = first_4;
-    if _e227 {
+    uneven = fabric.unevenness;
+    let _e220 = uneven;
+    let _e223 = uneven;
+    let _e231 = top;
+    let _e233 = kept_1;
+    light = mix((0.8572f + (_e220 * (0.005f + (0.0083f * _e223)))), smoothstep(-1.3f, 0.5f, _e231), _e233);
+    let _e237 = first_4;
+    if _e237 {
         local_39 = 1f;
     } else {
         local_39 = 0f;
     }
-    let _e231 = local_39;
-    let _e232 = kept_1;
-    share_2 = mix(0.5f, _e231, _e232);
-    let _e237 = share_2;
-    let _e242 = light;
-    colour_2 = (mix(fabric.weft, fabric.warp, vec3(_e237)) * mix(0.18f, 1f, _e242));
-    let _e246 = colour_2;
-    let _e247 = tone_1;
-    let _e249 = tone_1;
-    let _e254 = gabor_impl_tone(_e247.y, _e249.z, (0.09f * fabric.unevenness));
-    let _e255 = fibre_1;
-    let _e257 = fibre_1;
-    let _e260 = gabor_impl_tone(_e255.y, _e257.z, 0.12f);
-    colour_2 = (_e246 * (_e254 * _e260));
-    let _e268 = top;
-    let _e269 = kept_1;
-    let _e273 = fibre_1;
-    height_2 = ((fabric.relief / fabric.threads) * ((0.3f * mix(0.146f, _e268, _e269)) + (0.035f * _e273.y)));
-    let _e279 = colour_2;
-    let _e280 = height_2;
-    let _e283 = gabor_impl_material(_e279, _e280, fabric.roughness, 0f);
-    return _e283;
+    let _e241 = local_39;
+    let _e242 = kept_1;
+    share_2 = mix(0.5f, _e241, _e242);
+    let _e247 = share_2;
+    let _e252 = light;
+    colour_2 = (mix(fabric.weft, fabric.warp, vec3(_e247)) * mix(0.18f, 1f, _e252));
+    let _e256 = colour_2;
+    let _e257 = tone_1;
+    let _e259 = tone_1;
+    let _e264 = gabor_impl_tone(_e257.y, _e259.z, (0.09f * fabric.unevenness));
+    let _e265 = fibre_1;
+    let _e267 = fibre_1;
+    let _e270 = gabor_impl_tone(_e265.y, _e267.z, 0.12f);
+    colour_2 = (_e256 * (_e264 * _e270));
+    let _e274 = uneven;
+    let _e277 = uneven;
+    let _e282 = top;
+    let _e283 = kept_1;
+    top = mix((0.1352f + (_e274 * (0.0045f + (0.0062f * _e277)))), _e282, _e283);
+    let _e289 = top;
+    let _e292 = fibre_1;
+    height_2 = ((fabric.relief / fabric.threads) * ((0.3f * _e289) + (0.035f * _e292.y)));
+    let _e298 = colour_2;
+    let _e299 = height_2;
+    let _e302 = gabor_impl_material(_e298, _e299, fabric.roughness, 0f);
+    return _e302;
 }
 
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -693,7 +712,7 @@ struct GaborRipples {
 }
 
 fn gabor_ripples_default() -> GaborRipples {
-    return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.85f, 1.1f, 0.035f, 0.1f);
+    return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f);
 }
 
 fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
@@ -876,10 +895,10 @@ fn gabor_scratches_default() -> GaborScratches {
 fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborMaterial {
     var whole_2: f32 = 1f;
     var height_7: f32 = 0f;
+    var size_1: f32 = 1f;
+    var turn_11: f32 = 0.0955f;
     var threshold_2: f32;
     var i_10: i32 = 0i;
-    var size_1: f32;
-    var angle_2: f32;
     var turned_2: GaborPixel;
     var density_10: vec2<f32>;
     var noise_7: vec3<f32>;
@@ -887,59 +906,59 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
 
     threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
     loop {
-        let _e17 = i_10;
-        if !((_e17 < 14i)) {
+        let _e21 = i_10;
+        if !((_e21 < 14i)) {
             break;
         }
         {
-            let _e26 = i_10;
-            size_1 = exp2((-0.13f * f32(_e26)));
-            let _e34 = i_10;
-            angle_2 = (scratches.direction + (scratches.spread * (fract(((0.763932f * f32(_e34)) + 0.0955f)) - 0.5f)));
-            let _e45 = angle_2;
-            let _e46 = gabor_impl_turned(pixel, _e45);
-            turned_2 = _e46;
-            let _e48 = turned_2;
-            let _e56 = i_10;
-            let _e58 = gabor_lobe_seed(seed, (2i * _e56));
-            let _e59 = gabor_impl_warp(_e48, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e58);
-            turned_2 = _e59;
-            let _e65 = size_1;
-            density_10 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e65));
-            let _e69 = turned_2;
-            let _e70 = density_10;
-            let _e72 = i_10;
-            let _e76 = gabor_lobe_seed(seed, ((2i * _e72) + 1i));
-            let _e77 = gabor_impl_spots(_e69, _e70, _e76);
-            noise_7 = _e77;
+            let _e30 = turn_11;
+            let _e35 = gabor_impl_turned(pixel, (scratches.direction + (scratches.spread * (_e30 - 0.5f))));
+            turned_2 = _e35;
+            let _e37 = turned_2;
+            let _e45 = i_10;
+            let _e47 = gabor_lobe_seed(seed, (2i * _e45));
+            let _e48 = gabor_impl_warp(_e37, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e47);
+            turned_2 = _e48;
+            let _e54 = size_1;
+            density_10 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e54));
+            let _e58 = turned_2;
+            let _e59 = density_10;
+            let _e61 = i_10;
+            let _e65 = gabor_lobe_seed(seed, ((2i * _e61) + 1i));
+            let _e66 = gabor_impl_spots(_e58, _e59, _e65);
+            noise_7 = _e66;
+            let _e68 = noise_7;
+            let _e70 = noise_7;
+            let _e72 = threshold_2;
+            let _e74 = gabor_impl_above(_e68.x, _e70.z, _e72, 0.2f);
+            scratch = _e74;
+            let _e76 = scratch;
+            let _e77 = noise_7;
             let _e79 = noise_7;
-            let _e81 = noise_7;
-            let _e83 = threshold_2;
-            let _e85 = gabor_impl_above(_e79.x, _e81.z, _e83, 0.2f);
-            scratch = _e85;
-            let _e87 = scratch;
-            let _e88 = noise_7;
-            let _e90 = noise_7;
-            let _e94 = gabor_impl_above(_e88.y, _e90.z, 0.3f, 0.7f);
-            scratch = (_e87 * _e94);
-            let _e96 = whole_2;
-            let _e100 = size_1;
-            let _e103 = scratch;
-            whole_2 = (_e96 * (1f - ((0.25f + (0.7f * _e100)) * _e103)));
-            let _e107 = height_7;
-            let _e109 = size_1;
-            let _e111 = scratch;
-            height_7 = (_e107 - ((scratches.depth * _e109) * _e111));
+            let _e83 = gabor_impl_above(_e77.y, _e79.z, 0.3f, 0.7f);
+            scratch = (_e76 * _e83);
+            let _e85 = whole_2;
+            let _e89 = size_1;
+            let _e92 = scratch;
+            whole_2 = (_e85 * (1f - ((0.25f + (0.7f * _e89)) * _e92)));
+            let _e96 = height_7;
+            let _e98 = size_1;
+            let _e100 = scratch;
+            height_7 = (_e96 - ((scratches.depth * _e98) * _e100));
+            let _e103 = size_1;
+            size_1 = (_e103 * 0.9138315f);
+            let _e106 = turn_11;
+            turn_11 = fract((_e106 + 0.763932f));
         }
         continuing {
-            let _e21 = i_10;
-            i_10 = (_e21 + 1i);
+            let _e25 = i_10;
+            i_10 = (_e25 + 1i);
         }
     }
-    let _e116 = whole_2;
-    let _e119 = height_7;
-    let _e122 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, vec3(_e116)), _e119, scratches.roughness, 0f);
-    return _e122;
+    let _e112 = whole_2;
+    let _e115 = height_7;
+    let _e118 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, vec3(_e112)), _e115, scratches.roughness, 0f);
+    return _e118;
 }
 
 fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -968,7 +987,7 @@ struct GaborZebra {
 }
 
 fn gabor_zebra_default() -> GaborZebra {
-    return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.3f, 0.35f, 1f, 0.7f);
+    return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);
 }
 
 fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
@@ -999,9 +1018,9 @@ fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMater
     let _e38 = gabor_impl_layer(_e25, vec2((zebra.stripes / 1.4f)), 1.4f, (zebra.direction + (zebra.bends * _e33)), _e37);
     stripe = _e38;
     let _e40 = skin_1;
-    let _e42 = gabor_impl_turned(_e40, 0.5f);
+    let _e42 = gabor_impl_turned(_e40, 2.0707963f);
     let _e47 = gabor_lobe_seed(seed, 3i);
-    let _e48 = gabor_impl_spots(_e42, vec2<f32>(80f, 6f), _e47);
+    let _e48 = gabor_impl_spots(_e42, vec2<f32>(6f, 80f), _e47);
     hair_1 = _e48;
     let _e53 = gabor_lobe_seed(seed, 4i);
     let _e54 = gabor_impl_spots(pixel, vec2(1.2f), _e53);
@@ -1184,7 +1203,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_11: f32;
+    var turn_12: f32;
     var first_5: bool;
     var local_40: vec3<f32>;
     var fibre_2: vec3<f32>;
@@ -1223,8 +1242,8 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     within_2 = ((_e41 * _e42.p) - _e45);
     let _e50 = tow;
     let _e52 = tow;
-    turn_11 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
-    let _e63 = turn_11;
+    turn_12 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
+    let _e63 = turn_12;
     first_5 = (_e63 < 1.5f);
     let _e67 = first_5;
     if _e67 {
@@ -1247,7 +1266,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e78 = local_41;
     along_across = _e78;
     let _e81 = along_across;
-    let _e84 = turn_11;
+    let _e84 = turn_12;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
         local_42 = 0f;
     } else {
@@ -1679,15 +1698,19 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
 // Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
 // 2e-5.
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
+    var scale_4: f32;
     var x_15: f32;
 
-    x_15 = clamp(((noise - threshold) * inverseSqrt(((softness * softness) + removed))), -8f, 8f);
-    let _e16 = x_15;
-    let _e19 = x_15;
+    scale_4 = inverseSqrt(((softness * softness) + removed));
+    let _e8 = scale_4;
+    let _e10 = scale_4;
+    x_15 = clamp(((_e8 * noise) - (_e10 * threshold)), -8f, 8f);
     let _e20 = x_15;
+    let _e23 = x_15;
     let _e24 = x_15;
-    let _e26 = x_15;
-    return (1f / (1f + exp((-(_e16) * (1.595435f + ((_e19 * _e20) * (0.0735975f - ((0.0006319f * _e24) * _e26))))))));
+    let _e28 = x_15;
+    let _e30 = x_15;
+    return (1f / (1f + exp2((-(_e20) * (2.301726f + ((_e23 * _e24) * (0.1061787f - ((0.00091164f * _e28) * _e30))))))));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).

@@ -86,6 +86,10 @@ class Words(ErrorTest):
     def test_conflicting_options(self):
         self.refuse_render(["solid requires the views sphere and torus, not flat"], "--solid")
         self.refuse_render(["depth requires the view slice, not horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["wood.rings requires the material wood, not marble"], "--material=marble", "--wood.rings=9")
+        self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
+        for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
+            self.refuse_render([f"--wood.early '{colour}'", "a colour, #rrggbb"], "--material=wood", f"--wood.early={colour}")
         self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
                            "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
@@ -157,7 +161,10 @@ class LikeFiles(ErrorTest):
 
     def test_parameters(self):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
-                 ("7", ["JSON"]), ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
+                 ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),
+                 ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "a colour"]),
+                 ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "a colour"]),
+                 ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
                  ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
                  ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]),
                  ('{"scale": true}', ["scale"]), ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),

@@ -18,7 +18,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "terrain", "erode", "join", "stats", "fit", "devices", "recipes"):
+        for command in ("render", "terrain", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -28,14 +28,14 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
-                              "--zoom", "--material", "--terrain"),
+                              "--zoom", "--material", "--terrain", "--maps", "--directx"),
                    "terrain": ("-o,--output", "--png", "--heightmap", "--size", "--region", "--extent", "--hills", "--elevation", "--preset", *GULLIES,
                                "--seed", "--tileable", "--device"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
-                   "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",)}
+                   "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
         for command, names in options.items():
             text = self.succeed(command, "--help")
             listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
@@ -61,6 +61,15 @@ class Help(ProgramTest):
             self.assertEqual(macros, recipe["macros"])
             for macro in recipe["macros"].items():
                 self.assertIn("#define {} {}\n".format(*macro), text)
+
+    def test_materials_and_their_options(self):
+        materials = self.succeed("materials").split()
+        self.assertEqual(len(materials), 12)
+        for material in materials:
+            options = re.findall(r"(?m)^--(\S+) +[A-Z].*\[\S+\]$", self.succeed("materials", material))
+            self.assertTrue(5 <= len(options) <= 8, material)
+            self.assertEqual({option.partition(".")[0] for option in options}, {material})
+        self.assertRegex(self.succeed("materials", "wood"), r"--wood.rings +Year rings per unit: a number from 2 to 60 \[13\]")
 
     def test_help_writes_nothing(self):
         self.succeed("render", "-o", "out.exr", "--help")

@@ -19,7 +19,8 @@ MATERIALS = {
     "flat": {"material": "carbon-fibre", "filter": True, "seed": 3},
     "horizon": {"material": "carbon-fibre", "filter": True, "view": "horizon"},
     "sphere": {"material": "brushed-metal", "view": "sphere", "yaw": 40},
-    "torus": {"material": "brushed-metal", "view": "torus", "pitch": 50},
+    "torus": {"material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.contrast": 0.2,
+              "brushed-metal.colour": [0.6, 0.4, 0.2]},
 }
 
 
@@ -50,7 +51,10 @@ class Artist(EventsTest):
         self.assertGreater(inside.mean(), 0.1)
         self.assertGreater(normal[inside][:, 2].mean(), 200) # towards the eye
         self.assertGreater(np.abs(colour - lit)[inside].mean(), 10)
-        self.assertIn("gabor_brushed_metal(", (self.folder / "material.glsl").read_text())
+        copied = (self.folder / "material.glsl").read_text()
+        for line in ("GaborBrushedMetal m = gabor_brushed_metal_default();", "m.contrast = 0.2", "m.colour = vec3(0.6, 0.4, 0.2",
+                     "return gabor_brushed_metal_at(pixel, m, 0u);"):
+            self.assertIn(line, copied)
 
     def test_a_photograph_becomes_a_noise(self):
         write_png(self.folder / "small.png", colour_noise(32))

@@ -1,0 +1,275 @@
+#include "render/maps.hpp"
+
+#include "error.hpp"
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+#include "image/png.hpp"
+#include "render/file.hpp"
+#include "render/material.hpp"
+#include "render/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace gabor::render {
+
+namespace {
+
+const std::vector<std::string> map_channels{"R",         "G",        "B",        "height",   "roughness",
+                                            "metalness", "normal.x", "normal.y", "normal.z", "occlusion"};
+constexpr std::size_t height_channel = 3;
+constexpr std::size_t normal_channel = 6;
+constexpr std::size_t occlusion_channel = 9;
+
+// All channels of all pixels, row by row.
+struct Maps {
+    int width;
+    int height;
+    bool tiled;
+    double scale; // pixels per unit
+    std::vector<float> values;
+
+    float* at(int x, int y) {
+        return &values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)) *
+                       map_channels.size()];
+    }
+
+    // A pixel beyond an edge is the opposite one of a tile, or the nearest.
+    static int within(int i, int side, bool tiled) {
+        return tiled ? ((i % side) + side) % side : std::clamp(i, 0, side - 1);
+    }
+    double height_at(int x, int y) {
+        return static_cast<double>(at(within(x, width, tiled), within(y, height, tiled))[height_channel]);
+    }
+
+    // Heights are in units, as pixels are 1 / scale apart.
+    void add_normal(int x, int y) {
+        const auto slope = [&](int dx, int dy) {
+            const bool halved = !tiled && ((dx != 0 && (x == 0 || x == width - 1)) ||
+                                           (dy != 0 && (y == 0 || y == height - 1)));
+            return (height_at(x + dx, y + dy) - height_at(x - dx, y - dy)) * scale * (halved ? 1 : 0.5);
+        };
+        const double right = -slope(1, 0);
+        const double up = slope(0, 1);
+        const double length = std::sqrt(right * right + up * up + 1);
+        float* normal = at(x, y) + normal_channel;
+        normal[0] = static_cast<float>(right / length);
+        normal[1] = static_cast<float>(up / length);
+        normal[2] = static_cast<float>(1 / length);
+    }
+
+    // The share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
+    void add_occlusion(int x, int y) {
+        constexpr std::array<std::array<int, 2>, 8> directions{
+            {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+        const double here = height_at(x, y);
+        double open = 0;
+        for (const auto& [dx, dy] : directions) {
+            double steepest = 0;
+            for (int step = 1; step <= 32; step *= 2)
+                steepest = std::max(steepest, (height_at(x + step * dx, y + step * dy) - here) * scale /
+                                                  (step * std::hypot(dx, dy)));
+            open += 1 / (1 + steepest * steepest) / static_cast<double>(directions.size());
+        }
+        at(x, y)[occlusion_channel] = static_cast<float>(open);
+    }
+};
+
+// One PNG of the set: which channels it shows, and how.
+struct Png {
+    std::string_view name;
+    std::vector<std::size_t> channels;
+    int bits = 8;
+    float (*shown)(float) = [](float value) { return value; };
+};
+
+float unit_to_colour(float part) {
+    return 0.5f + 0.5f * part;
+}
+
+constexpr std::string_view mtlx = R"(<?xml version="1.0"?>
+<materialx version="1.38" colorspace="lin_rec709">
+  <image name="base_color" type="color3">
+    <input name="file" type="filename" value="base_color.png" colorspace="srgb_texture" />
+  </image>
+  <image name="roughness" type="float">
+    <input name="file" type="filename" value="roughness.png" />
+  </image>
+  <image name="metalness" type="float">
+    <input name="file" type="filename" value="metalness.png" />
+  </image>
+  <image name="normal" type="vector3">
+    <input name="file" type="filename" value="normal.png" />
+  </image>
+  <normalmap name="bumped" type="vector3">
+    <input name="in" type="vector3" nodename="normal" />
+  </normalmap>
+  <standard_surface name="surface" type="surfaceshader">
+    <input name="base" type="float" value="1" />
+    <input name="base_color" type="color3" nodename="base_color" />
+    <input name="specular_roughness" type="float" nodename="roughness" />
+    <input name="metalness" type="float" nodename="metalness" />
+    <input name="normal" type="vector3" nodename="bumped" />
+  </standard_surface>
+  <!-- height.png is from {low:.9g} to {high:.9g}, for a picture {width:.9g} wide -->
+  <surfacematerial name="{name}" type="material">
+    <input name="surfaceshader" type="surfaceshader" nodename="surface" />
+  </surfacematerial>
+</materialx>
+)";
+
+// With a square to look at; its buffer holds positions, normals, texture coordinates and indices.
+constexpr std::string_view gltf = R"({{
+  "asset": {{"version": "2.0", "generator": "gabor {version}"}},
+  "scene": 0,
+  "scenes": [{{"nodes": [0]}}],
+  "nodes": [{{"mesh": 0, "scale": [{width:.9g}, {height:.9g}, 1]}}],
+  "meshes": [{{"primitives": [
+    {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}, "indices": 3, "material": 0}}]}}],
+  "materials": [{{
+    "name": "{name}",
+    "pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}}, "metallicRoughnessTexture": {{"index": 2}}}},
+    "normalTexture": {{"index": 1}},
+    "occlusionTexture": {{"index": 2}},
+    "extras": {{"height": {{"uri": "height.png", "low": {low:.9g}, "high": {high:.9g}}}}}
+  }}],
+  "textures": [{{"source": 0, "sampler": 0}}, {{"source": 1, "sampler": 0}}, {{"source": 2, "sampler": 0}}],
+  "samplers": [{{"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}}],
+  "images": [{{"uri": "base_color.png"}}, {{"uri": "normal.png"}}, {{"uri": "orm.png"}}],
+  "accessors": [
+    {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+      "min": [-0.5, -0.5, 0], "max": [0.5, 0.5, 0]}},
+    {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"}},
+    {{"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"}},
+    {{"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}}],
+  "bufferViews": [
+    {{"buffer": 0, "byteOffset": 0, "byteLength": 48}},
+    {{"buffer": 0, "byteOffset": 48, "byteLength": 48}},
+    {{"buffer": 0, "byteOffset": 96, "byteLength": 32}},
+    {{"buffer": 0, "byteOffset": 128, "byteLength": 12}}],
+  "buffers": [{{"byteLength": 140, "uri": "data:application/octet-stream;base64,{square}"}}]
+}}
+)";
+constexpr std::string_view square =
+    "AAAAvwAAAD8AAAAAAAAAPwAAAD8AAAAAAAAAvwAAAL8AAAAAAAAAPwAAAL8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"
+    "AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AACAPwAAgD8AAAIAAQABAAIAAwA=";
+
+// Makes the folder, and removes it again unless it is kept.
+class Folder {
+  public:
+    explicit Folder(const std::filesystem::path& path) : path_(path) {
+        std::error_code error;
+        made_ = std::filesystem::create_directory(path, error);
+        if (error || !std::filesystem::is_directory(path))
+            throw RequestError(fmt::format("--maps '{}': cannot make the folder: {}", path.string(),
+                                           error ? error.message() : "it is a file"));
+    }
+    ~Folder() {
+        std::error_code ignored;
+        if (made_)
+            std::filesystem::remove(path_, ignored); // only if it is empty
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+  private:
+    std::filesystem::path path_;
+    bool made_ = false;
+};
+
+} // namespace
+
+void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
+                 bool directx, const std::function<void(std::uint64_t)>& advance) {
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    if (!has_material(request) || !plane)
+        throw RequestError("--maps requires a material in the view flat, as in --material wood");
+    if (std::max(request.width, request.height) > most_map_side)
+        throw RequestError(fmt::format("maps of {} x {} pixels: they have at most {} x {}", request.width,
+                                       request.height, most_map_side, most_map_side));
+    const Folder made(folder);
+    const std::size_t row = static_cast<std::size_t>(request.width) * map_channels.size();
+    std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
+                          {.name = "normal", .channels = {6, 7, 8}, .shown = unit_to_colour},
+                          {.name = "height", .channels = {3}, .bits = 16},
+                          {.name = "roughness", .channels = {4}},
+                          {.name = "metalness", .channels = {5}},
+                          {.name = "occlusion", .channels = {9}},
+                          {.name = "orm", .channels = {9, 4, 5}}};
+    if (directx)
+        pngs.push_back({.name = "normal_directx", .channels = {6, 7, 8}, .shown = unit_to_colour});
+    std::vector<image::PngWriter> writers; // open before the work begins, to fail early
+    for (const Png& png : pngs)
+        writers.emplace_back(folder / fmt::format("{}.png", png.name), request.width, request.height,
+                             static_cast<int>(png.channels.size()), png.bits);
+    image::ExrWriter exr(folder / "maps.exr", {.picture = {0, 0, request.width, request.height},
+                                               .window = {0, 0, request.width, request.height},
+                                               .channels = map_channels,
+                                               .parameters = to_json(request),
+                                               .software = software(device)});
+    image::OutputFile materialx(folder / "material.mtlx");
+    image::OutputFile scene(folder / "material.gltf");
+
+    Maps maps{request.width, request.height, plane->tileable, request.scale, {}};
+    maps.values.reserve(row * static_cast<std::size_t>(request.height));
+    render_region(device, request, {0, 0, request.width, request.height}, [&](std::span<const float> rows) {
+        advance(rows.size() / material_channels.size());
+        for (std::size_t i = 0; i < rows.size(); i += material_channels.size()) {
+            maps.values.insert(maps.values.end(), &rows[i], &rows[i] + normal_channel);
+            maps.values.resize(maps.values.size() + map_channels.size() - normal_channel);
+        }
+    });
+    float low = maps.values[height_channel];
+    float high = low;
+    for (std::size_t i = height_channel; i < maps.values.size(); i += map_channels.size()) {
+        low = std::min(low, maps.values[i]);
+        high = std::max(high, maps.values[i]);
+    }
+    std::vector<float> shown;
+    for (int y = 0; y < request.height; ++y) {
+        advance(0);
+        for (int x = 0; x < request.width; ++x) {
+            maps.add_normal(x, y);
+            maps.add_occlusion(x, y);
+        }
+        const std::span<const float> values(maps.at(0, y), row);
+        exr.write_rows(values);
+        for (std::size_t k = 0; k < pngs.size(); ++k) {
+            shown.clear();
+            for (std::size_t i = 0; i < row; i += map_channels.size())
+                for (const std::size_t channel : pngs[k].channels) {
+                    float value = values[i + channel];
+                    if (channel == height_channel)
+                        value = high > low ? (value - low) / (high - low) : 0.5f;
+                    if (channel == normal_channel + 1 && pngs[k].name == "normal_directx")
+                        value = -value;
+                    shown.push_back(pngs[k].shown(value));
+                }
+            writers[k].write_rows(shown);
+        }
+    }
+    const auto write = [&](image::OutputFile& file, std::string_view text) {
+        const double longer = std::max(request.width, request.height);
+        const std::string filled = fmt::format(
+            fmt::runtime(text), fmt::arg("name", request.material), fmt::arg("version", GABOR_VERSION),
+            fmt::arg("square", square), fmt::arg("low", low), fmt::arg("high", high),
+            fmt::arg("width", text == mtlx ? request.width / request.scale : request.width / longer),
+            fmt::arg("height", request.height / longer));
+        file.write(std::as_bytes(std::span(filled)));
+    };
+    write(materialx, mtlx);
+    write(scene, gltf);
+    for (image::PngWriter& writer : writers)
+        writer.commit();
+    exr.commit();
+    materialx.commit();
+    scene.commit();
+}
+
+} // namespace gabor::render
