@@ -152,13 +152,6 @@ class LikeFiles(ErrorTest):
             (self.folder / "like.exr").write_bytes(content)
             self.refuse_like(["cannot read"])
 
-    def test_truncated(self):
-        self.succeed("render", "-o", "whole.exr", "--size=40x40")
-        whole = (self.folder / "whole.exr").read_bytes()
-        for length in (20, 100, 300, len(whole) // 2, len(whole) - 1):
-            (self.folder / "like.exr").write_bytes(whole[:length])
-            self.refuse_like(["cannot read"])
-
     def test_parameters(self):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
                  ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),

@@ -364,21 +364,6 @@ class Errors(StatsTest):
             with self.subTest(content):
                 self.refuse(["in.exr", "OpenEXR"])
 
-    def test_truncated(self):
-        self.write(Y=np.zeros((64, 64), "f4"))
-        whole = (self.folder / "in.exr").read_bytes()
-        for length in (*range(9, 320, 31), 700, len(whole) // 2, len(whole) - 1):
-            (self.folder / "in.exr").write_bytes(whole[:length])
-            with self.subTest(length):
-                self.refuse(["in.exr"])
-
-    def test_a_header_that_claims_too_much(self):
-        for window in ((0, 0, 2**31 - 2, 0), (0, 0, 0, 2**31 - 2), (0, 0, 65535, 32767), (0, 0, 46340, 46340),
-                       (-2**31, 0, 2**31 - 1, 0), (5, 5, 4, 4)):
-            write_exr(self.folder / "in.exr", {"Y": np.zeros((4, 4), "f4")}, window=window)
-            with self.subTest(window):
-                self.refuse(["in.exr"])
-
     def test_json_that_cannot_be_written(self):
         self.write(Y=np.zeros((4, 4), "f4"))
         for output in ("missing/out.json", "in.exr/out.json", ".", ""):

@@ -20,41 +20,23 @@
 namespace gabor::test {
 
 std::span<const std::uint32_t> spirv_of(Entry3d entry) {
-    switch (entry) {
-    case Entry3d::field:
-        return sample_lattice_3d_field_spirv;
-    case Entry3d::isotropic:
-        return sample_lattice_3d_isotropic_spirv;
-    case Entry3d::surface:
-        return sample_lattice_3d_surface_spirv;
-    case Entry3d::surface_isotropic:
-        return sample_lattice_3d_surface_isotropic_spirv;
-    case Entry3d::noise:
-        return sample_lattice_3d_noise_spirv;
-    case Entry3d::complex:
-        return sample_lattice_3d_complex_spirv;
-    case Entry3d::gradient:
-        return sample_lattice_3d_gradient_spirv;
-    case Entry3d::four:
-        return sample_lattice_3d_four_spirv;
-    case Entry3d::tiled:
-        return sample_lattice_3d_tiled_spirv;
-    case Entry3d::animated:
-        return sample_lattice_3d_animated_spirv;
-    case Entry3d::filtered:
-        return sample_lattice_3d_filtered_spirv;
-    case Entry3d::noise_isotropic:
-        return sample_lattice_3d_noise_isotropic_spirv;
-    case Entry3d::noise_isotropic_gradient:
-        return sample_lattice_3d_noise_isotropic_gradient_spirv;
-    case Entry3d::noise_isotropic_filtered:
-        return sample_lattice_3d_noise_isotropic_filtered_spirv;
-    case Entry3d::noise_surface:
-        return sample_lattice_3d_noise_surface_spirv;
-    case Entry3d::noise_surface_isotropic:
-        return sample_lattice_3d_noise_surface_isotropic_spirv;
-    }
-    return {};
+    const std::span<const std::uint32_t> passes[]{sample_lattice_3d_field_spirv,
+                                                  sample_lattice_3d_isotropic_spirv,
+                                                  sample_lattice_3d_surface_spirv,
+                                                  sample_lattice_3d_surface_isotropic_spirv,
+                                                  sample_lattice_3d_noise_spirv,
+                                                  sample_lattice_3d_complex_spirv,
+                                                  sample_lattice_3d_gradient_spirv,
+                                                  sample_lattice_3d_four_spirv,
+                                                  sample_lattice_3d_tiled_spirv,
+                                                  sample_lattice_3d_animated_spirv,
+                                                  sample_lattice_3d_filtered_spirv,
+                                                  sample_lattice_3d_noise_isotropic_spirv,
+                                                  sample_lattice_3d_noise_isotropic_gradient_spirv,
+                                                  sample_lattice_3d_noise_isotropic_filtered_spirv,
+                                                  sample_lattice_3d_noise_surface_spirv,
+                                                  sample_lattice_3d_noise_surface_isotropic_spirv};
+    return passes[static_cast<std::size_t>(entry)];
 }
 
 } // namespace gabor::test

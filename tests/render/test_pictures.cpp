@@ -144,6 +144,12 @@ void compare(test::Largest& largest, const vulkan::Device& device, const render:
                 see(field.slope_y.imag(), of_slopes);
             else if (channel == "intensity")
                 see(std::abs(field.value), tolerance);
+            else if (channel == "second")
+                see(field.four[1], tolerance);
+            else if (channel == "third")
+                see(field.four[2], tolerance);
+            else if (channel == "fourth")
+                see(field.four[3], tolerance);
             ++value;
         }
     }
@@ -214,6 +220,7 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
                     continue;
                 for (const bool phasor : {false, true}) { // drawn pixel by pixel
                     request.phasor = phasor;
+                    request.values = phasor && recipe.is_lattice() ? 4 : 1;
                     CHECK(render::uses_blocks(request, render::viewport_of(request, {})) == !phasor);
                     compare(
                         largest, device, request, region,
