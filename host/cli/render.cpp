@@ -251,8 +251,7 @@ int frames_of(const RenderOptions& options) {
 
 // Without a scale, a set shows four by four units.
 void render_map_set(const RenderOptions& options) {
-    if (options.output || options.png || options.region || options.frames || options.texture ||
-        options.level)
+    if (options.output || options.png || options.region || options.frames || options.texture || options.level)
         throw RequestError("--maps writes whole sets alone: give it without -o, --png, --region, --frames, "
                            "--texture and --level");
     Work work = make_work(options);

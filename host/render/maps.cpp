@@ -166,9 +166,9 @@ class Folder {
     explicit Folder(const std::filesystem::path& path) : path_(path) {
         std::error_code error;
         made_ = std::filesystem::create_directory(path, error);
-        if (error || !std::filesystem::is_directory(path))
-            throw RequestError(fmt::format("--maps '{}': cannot make the folder: {}", path.string(),
-                                           error ? error.message() : "it is a file"));
+        if (error)
+            throw RequestError(
+                fmt::format("--maps '{}': cannot make the folder: {}", path.string(), error.message()));
     }
     ~Folder() {
         std::error_code ignored;

@@ -1,0 +1,114 @@
+"""`gabor render --maps`: a material's maps for other programs."""
+
+import json
+import struct
+import unittest
+import zlib
+from xml.etree import ElementTree
+
+import numpy as np
+
+from exr import Exr
+from png import SIGNATURE, read_colour_png, read_grey_png, unfilter
+from program import RenderTest
+
+FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
+         "material.mtlx", "material.gltf"}
+SIZE = 96
+
+
+def read_deep_png(path):
+    """The 16 bits of each pixel."""
+    data = path.read_bytes()
+    assert data.startswith(SIGNATURE)
+    width, height, bits, kind = struct.unpack_from(">IIBB", data, 16)
+    assert (bits, kind) == (16, 0)
+    at, packed = 8, b""
+    while at < len(data):
+        size, = struct.unpack_from(">I", data, at)
+        packed += data[at + 8:at + 8 + size] if data[at + 4:at + 8] == b"IDAT" else b""
+        at += 12 + size
+    rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + 2 * width)
+    halves = [unfilter(np.hstack([rows[:, :1], rows[:, 1 + half::2]])) for half in (0, 1)]
+    return 256 * halves[0].astype(int) + halves[1]
+
+
+def encoded(light):
+    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+class Maps(RenderTest):
+    def maps(self, *options, material="bark"):
+        self.succeed("render", "--material", material, "--size", f"{SIZE}x{SIZE}", "--maps", "set", *options)
+        folder = self.folder / "set"
+        channels = Exr(folder / "maps.exr").channels
+        return folder, {name: values.astype(float) for name, values in channels.items()}
+
+    def test_images_show_the_channels(self):
+        folder, maps = self.maps()
+        self.assertEqual({path.name for path in folder.iterdir()}, FILES)
+        colour = np.dstack([maps[name] for name in "RGB"])
+        normal = np.dstack([maps[f"normal.{axis}"] for axis in "xyz"])
+        orm = np.dstack([maps[name] for name in ("occlusion", "roughness", "metalness")])
+        height = maps["height"]
+        for name, expected in (("base_color", encoded(colour)), ("normal", 0.5 + 0.5 * normal), ("orm", orm)):
+            self.assertLessEqual(np.abs(read_colour_png(folder / f"{name}.png") - 255 * expected).max(), 0.51, name)
+        for name in ("roughness", "metalness", "occlusion"):
+            self.assertLessEqual(np.abs(read_grey_png(folder / f"{name}.png") - 255 * maps[name]).max(), 0.51, name)
+        expected = 65535 * (height - height.min()) / (height.max() - height.min())
+        self.assertLessEqual(np.abs(read_deep_png(folder / "height.png") - expected).max(), 1)
+        np.testing.assert_allclose((normal ** 2).sum(axis=2), 1, atol=1e-6)
+        self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
+
+    def test_normals_are_those_of_the_height(self):
+        """Four units across, x to the right and y up in the picture."""
+        _, maps = self.maps()
+        down, right = np.gradient(maps["height"], 4 / SIZE)
+        inside = (slice(1, -1), slice(1, -1))
+        np.testing.assert_allclose((maps["normal.x"] / maps["normal.z"])[inside], -right[inside], atol=1e-3)
+        np.testing.assert_allclose((maps["normal.y"] / maps["normal.z"])[inside], down[inside], atol=1e-3)
+
+    def test_hollows_are_darker(self):
+        _, maps = self.maps()
+        height, occlusion = maps["height"], maps["occlusion"]
+        low = height < np.quantile(height, 0.1)
+        self.assertLess(occlusion[low].mean(), 0.9 * occlusion[height > np.quantile(height, 0.9)].mean())
+
+    def test_tiles_have_no_seam_in_any_map(self):
+        _, maps = self.maps("--tileable", material="leather")
+        for name, values in maps.items():
+            for axis in (0, 1):
+                seam = np.abs(values.take(0, axis) - values.take(-1, axis)).mean()
+                self.assertLessEqual(seam, 1.6 * np.abs(np.diff(values, axis=axis)).mean(), name)
+
+    def test_directx(self):
+        folder, maps = self.maps("--directx")
+        ours, theirs = (read_colour_png(folder / f"{name}.png").astype(int) for name in ("normal", "normal_directx"))
+        np.testing.assert_array_equal(ours[..., ::2], theirs[..., ::2])
+        self.assertLessEqual(np.abs(ours[..., 1] + theirs[..., 1] - 255).max(), 1)
+
+    def test_documents_name_files_of_the_set(self):
+        folder, maps = self.maps("--bark.depth=0.2")
+        scene = json.loads((folder / "material.gltf").read_text())
+        self.assertEqual({image["uri"] for image in scene["images"]}, {"base_color.png", "normal.png", "orm.png"})
+        height = scene["materials"][0]["extras"]["height"]
+        np.testing.assert_allclose((height["low"], height["high"]), (maps["height"].min(), maps["height"].max()), rtol=1e-6)
+        document = ElementTree.parse(folder / "material.mtlx")
+        files = {each.get("value") for each in document.iterfind(".//input[@name='file']")}
+        self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png"})
+        self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
+
+    def test_what_is_refused(self):
+        for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
+                               (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
+                               (["--maps", "without -o"], ["--material=wood", "-o", "a.exr"])):
+            self.assert_refused(words, "render", "--maps", "set", *options)
+            self.assertEqual(self.files(), {})
+        self.assert_refused(["--directx is for --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
+        (self.folder / "file").write_text("mine")
+        self.assert_refused(["--maps 'file'", "cannot make the folder"], "render", "--material=wood", "--maps", "file")
+        self.assertEqual((self.folder / "file").read_text(), "mine")
+
+
+if __name__ == "__main__":
+    unittest.main()
