@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -52,5 +53,14 @@ class Largest {
     double difference_ = 0;
     std::string where_ = "nowhere";
 };
+
+/// The largest differences of several functions, by their names.
+using Differences = std::map<std::string, Largest>;
+
+inline void check(const Differences& differences) {
+    CHECK_FALSE(differences.empty());
+    for (const auto& [name, largest] : differences)
+        largest.check(name);
+}
 
 } // namespace gabor::test

@@ -9,6 +9,7 @@
 #include <numbers>
 
 using namespace gabor;
+using test::Differences;
 using test::Draw;
 using test::Largest;
 using test::LatticeSample;
@@ -78,108 +79,115 @@ noise::LatticePlace tile_at(const LatticeSample& s, int taps) {
     return place;
 }
 
-} // namespace
-
-TEST_CASE("the lattice noise agrees with the reference", "[lattice]") {
+// Compares answers to random samples with each number of taps; `see` sees those to one sample, with the
+// tolerances of values and of slopes.
+template <typename See>
+void compare(unsigned seed, const See& see) {
     const vulkan::Device device;
     for (const int taps : {2, 3, 4}) {
-        Draw draw(static_cast<unsigned>(taps));
+        Draw draw(seed + static_cast<unsigned>(taps));
         test::LatticeSampler sampler(device, taps, per_batch);
-        Largest value, quadrature, slope, unorm, at, plain, complex, gradient, four, animated, tiled, wave,
-            wave_gradient, stripes;
-        std::size_t near_tiles = 0;
+        Differences differences;
         for (int batch = 0; batch < 6; ++batch) {
             for (LatticeSample& sample : sampler.samples())
                 sample = draw_sample(draw, taps);
             const auto answers = sampler.answers(per_batch);
             for (std::size_t i = 0; i < per_batch; ++i) {
                 const LatticeSample& s = sampler.samples()[i];
-                const test::LatticeAnswer& answer = answers[i];
-                const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
-                const double tight = tolerance(s);
-                const double loose = slope_tolerance(s);
-                const auto field = reference.field(s.place());
-                value.see(answer.value[1], field.value.imag(), tight, s);
-                quadrature.see(answer.value[0], field.value.real(), tight, s);
-                slope.see(answer.slope_x[1], field.slope_x.imag(), loose, s);
-                slope.see(answer.slope_y[1], field.slope_y.imag(), loose, s);
-                unorm.see(answer.unorm, std::clamp(0.5 + 0.25 * field.value.imag(), 0.0, 1.0), tight, s);
-
-                noise::LatticePlace place;
-                place.cell_x = s.cell[0];
-                place.cell_y = s.cell[1];
-                place.local_x = s.local[0];
-                place.local_y = s.local[1];
-                place.radius_x = place.radius_y = 0.5 * taps;
-                at.see(answer.at, reference.field(place).value.imag(), tight, s);
-
-                place = place_at(s, taps);
-                const auto here = reference.field(place);
-                plain.see(answer.noise, here.value.imag(), tight, s);
-                complex.see(answer.complex[0], here.value.real(), tight, s);
-                complex.see(answer.complex[1], here.value.imag(), tight, s);
-                gradient.see(answer.gradient_noise, here.value.imag(), tight, s);
-                gradient.see(answer.gradient[0], here.slope_x.imag(), loose, s);
-                gradient.see(answer.gradient[1], here.slope_y.imag(), loose, s);
-                for (std::size_t c = 0; c < 4; ++c)
-                    four.see(answer.four[c], here.four[c], tight, s);
-                place.animated = true;
-                place.time = s.time;
-                animated.see(answer.animated, reference.field(place).value.imag(), tight, s);
-                // The position in node spacings is rounded, and so is their number to a radius: near enough
-                // by.
-                const noise::LatticePlace tile = tile_at(s, taps);
-                const double cycles = s.frequency + std::max(tile.radius_x, tile.radius_y);
-                const double position = std::max(std::abs(s.p[0]), std::abs(s.p[1])) * std::exp2(-21);
-                const double rounding = 2 * std::numbers::pi * cycles * position;
-                const double tile_tolerance = tight + rounding;
-                const bool near = rounding < 1e-3;
-                near_tiles += near;
-                if (near)
-                    tiled.see(answer.tiled, reference.field(tile).value.imag(), tile_tolerance, s);
-
-                const noise::Lattice of_wave(taps, {s.wave[0], s.wave[1]}, s.seed);
-                const auto waved = of_wave.field(place_at(s, taps));
-                wave.see(answer.wave[3], waved.value.imag(), tight, s);
-                wave.see(answer.wave_complex[0], waved.value.real(), tight, s);
-                wave.see(answer.wave_complex[1], waved.value.imag(), tight, s);
-                if (near)
-                    wave.see(answer.wave_tiled, of_wave.field(tile).value.imag(), tile_tolerance, s);
-                wave_gradient.see(answer.wave[0], waved.value.imag(), tight, s);
-                wave_gradient.see(answer.wave[1], waved.slope_x.imag(), loose, s);
-                wave_gradient.see(answer.wave[2], waved.slope_y.imag(), loose, s);
-                const double steep = std::max(1.0, static_cast<double>(s.sharpness));
-                const auto packed = [](const std::array<double, 3>& v) { return v[0] + 2 * v[1] + 4 * v[2]; };
-                const auto expected = noise::lattice_stripes(waved.value, s.sharpness);
-                for (std::size_t c = 0; c < 3; ++c)
-                    stripes.see(answer.stripes[c], expected[c], steep * tight, s);
-                stripes.see(answer.stripes[3],
-                            packed(noise::lattice_stripes(of_wave.field(s.place()).value, s.sharpness)),
-                            7 * steep * tight, s);
-                if (near)
-                    stripes.see(answer.stripes_tiled,
-                                packed(noise::lattice_stripes(of_wave.field(tile).value, s.sharpness)),
-                                7 * steep * tile_tolerance, s);
+                see(differences, s, answers[i], taps, tolerance(s), slope_tolerance(s));
             }
         }
         fmt::print("{} taps on {}; largest differences in units of the tolerance\n", taps,
                    device.info().name);
-        value.check("gabor_field");
-        quadrature.check("  its real part");
-        slope.check("  its gradient");
-        unorm.check("gabor_unorm");
-        at.check("gabor_noise_at");
-        plain.check("gabor_noise");
-        complex.check("gabor_noise_complex");
-        gradient.check("gabor_noise_gradient");
-        four.check("gabor_noise_four");
-        animated.check("gabor_noise_animated");
-        tiled.check("gabor_noise_tiled");
-        wave.check("gabor_noise_wave, _complex, _tiled");
-        wave_gradient.check("gabor_noise_wave_gradient");
-        stripes.check("gabor_stripes, _at, _tiled");
-        CHECK(near_tiles > per_batch);
+        test::check(differences);
     }
+}
+
+// What the rounding of p adds to a tile's tolerance: p in node spacings is rounded, and so is their number to
+// a radius. Tiles are compared where that is little.
+double tile_rounding(const LatticeSample& s, const noise::LatticePlace& tile) {
+    const double cycles = s.frequency + std::max(tile.radius_x, tile.radius_y);
+    const double position = std::max(std::abs(s.p[0]), std::abs(s.p[1])) * std::exp2(-21);
+    return 2 * std::numbers::pi * cycles * position;
+}
+
+} // namespace
+
+TEST_CASE("the lattice noise agrees with the reference at any place", "[lattice]") {
+    compare(0, [](Differences& of, const LatticeSample& s, const test::LatticeAnswer& answer, int taps,
+                  double tight, double loose) {
+        const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
+        const auto field = reference.field(s.place());
+        of["gabor_field"].see(answer.value[1], field.value.imag(), tight, s);
+        of["gabor_field, real part"].see(answer.value[0], field.value.real(), tight, s);
+        of["gabor_field, gradient"].see(answer.slope_x[1], field.slope_x.imag(), loose, s);
+        of["gabor_field, gradient"].see(answer.slope_y[1], field.slope_y.imag(), loose, s);
+        of["gabor_unorm"].see(answer.unorm, std::clamp(0.5 + 0.25 * field.value.imag(), 0.0, 1.0), tight, s);
+        noise::LatticePlace place{s.cell[0], s.cell[1], s.local[0], s.local[1]};
+        place.radius_x = place.radius_y = 0.5 * taps;
+        of["gabor_noise_at"].see(answer.at, reference.field(place).value.imag(), tight, s);
+    });
+}
+
+TEST_CASE("functions of a position agree with the reference", "[lattice]") {
+    std::size_t near_tiles = 0;
+    compare(10, [&](Differences& of, const LatticeSample& s, const test::LatticeAnswer& answer, int taps,
+                    double tight, double loose) {
+        const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
+        noise::LatticePlace place = place_at(s, taps);
+        const auto here = reference.field(place);
+        of["gabor_noise"].see(answer.noise, here.value.imag(), tight, s);
+        of["gabor_noise_complex"].see(answer.complex[0], here.value.real(), tight, s);
+        of["gabor_noise_complex"].see(answer.complex[1], here.value.imag(), tight, s);
+        of["gabor_noise_gradient"].see(answer.gradient_noise, here.value.imag(), tight, s);
+        of["gabor_noise_gradient"].see(answer.gradient[0], here.slope_x.imag(), loose, s);
+        of["gabor_noise_gradient"].see(answer.gradient[1], here.slope_y.imag(), loose, s);
+        for (std::size_t c = 0; c < 4; ++c)
+            of["gabor_noise_four"].see(answer.four[c], here.four[c], tight, s);
+        place.animated = true;
+        place.time = s.time;
+        of["gabor_noise_animated"].see(answer.animated, reference.field(place).value.imag(), tight, s);
+        const noise::LatticePlace tile = tile_at(s, taps);
+        const double rounding = tile_rounding(s, tile);
+        if (rounding < 1e-3) {
+            ++near_tiles;
+            of["gabor_noise_tiled"].see(answer.tiled, reference.field(tile).value.imag(), tight + rounding,
+                                        s);
+        }
+    });
+    CHECK(near_tiles > 3 * per_batch);
+}
+
+TEST_CASE("functions of a wave vector, and stripes, agree with the reference", "[lattice]") {
+    compare(20, [](Differences& of, const LatticeSample& s, const test::LatticeAnswer& answer, int taps,
+                   double tight, double loose) {
+        const noise::Lattice reference(taps, {s.wave[0], s.wave[1]}, s.seed);
+        const auto here = reference.field(place_at(s, taps));
+        of["gabor_noise_wave"].see(answer.wave[3], here.value.imag(), tight, s);
+        of["gabor_noise_wave_complex"].see(answer.wave_complex[0], here.value.real(), tight, s);
+        of["gabor_noise_wave_complex"].see(answer.wave_complex[1], here.value.imag(), tight, s);
+        of["gabor_noise_wave_gradient"].see(answer.wave[0], here.value.imag(), tight, s);
+        of["gabor_noise_wave_gradient"].see(answer.wave[1], here.slope_x.imag(), loose, s);
+        of["gabor_noise_wave_gradient"].see(answer.wave[2], here.slope_y.imag(), loose, s);
+        const double steep = std::max(1.0, static_cast<double>(s.sharpness));
+        const auto expected = noise::lattice_stripes(here.value, s.sharpness);
+        for (std::size_t c = 0; c < 3; ++c)
+            of["gabor_stripes"].see(answer.stripes[c], expected[c], steep * tight, s);
+        const auto packed = [&](const noise::Field& field) {
+            const auto v = noise::lattice_stripes(field.value, s.sharpness);
+            return v[0] + 2 * v[1] + 4 * v[2];
+        };
+        of["gabor_stripes_at"].see(answer.stripes[3], packed(reference.field(s.place())), 7 * steep * tight,
+                                   s);
+        const noise::LatticePlace tile = tile_at(s, taps);
+        const double rounding = tile_rounding(s, tile);
+        if (rounding < 1e-3) {
+            const auto repeated = reference.field(tile);
+            of["gabor_noise_wave_tiled"].see(answer.wave_tiled, repeated.value.imag(), tight + rounding, s);
+            of["gabor_stripes_tiled"].see(answer.stripes_tiled, packed(repeated),
+                                          7 * steep * (tight + rounding), s);
+        }
+    });
 }
 
 TEST_CASE("node words agree bit for bit and are these", "[lattice]") {
