@@ -4,6 +4,7 @@
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 
+#include "passes/bake_interface.h"
 #include "passes/line.h"
 #include "passes/material_interface.h"
 #include "passes/pictures.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace gabor;
 using namespace gabor::render;
@@ -216,6 +218,18 @@ TEST_CASE("a zoomed view shows places nearer to each other, and a coarse one far
         CHECK(step(zoomed[0], zoomed[i]) == Approx(step(before[0], before[i]) / 2).margin(1e-5));
         CHECK(step(coarse[0], coarse[i]) == Approx(step(before[0], before[i]) * 4).margin(1e-5));
     }
+}
+
+TEST_CASE("a coarse view has its waves through the filter of its pixels") {
+    const Request request{.scale = 32, .lobes = {{.frequency = 4}}};
+    Viewport viewport = viewport_of(request, {0, 0, 64, 64});
+    const auto amplitude = [&](int stride) {
+        viewport.stride = stride;
+        return values_of<passes::BakeWave>(plan(request, viewport).tables.at(2)).at(0).amplitude;
+    };
+    // Half a pixel of deviation: 15/4 square pixels more where 4 x 4 become one.
+    CHECK(amplitude(4) / amplitude(1) ==
+          Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
 }
 
 TEST_CASE("bands cover a region once, and blocks are never cut") {
