@@ -6,7 +6,7 @@ class App;
 
 namespace gabor::cli {
 
-/// Each adds one subcommand, which does its work in its callback.
+/// Each adds one subcommand, whose callback does the work.
 void add_render_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_erode_command(CLI::App& app);

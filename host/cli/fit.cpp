@@ -109,15 +109,13 @@ void add_fit_command(CLI::App& app) {
         ->type_name("FILE")
         ->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "The preset to write, NAME.json: gabor render --preset NAME.json draws it")
+        ->add_option("-o,--output", options->output, "Output: a preset NAME.json for gabor render --preset")
         ->type_name("FILE")
         ->required();
     command
-        ->add_option(
-            "--lobes", options->lobes,
-            fmt::format("The most lobes that it may have, 1 to {}: each costs as much as a plain noise [{}]",
-                        fit::most_lobes, options->lobes))
+        ->add_option("--lobes", options->lobes,
+                     fmt::format("Largest number of lobes, 1 to {}; each costs as much as one noise [{}]",
+                                 fit::most_lobes, options->lobes))
         ->type_name("NUMBER");
     command
         ->add_option("--glsl", options->glsl,

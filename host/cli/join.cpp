@@ -65,8 +65,8 @@ void add_join_command(CLI::App& app) {
         ->type_name("FILE")
         ->required();
     command->add_flag("--texture", options->texture,
-                      "Assemble a texture from the levels that `gabor render --level` draws");
-    command->add_flag("--half", options->half, "A texture of 16-bit floats");
+                      "Assemble a texture from levels rendered by `gabor render --level`");
+    command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     command->callback([options] { join(*options); });
 }
 

@@ -1,4 +1,4 @@
-// What there is to choose from: devices, recipes, and parameters of materials.
+// Lists devices, recipes, and the parameters of materials.
 
 #include "cli/commands.hpp"
 #include "noise/recipe.hpp"

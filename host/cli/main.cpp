@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
     std::vector<char*> words(argv, argv + argc);
-    // gabor render --terrain is the command terrain, whose options are others.
+    // gabor render --terrain runs the command terrain, which has other options.
     const auto terrain = std::ranges::find(words, std::string_view("--terrain"),
                                            [](const char* word) { return std::string_view(word); });
     static char command[] = "terrain";

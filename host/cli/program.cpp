@@ -24,16 +24,16 @@ namespace gabor::cli {
 
 namespace {
 
-// One line on stderr, whatever the message holds: names from files may hold control characters.
+// Prints one line on stderr, without control characters, which names in files may contain.
 int fail(const Program& program, int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
     std::fputs(fmt::format("{}: {}\n", program.name, message).c_str(),
-               stderr); // if nobody reads it, the status still tells
+               stderr); // if this fails, the exit status remains
     return status;
 }
 
-// Help without what CLI11 adds to the names of flags that can be taken back: --no-filter{false}.
+// Removes what CLI11 adds to negated flags in the help: --no-filter{false}.
 class Formatter : public CLI::Formatter {
     std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
         const std::string name = CLI::Formatter::make_option_name(option, is_positional);
@@ -41,7 +41,7 @@ class Formatter : public CLI::Formatter {
     }
 };
 
-// How many letters must be changed, added or left out to come from one word to the other.
+// The edit distance between two words: letters to change, add or remove.
 std::size_t edits(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -56,7 +56,7 @@ std::size_t edits(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-// What a word that is not known may have been meant to be, among the options or the subcommands.
+// The option or subcommand that is most similar to an unknown word, if any is similar enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -82,8 +82,8 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
     CLI::App app(program.description, program.name);
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);
-    app.option_defaults()->disable_flag_override(); // --verbose=3 is no flag
-    app.require_subcommand(0, 1);                   // with 1, CLI11 would not say which word it does not know
+    app.option_defaults()->disable_flag_override(); // reject --verbose=3
+    app.require_subcommand(0, 1);                   // (1, 1) would hide the unknown word in CLI11's message
     for (const auto& add : program.commands)
         add(app);
     try {
@@ -93,9 +93,9 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         const std::vector<std::string> words = app.remaining(true);
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
-            app.exit(error); // prints what --help and --version ask for
-        else if (!words
-                      .empty()) // also where an option is missing, which may be what the word was meant to be
+            app.exit(error);     // prints --help or --version
+        else if (!words.empty()) // first, even if a required option is missing: the word may be a misspelling
+                                 // of it
             return fail(program, 2,
                         fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
                                     where_to_look(app)));
@@ -116,18 +116,18 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
 } // namespace
 
 int run(const Program& program, int argc, const char* const* argv) {
-    // The next file that is opened would take the place of a standard stream that is closed, and what is
-    // printed would go into it. What stands in for it cannot be written, so that printing fails.
+    // If a standard stream is closed, the next file to be opened would take its number and receive what is
+    // printed. Fill the gap with a file that cannot be written, so that printing fails instead.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0)
             ::open("/dev/null", O_RDONLY);
-    std::signal(SIGPIPE, SIG_IGN); // a reader who goes away is an error like any other
-    std::signal(SIGXFSZ, SIG_IGN); // so is a file that grows too large
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an ordinary error
+    std::signal(SIGXFSZ, SIG_IGN); // so is a file that is too large
     try {
         return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {
         fail(program, 1, "interrupted; nothing half-done was kept");
-        // End as the signal would have, so that shells and queues see why.
+        // Terminate by the same signal, so that shells and queues see the reason.
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal);
         return 1;

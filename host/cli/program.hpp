@@ -9,16 +9,16 @@ class App;
 
 namespace gabor::cli {
 
-/// A command-line program. Each of `commands` adds one subcommand, which does its work in its callback.
+/// A command-line program. Each of `commands` adds one subcommand, whose callback does the work.
 struct Program {
     std::string name;
     std::string description; ///< one sentence, for its help
     std::vector<void (*)(CLI::App&)> commands;
 };
 
-/// Does what the command line asks for and returns the exit status: 0 done, 1 failed while working, 2 the
-/// request was wrong. Errors are one line on stderr. After SIGINT or SIGTERM it cleans up and does not
-/// return: the signal ends the process.
+/// Runs the command line and returns the exit status: 0 for success, 1 if the work failed, 2 if the request
+/// was wrong. Prints errors as one line on stderr. After SIGINT or SIGTERM it cleans up and does not return:
+/// the signal terminates the process.
 int run(const Program& program, int argc, const char* const* argv);
 
 /// The program `gabor`.

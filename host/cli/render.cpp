@@ -37,7 +37,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The options as given. What is absent comes from --like or --preset, or else is as by default.
+// The options on the command line. Others come from --like or --preset, or have their defaults.
 struct RenderOptions {
     std::optional<std::string> output;
     std::optional<std::string> png;
@@ -48,8 +48,7 @@ struct RenderOptions {
     std::optional<std::string> like;
     std::optional<std::string> preset;
     std::optional<std::string> frames;
-    std::string compression =
-        "none"; // noise hardly compresses: zip saves a fortieth and takes ten times as long
+    std::string compression = "none"; // zip saves 2.5 % of a noise and takes ten times as long
     std::optional<std::string> level;
     std::string device;
     bool texture = false;
@@ -58,7 +57,7 @@ struct RenderOptions {
     std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; ///< all of the table
 };
 
-// What to render, and which part of it.
+// What to render, and which region.
 struct Work {
     render::Request request;
     image::Rect region;
@@ -68,7 +67,7 @@ struct Work {
     throw RequestError(fmt::format("{} '{}': it takes {}", option, text, accepted));
 }
 
-// `count` whole numbers between separators, as in 1024x768 or 0,0,64,64.
+// Parses `count` whole numbers with separators, such as 1024x768 or 0,0,64,64.
 template <std::size_t count>
 std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
                                       std::string_view accepted) {
@@ -144,7 +143,7 @@ Work make_work(const RenderOptions& options) {
             region = like.region;
     }
     render::set(work.request, given_values(options));
-    work.request.filter |= options.texture || options.level; // levels are seen through it
+    work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
     if (options.level)
         work.request = level_of(work.request, *options.level);
@@ -187,7 +186,7 @@ void warn_above_nyquist(const render::Request& request) {
                    highest);
 }
 
-// Also for files that are still to be made, and however they are written.
+// Compares files that may not exist yet, however their paths are written.
 bool same_file(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -209,12 +208,12 @@ void print_times(const render::FileTimes& times, const vulkan::Device& device, d
     fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
 
-// A name by its extension: an EXR has .exr or none, a PNG .png.
+// Tells an EXR (.exr or no extension) from a PNG (.png) by its name.
 bool is_png(const std::string& path) {
     return std::filesystem::path(path).extension() == ".png";
 }
 
-// The files that -o and --png name.
+// The output files of -o and --png.
 render::Files files_of(const RenderOptions& options) {
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
     const std::string extension = std::filesystem::path(*options.output).extension();
@@ -366,7 +365,7 @@ std::string help_of(const render::Parameter& parameter) {
     }
 }
 
-// Every row of the table but for the two that --size gives.
+// Adds every parameter of the table except width and height, which --size sets.
 void add_parameters(CLI::App& command, RenderOptions& options) {
     for (const render::Parameter& parameter : render::parameters()) {
         if (parameter.name == "width" || parameter.name == "height")
@@ -394,8 +393,8 @@ void add_render_command(CLI::App& app) {
     command
         ->add_option(
             "-o,--output", options->output,
-            "What to write: NAME.exr, 32-bit float channels of which Y is the noise; or NAME.png, to "
-            "look at: mean 0.5, two standard deviations to the ends")
+            "Output: NAME.exr, whose 32-bit float channel Y is the noise, or NAME.png, where -2 to 2 "
+            "standard deviations become black to white")
         ->type_name("FILE");
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
     command
@@ -406,29 +405,27 @@ void add_render_command(CLI::App& app) {
     command->add_flag("--directx", options->directx, "With --maps: also normals for DirectX");
     command
         ->add_option("--size", options->size,
-                     fmt::format("Of the picture in pixels, up to {0} x {0} [{1}x{2}]",
+                     fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
                                  render::parameter("width").range.high, defaults.width, defaults.height))
         ->type_name("WIDTHxHEIGHT");
     add_parameters(*command, *options);
     command
-        ->add_option(
-            "--preset", options->preset,
-            fmt::format(
-                "Take what is not given from a preset: {}, or a file NAME.json such as gabor fit writes",
-                fmt::join(render::preset_names(), ", ")))
+        ->add_option("--preset", options->preset,
+                     fmt::format("Use a preset for options not given: {}, or a file NAME.json from gabor fit",
+                                 fmt::join(render::preset_names(), ", ")))
         ->type_name("NAME");
     command
         ->add_option("--like", options->like,
-                     "Take what is not given from the header of an EXR rendered before, or from a JSON file")
+                     "Use the options of an earlier EXR, or of a JSON file, for options not given")
         ->type_name("FILE");
     command
         ->add_option("--region", options->region,
-                     "Only this part, with exactly the pixels that the whole has there on the same driver")
+                     "Render only this part of the picture, with the same pixels")
         ->type_name("X,Y,WIDTH,HEIGHT");
     command
-        ->add_option(
-            "--frames", options->frames,
-            fmt::format("Render one period of the animation as NAME.0001.exr and on: {}", frames_accepted))
+        ->add_option("--frames", options->frames,
+                     fmt::format("Render one period of the animation as NAME.0001.exr, NAME.0002.exr ...: {}",
+                                 frames_accepted))
         ->type_name("NUMBER");
     command
         ->add_option("--compression", options->compression,
@@ -441,18 +438,17 @@ void add_render_command(CLI::App& app) {
         ->type_name("NAME");
     command->add_flag(
         "--texture", options->texture,
-        "Write a texture for renderers: tiles, and every level of a mip map as --filter sees it; "
-        "sides must be powers of two");
-    command->add_flag("--half", options->half, "A texture of 16-bit floats");
+        "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be "
+        "powers of two");
+    command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     command
         ->add_option(
             "--level", options->level,
-            "Only this level of what --texture draws, as a picture with its sides and its scale, for "
-            "`gabor join --texture`: 0 is the largest")
+            "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest")
         ->type_name("NUMBER");
     command->add_flag_callback(
-        "--terrain", [] {}, "Draw eroded mountains instead, with the options of gabor terrain");
-    command->add_flag("--verbose", options->verbose, "Also print where time and memory went");
+        "--terrain", [] {}, "Draw eroded mountains; takes the options of gabor terrain");
+    command->add_flag("--verbose", options->verbose, "Print how much time and memory each step took");
     command->callback([options, start] { render_pictures(*options, start); });
 }
 

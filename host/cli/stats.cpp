@@ -30,10 +30,10 @@ using statistics::Estimate;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
 
-// Deviations from the normal distribution become visible here.
+// The smallest cvm at which a deviation from the normal distribution is visible.
 constexpr double visible_cvm = 0.5;
 
-// Ours are flat. Deeper ones are ignored: writing them would overflow the stack.
+// Our JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
@@ -42,7 +42,7 @@ struct StatsOptions {
     std::optional<std::string> json;
 };
 
-// The file's header, and the measurements.
+// A file's header and its measurements.
 struct Measured {
     int width = 0;
     int height = 0;
@@ -50,11 +50,11 @@ struct Measured {
     json parameters;             // null without a `gabor` attribute
     std::optional<double> scale; // pixels per kernel radius
     statistics::NormalDistribution expected;
-    std::uint64_t outside = 0; // pixels that are, in part at least, beside the body, and left out
+    std::uint64_t outside = 0; // excluded pixels, which the body does not cover entirely
     PictureReport report;
 };
 
-// Reads a picture's channel. Where there is a channel A, pixels with A below 1 become NaN. Returns how many.
+// Reads a channel. Sets pixels to NaN where a channel A is below 1, and returns their number.
 template <typename Use>
 std::uint64_t read_bands(const StatsOptions& options, const std::string& channel, Progress& progress,
                          Use use) {
@@ -83,16 +83,16 @@ std::uint64_t read_bands(const StatsOptions& options, const std::string& channel
     return outside;
 }
 
-// The theoretical variance of a channel around 0, from the parameters in the file's header.
+// The theoretical variance of a channel, according to the parameters in the file's header.
 std::optional<double> known_variance(const std::string& channel, const std::string& parameters) {
     try {
         return render::known_variance(render::from_json(parameters), channel);
     } catch (const RequestError&) {
-        return {}; // not ours, or not as we write it
+        return {}; // not written by gabor
     }
 }
 
-// A channel without a known variance is read twice: first for its own mean and variance.
+// If a channel's variance is unknown, reads the channel twice: first for its mean and variance.
 Measured measure(const StatsOptions& options) {
     const image::ExrReader reader(options.files, options.channel);
     Measured measured;
@@ -163,7 +163,7 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
             {"radial", std::move(radial)}};
 }
 
-// Numbers that do not exist (NaN, infinity) become null; a channel's name may be no UTF-8.
+// NaN and infinity become null. A channel's name may be invalid UTF-8.
 std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
@@ -218,13 +218,13 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
     print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
 }
 
-// A small picture cannot tell a visible deviation from chance.
+// In a small picture, chance hides a visible deviation.
 bool has_cvm(const std::optional<BlockEstimates>& blocks) {
     return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
 }
 
-// The side of the smallest square, a power of two, whose cvm has the smallest visible value: what can be told
-// from chance is inversely proportional to the number of pixels.
+// The side of the smallest square, a power of two, in which a visible cvm exceeds chance. The threshold is
+// inversely proportional to the number of pixels.
 double side_for_cvm(const Measured& measured, const BlockEstimates& blocks) {
     const double pixels = static_cast<double>(measured.report.moments.count());
     const double needed = std::sqrt(pixels * blocks.smallest_cvm / visible_cvm);

@@ -44,7 +44,8 @@ void Progress::advance(std::uint64_t by) {
 void note_interrupts() {
     struct sigaction action = {};
     action.sa_handler = note;
-    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND); // a second signal ends the process at once
+    action.sa_flags =
+        static_cast<int>(SA_RESTART | SA_RESETHAND); // a second signal terminates the process at once
     for (const int signal : {SIGINT, SIGTERM})
         sigaction(signal, &action, nullptr);
 }

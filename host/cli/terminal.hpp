@@ -6,8 +6,8 @@
 
 namespace gabor::cli {
 
-/// A line on the terminal that shows how far long work has come and how long it will still take. Silent when
-/// stderr is not a terminal, and in the first half second.
+/// Shows the progress of long work and the remaining time on the terminal's last line. Prints nothing in the
+/// first half second, or if stderr is not a terminal.
 class Progress {
   public:
     Progress(std::string label, std::uint64_t total);
@@ -31,13 +31,13 @@ struct Interrupted {
     int signal;
 };
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the process.
+/// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
 void note_interrupts();
 
-/// Throws Interrupted once a signal was noted. Long work calls it between its parts.
+/// Throws Interrupted after such a signal. Call it regularly during long work.
 void check_interrupt();
 
-/// The most memory that this process has had resident so far, bytes.
+/// The largest resident memory of this process so far, in bytes.
 long peak_memory();
 
 } // namespace gabor::cli

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int sample_side = 1024;
 
-// Something that fills a picture, ready to be timed again and again.
+// A noise that fills a picture, ready to be timed repeatedly.
 struct Measurement {
     Row row;
     const noise::Recipe* baked = nullptr; // of a bake
@@ -77,7 +77,7 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
     return measurement;
 }
 
-// One round after another, so that what disturbs the machine disturbs all alike.
+// Interleave the rounds, so that other load affects all noises alike.
 void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
     for (int round = -1; round < repetitions; ++round) {
         for (Measurement& measurement : measurements) {
@@ -158,7 +158,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
             continue;
         const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
         measurements[i].row.cvm = cvm;
-        for (Measurement& other : measurements) // a bake has the values of its recipe, to 5e-5
+        for (Measurement& other : measurements) // a bake has its recipe's values, within 5e-5
             if (other.baked && other.baked == all[i].recipe)
                 other.row.cvm = cvm;
     }

@@ -10,14 +10,14 @@
 
 namespace gabor::bench {
 
-/// Of the seconds of a measurement that was repeated.
+/// Quartiles of repeated timings, in seconds.
 struct Quartiles {
     double median = 0;
     double lower = 0;
     double upper = 0;
 };
 
-/// One thing that was timed.
+/// One timed noise.
 struct Row {
     std::string name;
     double visited = 0; ///< impulses visited for each pixel; 0 where there are none
@@ -42,14 +42,14 @@ struct Effort {
     int sample_batches = 16; ///< of 2^20 samples for each cvm
 };
 
-/// Runs everything in one process, interleaved, after a warm-up. `step` is called after each measurement, for
-/// progress and to be interrupted by throwing. Throws RequestError on a device that cannot tell times.
+/// Times all noises in one process, interleaved, after a warm-up. Calls `step` after each measurement; an
+/// exception from it aborts. Throws RequestError on a device without timestamps.
 Report run(const vulkan::Device& device, const Effort& effort, const std::function<void()>& step);
 
-/// How often `run` calls `step`.
+/// The number of times that `run` calls `step`.
 int steps(const Effort& effort);
 
-/// What a device's compiler makes of a pipeline, from VK_KHR_pipeline_executable_properties.
+/// A compiler's statistics of a pipeline, from VK_KHR_pipeline_executable_properties.
 struct Code {
     std::string name;
     double instructions = 0; ///< per pixel
@@ -57,10 +57,10 @@ struct Code {
     int registers = 0;       ///< vector registers of an invocation
 };
 
-/// The code of everything that the benchmark times, except the seminal noise, whose loops end at random. It
-/// is compiled and never run, so the device need not exist: RADV's null device gives the same figures on
-/// every machine. A bake's loop over rows is counted as often as it runs in a full block. Throws RequestError
-/// on a device without that extension.
+/// Statistics of everything that the benchmark times, except the seminal noise, whose loops have random
+/// lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
+/// machine. Counts a bake's loop over rows as often as it runs in a full block. Throws RequestError on a
+/// device without that extension.
 std::vector<Code> measure_code(const vulkan::Device& device);
 
 } // namespace gabor::bench

@@ -20,7 +20,8 @@ Code unrolled(std::string name, const Statistics& statistics) {
             static_cast<int>(value(statistics, "VGPRs"))};
 }
 
-// A block's code is what comes before its rows, and the rows: the difference of two rows and one is one row.
+// A block's code consists of a part before the rows, and of the rows. Code for two rows minus code for one
+// is one row.
 Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     render::Request request;
     request.recipe = recipe;
@@ -34,7 +35,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const Statistics one = statistics(1);
     const Statistics two = statistics(2);
     const int columns = static_cast<int>(step.constants[passes::block_columns_id]);
-    constexpr int rows = 16; // of a GPU's block
+    constexpr int rows = 16; // in a GPU's block
     const auto per_pixel = [&](const char* name) {
         const double first = value(one, name);
         return (first + (rows - 1) * (value(two, name) - first)) / (rows * columns);

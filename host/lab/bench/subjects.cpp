@@ -78,7 +78,7 @@ Subject drop_in(const noise::Recipe& recipe, Function function) {
             {number}};
 }
 
-// Each visits 3 x 3 x 3 nodes.
+// Each sums 3 x 3 x 3 nodes.
 Subject in_space(SpaceFunction function) {
     constexpr std::array names{"",
                                "gabor_noise_3d",
@@ -117,7 +117,7 @@ std::vector<Subject> subjects() {
 }
 
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use) {
-    // A shader ignores the ids that it does not name.
+    // Shaders ignore constants with unknown ids.
     std::vector<std::uint32_t> constants(20, 0);
     if (subject.recipe)
         std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());

@@ -10,8 +10,7 @@
 
 namespace gabor::bench {
 
-/// A noise that the benchmark fills a picture with, one pixel per invocation, by a pass that includes
-/// passes/bench/bench.glsl.
+/// A noise to time. Its pass includes passes/bench/bench.glsl and computes one pixel per invocation.
 struct Subject {
     std::string name;
     double visited = 0; ///< impulses visited for each pixel; 0 where there are none
@@ -23,16 +22,16 @@ struct Subject {
     int octaves = 0; ///< rounds of a loop that compilers keep; their number is the last option
 };
 
-/// What others are compared with: the same noises as published, written plainly but with everything that all
-/// impulses share computed once.
+/// The yardsticks: the published noises, written plainly, but with everything that all impulses share
+/// computed once.
 inline constexpr const char* seminal_yardstick = "seminal, N = 30, hoisted";
 inline constexpr const char* advice_yardstick = "the paper's advice, N = 2, hoisted";
 
-/// All of them, in the order of the report.
+/// All subjects, in the order of the report.
 std::vector<Subject> subjects();
 
-/// The functions of passes/bench/recipe.comp, by their numbers there. A sparse recipe has them up to
-/// `animated`, and those from `spread` on the lattice with 3 taps.
+/// The functions of passes/bench/recipe.comp, with the same numbers. Sparse recipes have those up to
+/// `animated`; only the lattice with 3 taps has those from `spread` on.
 enum class Function : std::uint32_t {
     noise,
     gradient,
@@ -46,10 +45,10 @@ enum class Function : std::uint32_t {
     isotropic
 };
 
-/// The drop-in of a recipe, which the subject refers to.
+/// A function of a recipe's drop-in. The subject keeps a reference to the recipe.
 Subject drop_in(const noise::Recipe& recipe, Function function);
 
-/// The functions of passes/bench/space.comp, by their numbers there.
+/// The functions of passes/bench/space.comp, with the same numbers.
 enum class SpaceFunction : std::uint32_t {
     noise = 1,
     isotropic,
@@ -62,36 +61,36 @@ enum class SpaceFunction : std::uint32_t {
 /// A function of gabor_lattice_3d.glsl.
 Subject in_space(SpaceFunction function);
 
-/// The seminal noise, or the paper's advice, with so many impulses per cell, hoisted.
+/// The seminal noise, or the paper's advice, with this number of impulses per cell, hoisted.
 Subject seminal(int impulses);
 Subject advice(int impulses);
 
-/// What a picture is filled with.
+/// The size and the frequency of a timed picture.
 struct Setting {
     int side;         ///< pixels
     double scale;     ///< pixels per kernel radius
     double frequency; ///< cycles per kernel radius
 };
 
-/// The setting that everything is compared at.
+/// The setting of all comparisons.
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 
-/// What a pass is made for: to fill a picture, to evaluate random places of independent instances, or to ask
-/// what it compiles to.
+/// The use of a pass: fill a picture, evaluate random places of independent instances, or report the
+/// compiler's statistics.
 enum class Use { picture, samples, statistics };
 
-/// The pass of a subject.
+/// Makes the pass of a subject.
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use);
 
-/// Fills a square picture with a subject, again and again.
+/// Fills a square picture with a subject repeatedly.
 class Filling {
   public:
-    /// `picture`: holds that many floats, and lives as long.
+    /// `picture` must hold all pixels as floats and outlive this object.
     Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,
             const vulkan::Buffer& picture);
 
-    /// Seconds on the device's own clock, NaN where it has none.
+    /// Returns the seconds by the device's clock, NaN if it has none.
     double run();
 
   private:
@@ -100,7 +99,7 @@ class Filling {
     vulkan::Job job_;
 };
 
-/// Has `job`, of a subject's pass, fill a picture, or as many values.
+/// Submits `job`, of a subject's pass, to fill a picture or the same number of samples.
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed);
 
 } // namespace gabor::bench

@@ -54,7 +54,7 @@ void print_base(const std::vector<bench::Row>& rows) {
     }
 }
 
-// The row that docs/benchmark.html prints: ms per megapixel, which are ns per pixel, without the writing.
+// The same row as docs/benchmark.html: milliseconds per megapixel, without the time to write pixels.
 void print_row(const vulkan::Device& device, const std::vector<bench::Row>& rows) {
     const double writing = find(rows, "writing alone").nanoseconds_per_pixel();
     fmt::print("\n| device | API | gabor_noise | 2 taps | Perlin | simplex | advice | seminal |\n"

@@ -8,18 +8,17 @@
 
 namespace gabor::statistics {
 
-/// Spectral lines: what repeats from cell to cell of a grid has power at whole numbers of cycles per cell
-/// alone, where the power spectrum of a picture that covers whole cells then stands out from its
-/// surroundings.
+/// Spectral lines. A pattern that repeats from cell to cell of a grid has all its power at whole numbers of
+/// cycles per cell. There the spectrum of a picture of whole cells exceeds its surroundings.
 class Lines {
   public:
     static constexpr int pixels_per_cell = 4;
 
-    /// Of pictures of `side` * `side` pixels, the first at a corner of a cell. Throws std::invalid_argument
-    /// unless `side` is a multiple of four, and at least 32.
+    /// For pictures of `side` * `side` pixels whose first pixel is at a corner of a cell. Throws
+    /// std::invalid_argument unless `side` is a multiple of 4 and at least 32.
     explicit Lines(int side);
 
-    /// The next row; after `side` of them comes the first of another picture.
+    /// Adds the next row. After `side` rows, the next picture begins.
     void add_row(std::span<const float> row);
 
     /// The largest ratio, over the frequencies (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) and (2, 1) cycles per
@@ -49,14 +48,14 @@ class Lines {
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };
-    /// What each function is of a value n.
+    /// The formula of each function of a value n.
     static constexpr std::array<std::string_view, count> names{"n", "n^2", "|n|", "n^4", "|n| > 2.5"};
 
-    /// As Lines, of values with variance 1.
+    /// Like Lines, for values with variance 1.
     explicit NoiseLines(int side) : lines_(count, Lines(side)) {}
     void add_row(std::span<const float> row);
 
-    /// Of each function, in the order of the names.
+    /// The ratio of each function, in the order of the names.
     std::array<double, count> largest() const;
 
   private:

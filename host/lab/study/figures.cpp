@@ -104,7 +104,7 @@ void figure2_pictures(const vulkan::Device& device, const Effort& effort, const 
 // Figure 3: the seminal N that is needed for the same Gaussianity, against N.
 
 void SeminalCurve::add(int n, double cvm) {
-    // Chance can make the low end of the curve rise; what does not fall adds nothing.
+    // By chance the curve can rise at its low end. Only use the part that falls.
     if (cvm > 0 && (points_.empty() || std::log(cvm) < points_.back().first))
         points_.emplace_back(std::log(cvm), std::log(n));
 }
@@ -227,7 +227,7 @@ std::vector<Noise> six_lobes(const vulkan::Device& device, const Ingredients& in
 }
 
 std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
-    constexpr double scale = 80; // so that the thinnest lines of the colour map have some pixels
+    constexpr double scale = 80; // gives the thinnest lines of the colour map a few pixels
     std::vector<float> total(std::size_t{1} << 2 * bits);
     std::uint32_t seed = 0;
     for (Noise& noise : sum)
@@ -235,7 +235,7 @@ std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
     return total;
 }
 
-// Sharp veins on a gradient: where the noise is off by a little the picture is off by much.
+// Sharp veins on a gradient: small differences of the noise change the picture a lot.
 std::array<float, 3> colour(float noise) {
     const float t = std::clamp(render::unorm(noise), 0.0f, 1.0f);
     const float vein = std::exp(-40 * noise * noise);

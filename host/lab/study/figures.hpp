@@ -1,6 +1,6 @@
 #pragma once
 
-// The figures of the paper (figures.cpp) and the questions beyond them, each in the file of its name.
+// The figures of the paper (figures.cpp), and further questions, each in the file of that name.
 
 #include "noise/recipe.hpp"
 #include "study/study.hpp"
@@ -13,7 +13,7 @@ namespace gabor::study {
 using Tables = std::vector<Table>;
 using Folder = std::filesystem::path;
 
-/// The figures of the paper, and the study's own; pictures go into `folder`.
+/// The figures of the paper and of this study. They write pictures into `folder`.
 Tables figure1(const vulkan::Device& device, const Effort& effort);
 Tables figure2(const vulkan::Device& device, const Effort& effort);
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
@@ -45,14 +45,14 @@ inline constexpr std::string_view recipe_columns =
     "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
     "places_chance,contrast_interdecile,sidelobe_db,outside,cvm_places,cvm_places_low,cvm_places_high";
 
-/// Every criterion of one recipe: Gaussianity pooled over places and at each place of a cell, the variance
-/// there, the contrast of windows, spectral purity.
+/// All criteria of one recipe: Gaussianity over all places and at each place of a cell, variance at each
+/// place, contrast of windows, spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
 
 /// The same for a recipe of the lattice.
 Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort);
 
-/// The same for the seminal noise, which is no variant.
+/// The same for the seminal noise.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
 /// Appends to each of such rows 1 where it is on the Pareto front, 0 elsewhere: where its variance is

@@ -1,4 +1,4 @@
-// Gaussianity against impulses visited and spectral purity: the Pareto front of recipes.
+// The Pareto front of recipes: Gaussianity, number of impulses summed, spectral purity.
 
 #include "study/figures.hpp"
 #include "study/lattice.hpp"
@@ -25,7 +25,7 @@ constexpr std::array window_functions{
 };
 constexpr double most_visited = 20;
 
-// Columns of `recipe_columns` that are measured.
+// The measured columns of `recipe_columns`.
 enum Column : std::size_t {
     visits = 0,
     places_interdecile = 5,
@@ -44,8 +44,8 @@ bool dominates(const Numbers& a, const Numbers& b) {
     return better;
 }
 
-// Every criterion of a noise: the columns of `recipe_columns` after its key. `cell`: its side in kernel
-// radii.
+// Measures all criteria of a noise, the columns of `recipe_columns` after the key. `cell` is a cell's side in
+// kernel radii.
 Numbers criteria(Noise noise, const SpectralPurity& purity, double visits, double cell, const Effort& effort,
                  std::uint32_t seed) {
     const std::span<Noise> sum = single(noise);

@@ -21,7 +21,7 @@ enum class Weights { uniform, bernoulli, none };
 enum class Kernel { cosine, sine, random_phase };
 enum class Envelope { gaussian, c0, c1_radial, c1_separable };
 
-/// Each of them once.
+/// All of them.
 inline constexpr std::array all_points{Points::poisson,      Points::stratified, Points::jittered,
                                        Points::jittered_hex, Points::sobol,      Points::scrambled_sobol};
 inline constexpr std::array all_weights{Weights::uniform, Weights::bernoulli, Weights::none};
@@ -29,14 +29,14 @@ inline constexpr std::array all_kernels{Kernel::cosine, Kernel::sine, Kernel::ra
 inline constexpr std::array all_envelopes{Envelope::gaussian, Envelope::c0, Envelope::c1_radial,
                                           Envelope::c1_separable};
 
-/// As in the paper, in lower case: what tables say.
+/// The paper's name in lower case, as in tables.
 std::string_view name(Points points);
 std::string_view name(Weights weights);
 std::string_view name(Kernel kernel);
 std::string_view name(Envelope envelope);
 
-/// One of the noises that [TNVT19] compares; the default is the seminal one. Cells have the side of the
-/// kernel radius.
+/// A noise of the comparison in [TNVT19]; the default is the seminal noise. A cell's side is the kernel
+/// radius.
 struct Ingredients {
     Points points = Points::poisson;
     Weights weights = Weights::uniform;

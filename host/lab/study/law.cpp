@@ -1,5 +1,5 @@
-// What a law pooled over places hides: the law at each place of a cell, that of pairs of places, how much the
-// covariance of two places depends on where they are, and what of the cells power spectra show.
+// Effects that vanish in averages over places: the distribution at each place of a cell, the distribution of
+// pairs, the dependence of the covariance on the place, and traces of the cells in power spectra.
 
 #include "study/figures.hpp"
 
@@ -50,7 +50,7 @@ std::vector<Subject> subjects() {
     return all;
 }
 
-// A noise that is made when it is first asked for, and then kept for a table's rows.
+// A noise that is created when first used, and kept for the other rows of a table.
 using Source = std::function<Noise&()>;
 
 Source source(const vulkan::Device& device, const Subject& subject, const PlaneWave& wave) {
@@ -61,7 +61,7 @@ Source source(const vulkan::Device& device, const Subject& subject, const PlaneW
     };
 }
 
-// Instances with the same seed are the same, and begin at the same places.
+// Equal seeds give equal instances, at the same places.
 std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
     std::vector<float> values(instances << 2 * grid.bits);
     noise.fill(values, grid, 0, seed, ~seed);
@@ -81,7 +81,7 @@ ValueStatistics statistics_of(std::span<const float> values, double deviation = 
 
 constexpr std::string_view law_columns = "cvm,cvm_low,cvm_high,excess_kurtosis,beyond_3.5";
 
-// The law of one value of each instance.
+// The distribution of one value per instance.
 Numbers law_of(Noise& noise, const Grid& grid, std::uint64_t instances, std::uint32_t seed) {
     const std::vector<float> values = draw(noise, instances, grid, seed);
     const ValueStatistics statistics = statistics_of(values);
@@ -124,8 +124,8 @@ Table pooled(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// The sum and the difference of two values that are a lag apart, at a random place. Their deviation depends
-// on the lag and is that of the samples.
+// The sum and the difference of two values at a given lag, at a random place, divided by their sample
+// deviation, which depends on the lag.
 Table pairs(const vulkan::Device& device, const Effort& effort) {
     constexpr double largest = 2; // deviation of the sum of two values of variance 1
     Table table{"law_pairs",
@@ -172,7 +172,7 @@ constexpr PlaneWave whole_turns{4, 0};
 
 constexpr std::size_t place_count = side * side;
 
-// At each place of a cell the mean product of values a lag apart.
+// The mean product of values at this lag, at each place of a cell.
 std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
                                             double cells_per_radius, std::uint64_t instances,
                                             std::uint32_t seed) {
@@ -216,7 +216,8 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     Table table{
         "law_covariance", "noise,lag_x,lag_y,instances,covariance,rms,rms_chance,largest,largest_chance", {}};
     const std::uint64_t instances = effort.places / 2;
-    std::vector<Numbers> theory; // nothing but the lattice depends on the place: signs and phases have mean 0
+    std::vector<Numbers>
+        theory; // only the lattice's depends on the place: random signs and phases have mean 0
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, whole_turns);
         const double radius = subject.cells_per_radius;
@@ -249,7 +250,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// Peaks of power spectra at the frequencies of the cells, in pictures of independent instances.
+// Peaks at the cells' frequencies in power spectra of independent instances.
 Table spectra(const vulkan::Device& device, const Effort& effort) {
     constexpr std::uint64_t pictures = 12;
     Table table{"law_spectra", "noise,pictures,side,value,square,magnitude,fourth_power,beyond_2.5", {}};

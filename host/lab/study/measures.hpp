@@ -11,14 +11,14 @@
 
 namespace gabor::study {
 
-// Each measures the sum of several noises, with another seed each: `seed` decides everything.
+// Each function measures the sum of several noises with different seeds, all derived from `seed`.
 
 /// A sum of one noise.
 inline std::span<Noise> single(Noise& noise) {
     return {&noise, 1};
 }
 
-/// What is measured of values.
+/// The statistics of values.
 struct ValueStatistics {
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;
@@ -27,16 +27,17 @@ struct ValueStatistics {
 /// One value at a random place of each of `samples` independent instances.
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed);
 
-/// Windows of one kernel diameter, each of another instance, 16 x 16 pixels each.
+/// Windows of one kernel diameter with 16 x 16 pixels, each from another instance.
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
                                                  std::uint32_t seed);
 
-/// 8 x 8 places of a cell, over many instances. `cell`: its side in kernel radii.
+/// 8 x 8 places of a cell, over many instances. `cell` is its side in kernel radii.
 struct PlaceStatistics {
     statistics::ProcessStationarity stationarity;
     std::vector<statistics::Estimate> cvm; ///< the index at each place
 
-    /// The index averaged over the places; the interval is the average of theirs, which is wider than needed.
+    /// The mean index of all places. The interval is the mean of their intervals, which is wider than
+    /// necessary.
     statistics::Estimate mean_cvm() const;
 };
 PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
@@ -48,10 +49,10 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
                                   std::uint32_t seed);
 
 /// Returns each noise's seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius:
-/// the medians of `timings` rounds in which the noises take turns, so that other load touches all alike.
+/// the medians of `timings` rounds in which the noises take turns, so that other load affects all alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
-/// Such a picture, or one with as many pixels to a kernel radius as `scale` says: its pixels, row by row.
+/// Returns the pixels of such a picture, row by row, with `scale` pixels per kernel radius.
 std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale = 32);
 
 } // namespace gabor::study

@@ -13,8 +13,8 @@
 
 namespace gabor::study {
 
-/// A square of 2^bits x 2^bits places in every instance, row by row, at the centres of its pixels. One place
-/// of no extent is a value.
+/// A square of 2^bits x 2^bits places in every instance, row by row, at the centres of pixels. A single place
+/// without extent is a value.
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< kernel radii
@@ -22,7 +22,7 @@ struct Grid {
     std::array<double, 2> shift{}; ///< from there, kernel radii
 };
 
-/// A noise on the device, of the variance that is asked for.
+/// A noise on the device, scaled to a given variance.
 class Noise {
   public:
     Noise(const vulkan::Device& device, const Ingredients& ingredients, const PlaneWave& wave = {},
@@ -30,12 +30,11 @@ class Noise {
     Noise(const vulkan::Device& device, const Variant& variant, const PlaneWave& wave = {},
           double variance = 1);
 
-    /// The drop-in's own, which has variance 1.
+    /// The drop-in's noise, with variance 1.
     Noise(const vulkan::Device& device, const noise::Recipe& recipe, const PlaneWave& wave = {});
 
-    /// The values of one instance after the other, from `first` on. Instances with the same `place_seed`
-    /// begin at the same places. Returns the seconds that it took on the device, NaN where that cannot be
-    /// measured.
+    /// Computes the values of consecutive instances, from `first` on. Instances with the same `place_seed`
+    /// start at the same places. Returns the seconds on the device, NaN if it cannot measure them.
     double fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
                 std::uint32_t place_seed);
 
@@ -53,16 +52,16 @@ class Noise {
     vulkan::Job job_;
 };
 
-/// The place of an impulse, in cells.
+/// The position of an impulse, in cells.
 struct Point {
     float x;
     float y;
 };
 
-/// The impulses of each cell, row by row of cells.
+/// The impulses of each cell; cells are in row order.
 using PointSet = std::vector<std::vector<Point>>;
 
-/// Of a square of `side` x `side` cells, from the cell at the origin on.
+/// Returns those of `side` x `side` cells, starting at the origin.
 PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
                    std::uint32_t seed);
 

@@ -11,7 +11,7 @@
 
 namespace gabor::study {
 
-/// How much is measured.
+/// The numbers of samples.
 struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
     std::uint64_t windows;     ///< of independent instances, per row
@@ -24,11 +24,11 @@ struct Effort {
 
     /// The paper's seven million samples, and N up to 30: all up to 10, then fewer.
     static Effort full();
-    /// Everything in two minutes on a software device.
+    /// A run of everything in two minutes on a software device.
     static Effort quick();
 };
 
-/// One figure or question: the tables that it consists of, and pictures to write beside them.
+/// A figure or a question: its tables, and a function that writes its pictures.
 struct Study {
     std::string_view name;
     std::string_view description; ///< for help texts
@@ -37,13 +37,13 @@ struct Study {
     void (*pictures)(const vulkan::Device& device, const Effort& effort, const std::filesystem::path& folder);
 };
 
-/// In the order in which they are to be read.
+/// All of them, in reading order.
 std::span<const Study> studies();
 
-/// Throws RequestError, listing the known names.
+/// Throws RequestError with the known names.
 const Study& find_study(std::string_view name);
 
-/// The one of that name, or `all`. Throws RequestError, listing the known names.
+/// Returns the figure of that name, or all for `all`. Throws RequestError with the known names.
 std::vector<Study> find_studies(std::string_view name);
 
 } // namespace gabor::study

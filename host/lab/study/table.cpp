@@ -35,7 +35,7 @@ void commit(image::OutputFile& file, std::string_view text) {
 
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance) {
-    image::OutputFile csv(path_of(table, folder, "csv")); // refuses before anything is measured
+    image::OutputFile csv(path_of(table, folder, "csv")); // fails before the measurement
     const std::filesystem::path sidecar = path_of(table, folder, "json");
     image::OutputFile json(sidecar);
     std::vector<Numbers> all;
@@ -51,7 +51,7 @@ void write_table(const Table& table, const std::filesystem::path& folder, const 
     std::string text = table.columns + (table.derived.empty() ? "" : "," + table.derived) + '\n';
     for (std::size_t i = 0; i < all.size(); ++i)
         text += fmt::format("{},{:.6g}\n", table.rows[i].key, fmt::join(all[i], ","));
-    std::filesystem::remove(sidecar); // it spoke of the older table
+    std::filesystem::remove(sidecar); // it described the previous table
     commit(csv, text);
     commit(json, conditions);
 }

@@ -13,8 +13,8 @@ namespace gabor::study {
 /// The numbers of a row.
 using Numbers = std::vector<double>;
 
-/// One row of a table: its first columns as text, and what measures the others. Everything random in it comes
-/// from the seed, a hash of the text, so a row has the same numbers in any table and on every run.
+/// One row of a table: its first columns as text, and a function that measures the others. Its random numbers
+/// depend only on a hash of the text, so a row has the same numbers in any table and in every run.
 struct Row {
     std::string key;
     double cost; ///< in any unit, for the time left
@@ -33,14 +33,13 @@ struct Table {
 /// Rows that this process has measured, by their table's columns and their key.
 using MeasuredRows = std::map<std::string, Numbers>;
 
-/// Measures a table and writes `folder`/NAME.csv, then NAME.json, the sidecar, which holds `conditions`: what
-/// the numbers depend on besides the table. Takes rows that are in `measured` from there and adds the others.
-/// Calls `advance` with the cost of each row; what that throws ends the work, and nothing of the table is
-/// written.
+/// Measures a table and writes `folder`/NAME.csv, then the sidecar NAME.json with `conditions`, everything
+/// else that the numbers depend on. Takes rows from `measured` if they are there, and adds the others. Calls
+/// `advance` with the cost of each row; an exception from it aborts, and nothing is written.
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance);
 
-/// Says whether the table in the folder is finished and was measured under these conditions.
+/// Tells whether the folder holds the complete table, measured under these conditions.
 bool is_finished(const Table& table, const std::filesystem::path& folder, const std::string& conditions);
 
 /// Adds up the costs of all rows.

@@ -14,7 +14,7 @@ enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
-/// What tables say.
+/// Its name in tables.
 std::string_view name(Lattice lattice);
 std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
@@ -29,7 +29,7 @@ struct Window {
 /// The window at (x, y), in kernel radii.
 double value(const Window& window, double x, double y);
 
-/// A recipe around the drop-in's: random phases, and choices that the drop-in does not have.
+/// A recipe with random phases and choices that the drop-in does not offer.
 struct Variant {
     Window window;
     int impulses = 1;  ///< N, per cell
@@ -46,15 +46,14 @@ std::vector<std::uint32_t> constants(const Variant& variant);
 /// N R^2 E[w^2] integral(window^2) / 2: the mean over all places, and at each place where jitter is 1.
 double variance(const Variant& variant);
 
-/// How many impulses there are, on average, in the cells whose impulses can reach a place: N (2 R +
-/// jitter)^2.
+/// The mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
 double visited(const Variant& variant);
 
 /// The floor, in steps of 1/1000, with which the noise is nearest to a normal distribution by its cumulants
 /// of orders 4 and 6, which a Cramér-von Mises index sees together.
 double best_floor(const Variant& variant);
 
-/// How much of a kernel's power is where it was asked for. The spectrum of a kernel is that of its window
+/// The share of a kernel's power in its main lobe. The spectrum of a kernel is that of its window
 /// around the wave vector: a lobe up to its first minimum, then sidelobes.
 struct SpectralPurity {
     double sidelobe = 0; ///< power of the largest sidelobe, dB of the lobe's peak
