@@ -1,4 +1,4 @@
-"""What shaders/nodes has of the drop-ins: modules of WGSL for Bevy; and, for languages without structs or unsigned integers,
+"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy; and, for languages without structs or unsigned integers,
 the library of MaterialX's nodes with a few functions of gabor_lattice.glsl, also in the Open Shading Language and in MDL.
 tools/translate calls it."""
 
@@ -14,7 +14,7 @@ COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
 OSL_SHADER = NODES / "osl" / "gabor_lattice.osl"
 
-# What the library takes from the drop-in as it is.
+# Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
 TAKEN = r"(// ---- From gabor_lattice\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
@@ -26,7 +26,7 @@ LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifie
 # ---- Text ----------------------------------------------------------------------------------------------------------
 
 def arguments(text, opening):
-    """Where the parenthesis that opens there is closed, and what commas part within it."""
+    """Finds the closing parenthesis, and the arguments before it."""
     depth, parts, start = 0, [], opening + 1
     for place in range(opening, len(text)):
         depth += (text[place] in "([{") - (text[place] in ")]}")
@@ -39,7 +39,7 @@ def arguments(text, opening):
 
 
 def each_call(text, name, rewritten):
-    """The text with each call of a function of that name, a pattern, rewritten from its name and its arguments."""
+    """Rewrites each call of the functions that match a pattern, from name and arguments."""
     pattern, result, place = re.compile(rf"(?<![\w.])(?<!struct )({name})\("), "", 0
     while match := pattern.search(text, place):
         end, parts = arguments(text, match.end() - 1)
@@ -100,13 +100,13 @@ def common(source):
 
 
 def integers(text, shifted):
-    """With int for uint, which has the same bits for all but >>."""
+    """Replaces uint by int, which behaves equally except for >>."""
     text = re.sub(r"\buint\b", "int", re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"\1", text))
     return re.sub(r"(\((?:[^()]|\([^()]*\))*\)|\w+) >> (\d+)", shifted, text)
 
 
 def copied(parameters, body):
-    """With a copy of each parameter that the body assigns to: OSL would change the caller's variable, and MDL refuses."""
+    """Copies parameters that the body assigns to: OSL would change the caller's variable, and MDL forbids it."""
     for kind, name in re.findall(r"(\w+) (\w+)(?:,|$)", parameters):
         if "out " not in parameters and re.search(rf"\b{name} [-+*/]?= ", body):
             parameters = re.sub(rf"\b{name}\b", f"{name}_", parameters)
@@ -132,7 +132,7 @@ int mx_gabor_right(int word, int bits)
 
 
 def osl_function(match):
-    """vec2 and vec3 are vectors, and vec4 is MaterialX's struct, as its vector2 is what a node is given."""
+    """vec2 and vec3 become vectors, vec4 becomes MaterialX's struct."""
     parameters, body = copied(match["parameters"], match["body"])
     if match["type"] == "void":
         parameters = re.sub(r"\bvec2\b", "vector2", parameters)
@@ -196,7 +196,7 @@ def mdl_variants():
 
 
 def mdl(texts):
-    """All of it in one module."""
+    """Everything in one module."""
     whole = "\n".join(re.sub("(?:.*\n)*?(?=^(#define|uint|void))", "", text, count=1, flags=re.MULTILINE) for text in texts)
     whole = integers(whole, r"\1 >>> \2").replace("// ---- End ----\n\n", "")
     for name, number in re.findall(r"^#define (\w+) (\S+)\n", whole, re.MULTILINE):
@@ -256,7 +256,7 @@ def tsl_function(match):
 
 
 def tsl(source):
-    """The functions that the nodes take from the drop-in, and its constants."""
+    """The drop-in's constants, and the functions that the nodes use."""
     lattice = source("gabor_lattice")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(source).items()]
@@ -268,7 +268,7 @@ def tsl(source):
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(source):
-    """Path and text of each file, from a function that gives the text of a drop-in."""
+    """Path and text of each file. The argument returns the text of a drop-in."""
     glsl = common(source)
     yield from bevy_modules()
     yield COMMON, glsl

@@ -1,4 +1,4 @@
-// ---- GLSL's vectors, as much of them as the noise uses
+// ---- GLSL's vectors, as far as the noise uses them
 // -------------------------------------------------------------
 
 #ifndef GABOR_VECTORS_HPP
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-// All is inlined: only then do compilers make vectors of a loop over points.
+// Everything is inlined, because only then do compilers vectorize loops over points.
 #if defined(__GNUC__)
 #define GABOR_INLINE inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
@@ -81,7 +81,7 @@ using gabor_ivec4 = gabor_vector<int, 4>;
 using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
 using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
 
-// A function of vectors of one length, part by part; R is the type of its results' parts.
+// A componentwise function of vectors of equal length; R is the type of the result's components.
 #define GABOR_EACH(name, R, function)                                                                        \
     template <typename T>                                                                                    \
     GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \
@@ -153,7 +153,7 @@ GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
     return v.x || v.y || v.z;
 }
 
-// condition ? a : b, without a branch, at which compilers would give up making vectors.
+// condition ? a : b without a branch, which would prevent vectorization.
 GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
     std::uint32_t x, y;
     std::memcpy(&x, &a, sizeof x);
@@ -164,7 +164,7 @@ GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
     return a;
 }
 
-// std::floor is a call where the processor has no instruction for it; and beyond 2^23 all floats are
+// std::floor is a function call on processors without an instruction for it. Beyond 2^23 all floats are
 // integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
     const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
