@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace gabor;
+using test::Differences;
 using test::Draw;
 using test::Largest;
 
@@ -127,8 +128,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, period and m
     Draw draw(71);
     for (Sample& s : sampler.samples())
         s = drawn(draw);
-    Largest given, given_slope, field, slope, positions, noise, complex, gradient, tiled, stripes, stripes_at,
-        stripes_tiled;
+    Differences of;
     // Waves of up to 6 cycles, at offsets rounded to 1e-7 of 8 kernel radii.
     constexpr double value_tolerance = 3e-5, slope_tolerance = 5e-4;
     const auto see_field = [](Largest& values, Largest& slopes, const Field& found,
@@ -160,17 +160,19 @@ TEST_CASE("noise along a map agrees with the reference in any cell, period and m
             waves.at(k) = {s.waves[k][0], s.waves[k][1]};
             for (std::size_t axis = 0; axis < 2; ++axis)
                 if (std::abs(around.at(k).at(axis)) < 2e9 && s.period[axis])
-                    positions.see(a.nodes[k][axis], around.at(k).at(axis), 1e-5, s);
+                    of["gabor_node_position"].see(a.nodes[k][axis], around.at(k).at(axis), 1e-5, s);
         }
-        see_field(given, given_slope, a.given, noise::Lattice::field(place, waves, s.seed), 2e-5, 6e-4, s);
+        see_field(of["gabor_field_waves"], of["gabor_field_waves, slopes"], a.given,
+                  noise::Lattice::field(place, waves, s.seed), 2e-5, 6e-4, s);
 
         place.cell_x = place.cell_y = 0;
         if (is_ambiguous(place))
             ++left_out;
         else {
             const auto expected = along_map(place, s.seed);
-            see_field(field, slope, a.field, expected, value_tolerance, slope_tolerance, s);
-            see_stripes(stripes_at, a.stripes_at, expected, s);
+            see_field(of["gabor_field_direction"], of["gabor_field_direction, slopes"], a.field, expected,
+                      value_tolerance, slope_tolerance, s);
+            see_stripes(of["gabor_stripes_direction_at"], a.stripes_at, expected, s);
         }
 
         noise::LatticePlace here;
@@ -180,13 +182,16 @@ TEST_CASE("noise along a map agrees with the reference in any cell, period and m
             ++left_out;
         else {
             const auto expected = along_map(here, s.seed);
-            noise.see(a.noise, expected.value.imag(), value_tolerance, s);
-            complex.see(a.complex[0], expected.value.real(), value_tolerance, s);
-            complex.see(a.complex[1], expected.value.imag(), value_tolerance, s);
-            gradient.see(a.gradient[0], expected.value.imag(), value_tolerance, s);
-            gradient.see(a.gradient[1], expected.slope_x.imag(), slope_tolerance, s);
-            gradient.see(a.gradient[2], expected.slope_y.imag(), slope_tolerance, s);
-            see_stripes(stripes, a.stripes, expected, s);
+            of["gabor_noise_direction"].see(a.noise, expected.value.imag(), value_tolerance, s);
+            of["gabor_noise_direction_complex"].see(a.complex[0], expected.value.real(), value_tolerance, s);
+            of["gabor_noise_direction_complex"].see(a.complex[1], expected.value.imag(), value_tolerance, s);
+            of["gabor_noise_direction_gradient"].see(a.gradient[0], expected.value.imag(), value_tolerance,
+                                                     s);
+            of["gabor_noise_direction_gradient"].see(a.gradient[1], expected.slope_x.imag(), slope_tolerance,
+                                                     s);
+            of["gabor_noise_direction_gradient"].see(a.gradient[2], expected.slope_y.imag(), slope_tolerance,
+                                                     s);
+            see_stripes(of["gabor_stripes_direction"], a.stripes, expected, s);
         }
 
         noise::LatticePlace tile;
@@ -201,21 +206,10 @@ TEST_CASE("noise along a map agrees with the reference in any cell, period and m
             ++left_out;
         else {
             const auto expected = along_map(tile, s.seed);
-            tiled.see(a.tiled, expected.value.imag(), value_tolerance, s);
-            see_stripes(stripes_tiled, a.stripes_tiled, expected, s);
+            of["gabor_noise_direction_tiled"].see(a.tiled, expected.value.imag(), value_tolerance, s);
+            see_stripes(of["gabor_stripes_direction_tiled"], a.stripes_tiled, expected, s);
         }
     }
-    positions.check("gabor_node_position");
-    given.check("gabor_field_waves");
-    given_slope.check("its slopes");
-    field.check("gabor_field_direction");
-    slope.check("its slopes");
-    noise.check("gabor_noise_direction");
-    complex.check("its complex form");
-    gradient.check("its gradient");
-    tiled.check("tiled");
-    stripes.check("gabor_stripes_direction");
-    stripes_at.check("at a place");
-    stripes_tiled.check("tiled");
+    test::check(of, 12);
     CHECK(left_out < count / 10);
 }

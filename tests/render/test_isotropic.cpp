@@ -14,6 +14,7 @@
 #include <numbers>
 
 using namespace gabor;
+using test::Differences;
 using test::Draw;
 using test::Largest;
 
@@ -132,7 +133,7 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, period and mom
         s.time = draw.uniform(-3, 3);
         s.seed = draw.word();
     }
-    Largest value, slope, position, gradient, tiled, unfiltered;
+    Differences of;
     const auto answers = sampler.answers(count, Part::all);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
@@ -143,19 +144,21 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, period and mom
         const auto field = noise::lattice_isotropic(place, s.frequency, s.seed);
         const double steep = few * slope_deviation(s.frequency);
         for (const int part : {0, 1}) {
-            const auto of = [&](std::complex<double> z) { return part ? z.imag() : z.real(); };
-            value.see(a.value[part], of(field.value), few, s);
-            slope.see(a.slope_x[part], of(field.slope_x), steep, s);
-            slope.see(a.slope_y[part], of(field.slope_y), steep, s);
+            const auto part_of = [&](std::complex<double> z) { return part ? z.imag() : z.real(); };
+            of["by place"].see(a.value[part], part_of(field.value), few, s);
+            of["by place, gradient"].see(a.slope_x[part], part_of(field.slope_x), steep, s);
+            of["by place, gradient"].see(a.slope_y[part], part_of(field.slope_y), steep, s);
         }
-        unfiltered.see(a.placed_filtered, a.value[1], few, s);
+        of["filtered by a point"].see(a.placed_filtered, a.value[1], few, s);
         const auto here = reference_at(s.p[0], s.p[1], s);
         // A position of 16 is rounded by 6e-7, which its waves multiply.
         const double far = few + 2e-5 * (1 + std::abs(double{s.frequency}));
-        position.see(a.noise, here.value.imag(), far, s);
-        gradient.see(a.gradient[0], a.noise, 1e-6, s);
-        gradient.see(a.gradient[1], here.slope_x.imag(), far * slope_deviation(s.frequency), s);
-        gradient.see(a.gradient[2], here.slope_y.imag(), far * slope_deviation(s.frequency), s);
+        of["gabor_noise_isotropic"].see(a.noise, here.value.imag(), far, s);
+        of["gabor_noise_isotropic, gradient"].see(a.gradient[0], a.noise, 1e-6, s);
+        of["gabor_noise_isotropic, gradient"].see(a.gradient[1], here.slope_x.imag(),
+                                                  far * slope_deviation(s.frequency), s);
+        of["gabor_noise_isotropic, gradient"].see(a.gradient[2], here.slope_y.imag(),
+                                                  far * slope_deviation(s.frequency), s);
         noise::LatticePlace repeated;
         repeated.local_x = 1.5 * std::fmod(s.p[0], s.tile[0]);
         repeated.local_y = 1.5 * std::fmod(s.p[1], s.tile[1]);
@@ -165,14 +168,10 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, period and mom
         repeated.radius_y = repeated.period_y / double{s.tile[1]};
         repeated.local_x *= repeated.radius_x / 1.5;
         repeated.local_y *= repeated.radius_y / 1.5;
-        tiled.see(a.tiled, noise::lattice_isotropic(repeated, s.frequency, s.seed).value.imag(), far, s);
+        of["gabor_noise_isotropic, tiled"].see(
+            a.tiled, noise::lattice_isotropic(repeated, s.frequency, s.seed).value.imag(), far, s);
     }
-    value.check("value");
-    slope.check("slope");
-    position.check("gabor_noise_isotropic");
-    gradient.check("its gradient");
-    tiled.check("tiled");
-    unfiltered.check("filtered by a point");
+    test::check(of, 6);
 }
 
 TEST_CASE("isotropic noise and its gradient are normal at fixed places", "[law]") {

@@ -12,6 +12,7 @@
 #include <random>
 
 using namespace gabor;
+using test::Differences;
 using test::Draw;
 using test::Largest;
 using test::slope_tolerance;
@@ -32,7 +33,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
     for (const noise::Recipe& recipe : {noise::find_recipe("one"), noise::find_recipe("pure"),
                                         noise::find_recipe("paper"), sines, uneven}) {
         test::Sampler sampler(device, recipe, per_batch);
-        Largest value, quadrature, slope, quadrature_slope, at, unorm, plain, plain_quadrature, plain_slope;
+        Differences of;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
             // Frequencies from 0.1 to 64, evenly in octaves, with both ends and the end of the series.
@@ -55,35 +56,31 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
                 const test::Answer& answer = answers[i];
                 const noise::Reference::Field field = reference.field(sample.place);
                 const double expected = field.value.imag();
-                value.see(answer.value[1], expected, tight, sample);
-                quadrature.see(answer.value[0], field.value.real(), quadrature_tight, sample);
-                slope.see(answer.slope_x[1], field.slope_x.imag(), loose, sample);
-                slope.see(answer.slope_y[1], field.slope_y.imag(), loose, sample);
-                quadrature_slope.see(answer.slope_x[0], field.slope_x.real(), quadrature_loose, sample);
-                quadrature_slope.see(answer.slope_y[0], field.slope_y.real(), quadrature_loose, sample);
-                at.see(answer.at, expected, tight, sample);
-                unorm.see(answer.unorm, std::clamp(0.5 + 0.25 * expected, 0.0, 1.0), tight, sample);
+                of["gabor_field"].see(answer.value[1], expected, tight, sample);
+                of["gabor_field, real part"].see(answer.value[0], field.value.real(), quadrature_tight,
+                                                 sample);
+                of["gabor_field, gradient"].see(answer.slope_x[1], field.slope_x.imag(), loose, sample);
+                of["gabor_field, gradient"].see(answer.slope_y[1], field.slope_y.imag(), loose, sample);
+                of["gabor_field, gradient of the real part"].see(answer.slope_x[0], field.slope_x.real(),
+                                                                 quadrature_loose, sample);
+                of["gabor_field, gradient of the real part"].see(answer.slope_y[0], field.slope_y.real(),
+                                                                 quadrature_loose, sample);
+                of["gabor_noise_at"].see(answer.at, expected, tight, sample);
+                of["gabor_unorm"].see(answer.unorm, std::clamp(0.5 + 0.25 * expected, 0.0, 1.0), tight,
+                                      sample);
                 const noise::Reference::Field here = reference.field(test::here(sample, recipe));
-                plain.see(answer.noise, here.value.imag(), tight, sample);
-                plain.see(answer.gradient[0], here.value.imag(), tight, sample);
-                plain.see(answer.complex[1], here.value.imag(), tight, sample);
-                plain_quadrature.see(answer.complex[0], here.value.real(), quadrature_tight, sample);
-                plain_slope.see(answer.gradient[1], here.slope_x.imag(), loose, sample);
-                plain_slope.see(answer.gradient[2], here.slope_y.imag(), loose, sample);
+                of["gabor_noise"].see(answer.noise, here.value.imag(), tight, sample);
+                of["gabor_noise"].see(answer.gradient[0], here.value.imag(), tight, sample);
+                of["gabor_noise"].see(answer.complex[1], here.value.imag(), tight, sample);
+                of["gabor_noise_complex"].see(answer.complex[0], here.value.real(), quadrature_tight, sample);
+                of["gabor_noise_gradient"].see(answer.gradient[1], here.slope_x.imag(), loose, sample);
+                of["gabor_noise_gradient"].see(answer.gradient[2], here.slope_y.imag(), loose, sample);
             }
             points += per_batch;
         }
         fmt::print("{}: {} points on {}; largest differences in units of the tolerance\n", recipe.name,
                    points, device.info().name);
-        value.check("gabor_field");
-        quadrature.check("  its real part");
-        slope.check("  its gradient");
-        quadrature_slope.check("  its real part's");
-        at.check("gabor_noise_at");
-        unorm.check("gabor_unorm");
-        plain.check("gabor_noise");
-        plain_quadrature.check("gabor_noise_complex");
-        plain_slope.check("gabor_noise_gradient");
+        test::check(of, 9);
     }
 }
 
@@ -92,7 +89,7 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
     Draw draw(5);
     for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);
-        Largest value, slope, tiled, animated;
+        Differences of;
         for (int batch = 0; batch < 16; ++batch) {
             const float frequency = draw.uniform(1.5, 8);
             const float orientation = draw.uniform(-8, 8);
@@ -115,11 +112,11 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
             for (std::size_t i = 0; i < per_batch; ++i) {
                 const test::Sample& sample = sampler.samples()[i];
                 const noise::Reference::Field field = reference.field(sample.place);
-                value.see(answers[i].value[1], field.value.imag(), tight, sample);
-                slope.see(answers[i].slope_x[1], field.slope_x.imag(), 2 * slope_tolerance(frequency),
-                          sample);
-                slope.see(answers[i].slope_y[1], field.slope_y.imag(), 2 * slope_tolerance(frequency),
-                          sample);
+                of["gabor_field"].see(answers[i].value[1], field.value.imag(), tight, sample);
+                of["gabor_field, gradient"].see(answers[i].slope_x[1], field.slope_x.imag(),
+                                                2 * slope_tolerance(frequency), sample);
+                of["gabor_field, gradient"].see(answers[i].slope_y[1], field.slope_y.imag(),
+                                                2 * slope_tolerance(frequency), sample);
 
                 // Functions of a position, where a float resolves it: it rounds by 10^-6, and the wave turns
                 // by 2 pi F per radius.
@@ -130,7 +127,7 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
                     continue;
                 noise::Place still = test::here(sample, recipe);
                 still.time = sample.place.time;
-                animated.see(answers[i].animated, reference(still), rounded, sample);
+                of["gabor_noise_animated"].see(answers[i].animated, reference(still), rounded, sample);
                 const double period_x = std::max(2.0f, sample.period_x);
                 const double period_y = std::max(2.0f, sample.period_y);
                 const double cells_x = std::floor(period_x * recipe.radius);
@@ -142,14 +139,11 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
                 tile.local_y = static_cast<float>(y * cells_y / period_y);
                 tile.period_x = static_cast<std::int32_t>(cells_x);
                 tile.period_y = static_cast<std::int32_t>(cells_y);
-                tiled.see(answers[i].tiled, reference(tile), rounded, sample);
+                of["gabor_noise_tiled"].see(answers[i].tiled, reference(tile), rounded, sample);
             }
         }
         fmt::print("{}, with periods; largest differences in units of the tolerance\n", recipe.name);
-        value.check("gabor_field");
-        slope.check("  its gradient");
-        tiled.check("gabor_noise_tiled");
-        animated.check("gabor_noise_animated");
+        test::check(of, 4);
     }
 }
 

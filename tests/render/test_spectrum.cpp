@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace gabor;
+using test::Differences;
 using test::Draw;
 using test::Largest;
 
@@ -135,7 +136,7 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
             lobe = {draw.uniform(0, 8), draw.uniform(-8, 8), std::exp2(draw.uniform(-1.5, 1.5)),
                     &lobe != s.lobes && draw.word() % 8 == 0 ? 0 : draw.uniform(0.1f, 3)};
     }
-    Largest spread, spread_slope, lobes, lobes_slope;
+    Differences of;
     const auto answers = sampler.answers(count, everything);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
@@ -146,24 +147,21 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
         const noise::Spectrum range(noise::spread_lobes(s.frequency, s.orientation, s.frequency_spread,
                                                         s.orientation_spread, s.seed));
         const noise::Spectrum::Field field = range.field(s.p[0], s.p[1]);
-        spread.see(a.spread[0], field.value.imag(), tolerance, s);
-        spread.see(a.spread_alone, field.value.imag(), tolerance, s);
-        spread.see(a.spread_complex[0], field.value.real(), tolerance, s);
-        spread.see(a.spread_complex[1], field.value.imag(), tolerance, s);
-        spread_slope.see(a.spread[1], field.slope_x.imag(), 60 * tolerance, s);
-        spread_slope.see(a.spread[2], field.slope_y.imag(), 60 * tolerance, s);
+        of["gabor_noise_spread"].see(a.spread[0], field.value.imag(), tolerance, s);
+        of["gabor_noise_spread"].see(a.spread_alone, field.value.imag(), tolerance, s);
+        of["gabor_noise_spread"].see(a.spread_complex[0], field.value.real(), tolerance, s);
+        of["gabor_noise_spread"].see(a.spread_complex[1], field.value.imag(), tolerance, s);
+        of["gabor_noise_spread, gradient"].see(a.spread[1], field.slope_x.imag(), 60 * tolerance, s);
+        of["gabor_noise_spread, gradient"].see(a.spread[2], field.slope_y.imag(), 60 * tolerance, s);
         const noise::Spectrum::Field sum = noise::Spectrum(lobes_of(s)).field(s.p[0], s.p[1]);
-        lobes.see(a.lobes[0], sum.value.imag(), tolerance, s);
-        lobes.see(a.lobes_alone, sum.value.imag(), tolerance, s);
-        lobes.see(a.lobes_complex[0], sum.value.real(), tolerance, s);
-        lobes.see(a.lobes_complex[1], sum.value.imag(), tolerance, s);
-        lobes_slope.see(a.lobes[1], sum.slope_x.imag(), 60 * tolerance, s);
-        lobes_slope.see(a.lobes[2], sum.slope_y.imag(), 60 * tolerance, s);
+        of["gabor_noise_lobes"].see(a.lobes[0], sum.value.imag(), tolerance, s);
+        of["gabor_noise_lobes"].see(a.lobes_alone, sum.value.imag(), tolerance, s);
+        of["gabor_noise_lobes"].see(a.lobes_complex[0], sum.value.real(), tolerance, s);
+        of["gabor_noise_lobes"].see(a.lobes_complex[1], sum.value.imag(), tolerance, s);
+        of["gabor_noise_lobes, gradient"].see(a.lobes[1], sum.slope_x.imag(), 60 * tolerance, s);
+        of["gabor_noise_lobes, gradient"].see(a.lobes[2], sum.slope_y.imag(), 60 * tolerance, s);
     }
-    spread.check("gabor_noise_spread");
-    spread_slope.check("  its gradient");
-    lobes.check("gabor_noise_lobes");
-    lobes_slope.check("  its gradient");
+    test::check(of, 4);
 }
 
 namespace {
@@ -211,7 +209,7 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         }
         s.time = draw.uniform(0, 1);
     }
-    Largest spread, lobes, filtered, slope;
+    Differences of;
     const auto answers = sampler.answers(count, everything);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& s = sampler.samples()[i];
@@ -229,23 +227,24 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         const auto range =
             noise::spread_lobes(s.frequency, s.orientation, s.frequency_spread, s.orientation_spread, s.seed);
         const auto of_range = noise::Spectrum(range).field(place).value;
-        spread.see(answers[i].placed_spread[0], of_range.real(), 1e-4, s);
-        spread.see(answers[i].placed_spread[1], of_range.imag(), 1e-4, s);
+        of["gabor_field_spread"].see(answers[i].placed_spread[0], of_range.real(), 1e-4, s);
+        of["gabor_field_spread"].see(answers[i].placed_spread[1], of_range.imag(), 1e-4, s);
         const noise::Spectrum::Field of_wave = one_wave(s).field(place);
-        filtered.see(answers[i].placed_filtered[0], of_wave.value.real(), 1e-4, s);
-        filtered.see(answers[i].placed_filtered[1], of_wave.value.imag(), 1e-4, s);
-        slope.see(answers[i].placed_slope[0], of_wave.slope_x.imag(), 3e-3, s);
-        slope.see(answers[i].placed_slope[1], of_wave.slope_y.imag(), 3e-3, s);
+        of["gabor_field_filtered without a footprint"].see(answers[i].placed_filtered[0],
+                                                           of_wave.value.real(), 1e-4, s);
+        of["gabor_field_filtered without a footprint"].see(answers[i].placed_filtered[1],
+                                                           of_wave.value.imag(), 1e-4, s);
+        of["gabor_field_filtered without a footprint, gradient"].see(answers[i].placed_slope[0],
+                                                                     of_wave.slope_x.imag(), 3e-3, s);
+        of["gabor_field_filtered without a footprint, gradient"].see(answers[i].placed_slope[1],
+                                                                     of_wave.slope_y.imag(), 3e-3, s);
         if (s.cell[0] < 16 && s.cell[1] < 16) {
             const auto of_lobes = noise::Spectrum(lobes_of(s)).field(place).value;
-            lobes.see(answers[i].placed_lobes[0], of_lobes.real(), 2e-4, s);
-            lobes.see(answers[i].placed_lobes[1], of_lobes.imag(), 2e-4, s);
+            of["gabor_field_lobes"].see(answers[i].placed_lobes[0], of_lobes.real(), 2e-4, s);
+            of["gabor_field_lobes"].see(answers[i].placed_lobes[1], of_lobes.imag(), 2e-4, s);
         }
     }
-    spread.check("gabor_field_spread");
-    filtered.check("gabor_field_filtered without a footprint");
-    slope.check("  its gradient");
-    lobes.check("gabor_field_lobes");
+    test::check(of, 4);
 }
 
 TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") {
@@ -424,7 +423,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
     constexpr std::size_t steps = 1 << 14;
     Sampler sampler(device, steps);
     Draw draw(33);
-    Largest place, size, rotation;
+    Differences of;
     std::size_t seen = 0;
     for (int path = 0; path < 90; ++path) {
         Sample s{};
@@ -450,7 +449,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
             }
         }
         const auto answers = sampler.answers(steps, filtered_only);
-        Largest& largest = path % 3 == 0 ? place : path % 3 == 1 ? size : rotation;
+        Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];
         for (std::size_t i = 2; i + 1 < steps; ++i) {
             // The slopes on both sides predict the next value of a smooth path to second order.
             const auto value = [&](std::size_t k) { return double{answers[k].filtered[0]}; };
@@ -460,9 +459,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
             ++seen;
         }
     }
-    place.check("in place");
-    size.check("in size");
-    rotation.check("in rotation");
+    test::check(of, 3);
     CHECK(seen > 1000000);
 }
 
