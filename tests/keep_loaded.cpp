@@ -1,5 +1,5 @@
-// Under LeakSanitizer nothing is unloaded, so that what a driver leaks is still known by the driver's name,
-// and tests/lsan.supp can name it.
+// Prevents unloading under LeakSanitizer, so that its reports name the leaking driver, as tests/lsan.supp
+// needs.
 
 #include <dlfcn.h>
 

@@ -1,4 +1,4 @@
-"""What pictures of 16384 x 16384 pixels and textures cost, made in several ways: the tables of docs/farm.md.
+"""Measures the cost of textures and of pictures of 16384 x 16384 pixels, for the tables of docs/farm.md.
 
 tools/test-long farm runs it. Takes what test_cluster.py takes, GNU time, and 4 GiB of disk; each way's picture is compared
 with the first one's. CPU seconds are those of all processes, Slurm's own too, and grow little with what else the machine does.
@@ -26,7 +26,7 @@ ADOPTS_ORPHANS = 36 # PR_SET_CHILD_SUBREAPER of Linux's prctl
 
 
 def cost(work, within=contextlib.nullcontext()):
-    """The seconds that `work` takes, and the CPU seconds of all processes, those that outlive their parents too."""
+    """The seconds that `work` takes, and the CPU seconds of all its processes, including orphans."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -52,7 +52,7 @@ def sh(*command, **environment):
 
 
 def gabor(*arguments):
-    """Leaves the most memory that it had, KiB, in the file memory."""
+    """Writes the peak memory in KiB to the file `memory`."""
     sh("time", "-a", "-o", "memory", "-f", "%M", PROGRAM, *arguments)
 
 
@@ -95,7 +95,7 @@ def killed_and_resumed():
 
 
 def compared():
-    """That what was made is the picture, which is then removed."""
+    """Checks that the output is the picture, and removes it."""
     first, made = pathlib.Path("first.exr"), pathlib.Path("grain.exr")
     if not first.exists():
         made.rename(first)
@@ -123,7 +123,7 @@ def by_hand():
 
 
 def textures():
-    """With all levels, and the flat picture as the filter sees it: in turns, for what else the machine does touches both."""
+    """The texture with all levels, and the filtered flat picture, in turns, so that other load affects both."""
     row("texture", "CPU", "the filtered picture alone", "ratio", "memory")
     row(*["---"] * 5)
     for side, rounds in ((1024, 5), (4096, 3), (16384, 1)):
@@ -157,7 +157,7 @@ def by_engines():
     pathlib.Path("farm.yaml").write_text("gabor: ./empty\nframes: {none: {size: 1x1, frames: 200, options: ''}}\n")
     elapsed, cpu = cost(lambda: snakemake("--cores", "2"))
     assert len(list(pathlib.Path().glob("none.*.exr"))) == 200
-    row("200 tasks that do nothing, Snakemake on one machine", f"{elapsed:.1f} s", f"{cpu:.1f} s")
+    row("Snakemake on one machine, 200 empty tasks", f"{elapsed:.1f} s", f"{cpu:.1f} s")
 
 
 def main():

@@ -35,7 +35,7 @@ PartitionName=farm Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 
 
 def missing():
-    """Why there can be no Slurm here; empty where there can."""
+    """The reason why Slurm cannot run here, or an empty string."""
     if os.getuid() != 0:
         return "needs root"
     if absent := [name for name in ("munged", "slurmctld", "slurmd", "squeue") if not shutil.which(name)]:
@@ -47,7 +47,7 @@ def missing():
 
 @contextlib.contextmanager
 def cluster(folder, cores=2):
-    """A queue of one node with so many cores."""
+    """A queue with one node and this number of cores."""
     host = socket.gethostname().split(".")[0]
     for name in ("state", "spool"):
         (folder / name).mkdir(parents=True)
@@ -77,7 +77,7 @@ def output(*command):
 
 
 def jobs(*states):
-    """The numbers of jobs in these states, or in any in which they are still in the queue."""
+    """The numbers of the jobs in these states, by default all jobs in the queue."""
     return output("squeue", "--noheader", "--format=%i", *(["--states=" + ",".join(states)] if states else [])).split()
 
 

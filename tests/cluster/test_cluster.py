@@ -38,7 +38,7 @@ TASKS = (4 + 1) + (5 + 1 + 6 + 1) + 2 + 2 + 2
 
 
 class FarmTest(ProgramTest):
-    """The programs keep a list of what they are asked to do and what they have done."""
+    """The programs log their requests and results."""
 
     def setUp(self):
         super().setUp()
@@ -93,8 +93,7 @@ class FarmTest(ProgramTest):
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")
 
     def assert_nothing_done_twice(self, but=0):
-        """`but` for so many tasks whose jobs were cancelled, perhaps after all that counts was done: as one that is
-        killed between its file and its line has begun, and no other does it again."""
+        """Checks that no task ran twice, except `but` tasks of cancelled jobs, which may end before they say so."""
         counts = collections.Counter(self.ended())
         self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(set(self.begun())), TASKS)

@@ -28,7 +28,7 @@ def contents(blob):
 
 
 def compiled(library, source, options):
-    """The SPIR-V of a compute shader; an error of the compiler's is a ValueError."""
+    """Compiles a compute shader to SPIR-V. Raises ValueError with the compiler's message."""
     compiler, result, part, status = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_uint()
     ctypes.CDLL(library).DxcCreateInstance(COMPILER.bytes_le, COMPILER_3.bytes_le, ctypes.byref(compiler))
     options = ["-spirv", "-T", "cs_6_0", "-E", "main", "-Wall", "-Wextra", "-WX", *options]

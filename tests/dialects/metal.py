@@ -1,4 +1,4 @@
-"""Metal as C++ on the CPU, for no Metal compiler runs here: metal_stdlib in this folder stands for its library."""
+"""Runs Metal as C++ on the CPU, since no Metal compiler is available. metal_stdlib in this folder replaces its library."""
 
 import pathlib
 import re

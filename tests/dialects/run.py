@@ -23,7 +23,7 @@ def run(*command):
 
 
 def pasted(scene, text, ending):
-    """A file of the scene, with macros and the drop-in in the place of its include."""
+    """A file of the scene, with macros and with the drop-in in place of its include."""
     include = re.search(r'#include "gabor_.*\n', scene)[0]
     text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
     path = pathlib.Path(values).with_suffix(ending)
@@ -32,7 +32,7 @@ def pasted(scene, text, ending):
 
 
 def included(path):
-    """A file with all that it includes, from beside it or from the repository's root."""
+    """A file with its includes expanded. They are relative to it or to the repository."""
     def contents(match):
         return included(next(file for file in (path.parent / match[1], HERE.parents[1] / match[1]) if file.exists()))
     return re.sub(r'^#include "(.*)"$', contents, path.read_text(), flags=re.MULTILINE)

@@ -9,7 +9,7 @@ SPIRV, SLANG, STAGES = 6, 1, {"vertex": 1, "fragment": 5, "compute": 6} # of sla
 
 
 def library():
-    """Its path, or None where slangpy is not installed."""
+    """The library's path, or None if slangpy is not installed."""
     found = importlib.util.find_spec("slangpy")
     return next(pathlib.Path(found.origin).parent.glob("libslang-compiler.so*"), None) if found else None
 

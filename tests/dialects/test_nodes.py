@@ -109,7 +109,7 @@ class Package(unittest.TestCase):
                    for path in (ROOT / "shaders" / "translations").glob("*.hlsl")}
         self.assertGreater(len(wanted), 50)
         self.assertEqual(wanted - packed, set())
-        self.assertEqual([path for path in packed if path.endswith((".oso", ".pyc"))], [])  # what test runs leave
+        self.assertEqual([path for path in packed if path.endswith((".oso", ".pyc"))], [])  # left by test runs
 
 
 # Writes each function of gabor_lattice.tsl.js, as reference.FUNCTIONS has them, at the scene's points.
@@ -155,7 +155,7 @@ class ByHand(unittest.TestCase):
         self.values = self.folder / "values.raw"
 
     def compare(self, *command):
-        """What a program writes, one picture for each function that it names."""
+        """The pictures that a program writes, one per function that it names."""
         said = subprocess.run([*command, self.values], check=True, stdout=subprocess.PIPE, text=True).stdout
         functions = json.loads(said or '["noise"]')
         for function, values in zip(functions, np.split(np.fromfile(self.values, "<f4"), len(functions))):
@@ -165,7 +165,7 @@ class ByHand(unittest.TestCase):
                 self.assertLess(error, 1e-5)
 
     def test_open_shading_language(self):
-        """The shader itself, each output. What it gives beside the scene's noise is that of the translation to C++."""
+        """Each output of the shader. The others are compared with the translation to C++."""
         shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
         text = (NODES / "osl" / "gabor_lattice.osl").read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))

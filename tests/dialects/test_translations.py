@@ -1,4 +1,4 @@
-"""What stands on the lattice, translated, and a texture by gabor fit: each call gives on the device what it gives in GLSL,
+"""The translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same on the device as in GLSL,
 which other tests compare with the reference."""
 
 import json
@@ -36,7 +36,7 @@ CALLS = {  # by function, a column of the matrix in docs/engines.md
     "gabor_noise_isotropic(p, 2.0, 7u)": "isotropic",
     "gabor_noise_isotropic_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).x": "isotropic",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
-    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # more than there are by default: the macro is alive
+    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # more than the default of GABOR_LOBES, so the macro must work
     "gabor_noise_direction(p, 7u)": "direction map",
     "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)": "solid",
     "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y": "solid",
@@ -185,7 +185,7 @@ def banded(shader, calls):
 
 
 def bands(values, calls):
-    """Those of the picture, by their calls."""
+    """The picture's values, by call."""
     rows = 256 // len(calls)
     return dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
 
@@ -202,7 +202,7 @@ class Translations(unittest.TestCase):
         subprocess.run([os.environ["GABOR_PROGRAM"], "fit", "sea.png", "-o", "sea.json", "--lobes", "3", "--glsl", "sea.glsl"],
                        cwd=cls.made, check=True, stdout=subprocess.DEVNULL)
         subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "sea.glsl"], cwd=cls.made,
-                       check=bool(shutil.which("naga")))  # without it all but WGSL is there
+                       check=bool(shutil.which("naga")))  # without naga there is no WGSL
         if shutil.which("naga"):  # WGSL has no macros
             subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "-DGABOR_LOBES=6", "-o", cls.made / "wgsl"], check=True)
 
@@ -219,7 +219,7 @@ class Translations(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def drawn(self, source, ending, *compiler):
-        """The values of a shader, compiled by a command that takes its file and that of SPIR-V."""
+        """The values of a shader. The command's arguments are the shader's file and the SPIR-V file."""
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
         shader.write_text(source)
         subprocess.run([*compiler, shader, spirv], check=True, stdout=subprocess.DEVNULL)
@@ -237,7 +237,7 @@ class Translations(unittest.TestCase):
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
     def compare(self, translated, calls=tuple(CALLS)):
-        """Materials have edges, which magnify what compilers round differently."""
+        """Materials have edges, which magnify different rounding."""
         errors = {}
         for call in calls:
             with self.subTest(call):
@@ -248,7 +248,7 @@ class Translations(unittest.TestCase):
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea", call) else 1))
                 errors[CALLS[call]] = max(errors.get(CALLS[call], 0), float(difference.max() / max(1, wanted.std())))
-        if folder := os.environ.get("GABOR_MATRIX"):  # tools/test-engines makes docs/engines.md from it
+        if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engines.md
             name = self._testMethodName.removeprefix("test_")
             (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 
@@ -270,7 +270,7 @@ class Translations(unittest.TestCase):
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
             self.skipTest("naga is not installed")
-        # What naga writes of loops takes lavapipe's compiler up to minutes, and a second where it was simplified before.
+        # lavapipe compiles naga's loops in minutes, but in a second after spirv-opt.
         command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
         self.compare(lambda call: self.drawn(
             self.pasted("wgsl", WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
@@ -288,7 +288,7 @@ class Translations(unittest.TestCase):
         self.compare(bands(values, calls).get, calls)
 
     def test_opengl_es(self):
-        """GLSL itself, after the header that leaves all to mediump: 16 bits on this driver, but for what the files say."""
+        """GLSL after a header that sets mediump, which has 16 bits on this driver. The files set highp themselves."""
         calls, shader, values = tuple(CALLS), self.folder / "noise.frag", self.folder / "values.raw"
         shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES)))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "gles" / "run.py", "precision mediump float;", values,
@@ -296,7 +296,7 @@ class Translations(unittest.TestCase):
         self.compare(bands(values, calls).get, calls)
 
     def cpp(self, source, *options):
-        """What a program of C++ writes, and what its compiler says."""
+        """The output of a C++ program, and the compiler's messages."""
         program, values = self.folder / "program", self.folder / "values.raw"
         compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + MAP + source
@@ -313,7 +313,7 @@ class Translations(unittest.TestCase):
         self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
-        """Each call, in a program of C++ after a text and with vectors of that name."""
+        """Compares each call in a C++ program. `before` is the text before it, `vector` the prefix of its vectors."""
         calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
         functions = (f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)
         values, _ = self.cpp(before + CPP.replace("CALLS", ", ".join(functions)), *options)
@@ -321,7 +321,7 @@ class Translations(unittest.TestCase):
         self.compare(lambda call: drawn[call])
 
     def test_cpp_vectors(self):
-        """A loop over points becomes one over vectors; each value is the shader's within 1e-6, and each word its word.
+        """The compiler vectorizes a loop over points; values equal the shader's within 1e-6, and words are equal.
         Where a shader knows its frequency while it is compiled, it reorders products: + unknown spares it that knowledge."""
         values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)

@@ -1,4 +1,4 @@
-// As much of three.js's "three/tsl" as shaders/nodes/three uses, evaluated on the CPU instead of compiled: a node holds the
+// The part of "three/tsl" that shaders/nodes/three uses, evaluated on the CPU instead of compiled. A node holds the
 // values of all points, an array of 32-bit numbers for each of its components.
 
 const ARRAYS = { float: Float32Array, int: Int32Array, uint: Uint32Array };
@@ -23,7 +23,7 @@ for (const swizzle of ["x", "y", "z", "w", "yx", "zw", "xzw"])
         return new Node(this.type, [...swizzle].map(part => this.parts["xyzw".indexOf(part)]));
     } });
 
-// What is no node is a number; a number counts for all components, and one value for all points.
+// Numbers apply to all components, and a single value to all points.
 function combined(a, b, operation) {
     if (!(b instanceof Node))
         b = converted(a.type)(b);
@@ -72,5 +72,5 @@ export const Fn = body => {
     call.setLayout = () => call;
     return call;
 };
-// Derivatives and what a mesh has are for the normals of surfaces, which only three.js draws.
+// Derivatives and mesh data are only for surface normals, which only three.js draws.
 export const [cross, dFdx, dFdy, normalView, positionView] = [];

@@ -137,7 +137,7 @@ def complex_lattice_3d(x, y, z, direction):
 # ---- What nodes have beside the noise ------------------------------------------------------------------------------
 
 # Each function: one number for each p = (x, y), in kernel radii, in which its results have different weights.
-STEP = 1e-5  # of derivatives: they are then within 1e-6
+STEP = 1e-5  # for derivatives, which are then exact within 1e-6
 
 
 def plane(x, y, **options):
@@ -168,7 +168,7 @@ def solid(x, y):
 
 
 def stripes(x, y):
-    """Of sharpness 2."""
+    """With sharpness 2."""
     value = plane(x, y)
     even = value * np.minimum(2, 1 / abs(value))
     return (even.real + 2 * even.imag + 3 * abs(value)) / 4

@@ -20,7 +20,7 @@ Function next(VkDevice device, const char* name) {
     return reinterpret_cast<Function>(next_device_function(device, name));
 }
 
-// Whether this call of the function is one that fails.
+// Whether this call must fail.
 bool fails(std::string_view name) {
     static const std::string fault = [] {
         const char* value = std::getenv("GABOR_FAULT");
@@ -61,7 +61,7 @@ VKAPI_ATTR VkResult VKAPI_CALL queue_submit(VkQueue queue, std::uint32_t count, 
 
 VKAPI_ATTR VkResult VKAPI_CALL wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fences,
                                                VkBool32 all, std::uint64_t timeout) {
-    // The work that is under way ends all the same, so that what follows frees nothing in use.
+    // Wait for running work, so that nothing in use is freed afterwards.
     const VkResult result =
         next<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all, timeout);
     return fails("vkWaitForFences") ? VK_ERROR_DEVICE_LOST : result;

@@ -15,14 +15,14 @@ FOUR_BANDS = ("--size=2200x4000", "--compression=none")
 
 
 def broken(function, call):
-    """Without validation, which has a line of its own to say about a device that was not made."""
+    """Disables validation, which would print a line about the missing device."""
     return {"GABOR_VALIDATION": None, "VK_ADD_LAYER_PATH": LAYER, "VK_INSTANCE_LAYERS": "VK_LAYER_GABOR_fault",
             "GABOR_FAULT": f"{function}:{call}"}
 
 
 class Device(ProgramTest):
     def fail_at_every_call(self, function, words, least, *arguments):
-        """Lets the first call fail, then the second, until the program makes no such call any more."""
+        """Makes the first call fail, then the second, and so on, until the program makes no such call."""
         for call in range(1, 100):
             before = self.files()
             if gabor(*arguments, cwd=self.folder, env=broken(function, call)).returncode == 0:

@@ -71,7 +71,7 @@ class Streams(ProgramTest):
                 self.assertEqual(self.files(), before)
 
     def test_what_is_printed_never_goes_into_the_file(self):
-        """With a standard stream closed, the first file that is opened would be that stream."""
+        """If a standard stream is closed, the first file to be opened would take its place."""
         self.succeed("render", "-o", "out.exr", "--size=64x64", "--frames=2")
         whole = self.files()
         for closed in ("<&-", ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"):

@@ -16,13 +16,13 @@ from program import PROGRAM, ProgramTest, environment  # noqa: E402
 LONG = os.environ.get("GABOR_LONG")
 MIB = 1 << 20
 
-# What the program may have resident, whatever the picture: most of it is the driver's, and grows with the threads.
+# The limit of resident memory for any picture. Most of it belongs to the driver and grows with the threads.
 BOUND = 512 * MIB
 
 
 class Load(ProgramTest):
     def run_measured(self, *arguments):
-        """Runs the program, which must succeed; returns the most memory it had resident, bytes."""
+        """Runs the program, which must succeed, and returns its peak resident memory in bytes."""
         process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, env=environment(GABOR_VALIDATION=None),
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         stderr = process.stderr.read()
@@ -41,7 +41,7 @@ class Load(ProgramTest):
         self.assertEqual(set(self.files()), {"out.exr"})
 
     def test_processes_at_once(self):
-        """Each its own picture, and all into one name: whoever is last, the file is whole."""
+        """Several processes write different pictures to one name. The file must be complete, whoever is last."""
         self.run_measured("render", "-o", "alone.exr", "--size=900x900")
         names = [f"{i}.exr" for i in range(8)]
         for outputs in (names, ["one.exr"] * 8):

@@ -1,4 +1,5 @@
-// A process that renders again and again keeps neither memory nor descriptors. GABOR_RENDERS says how often.
+// A process that renders repeatedly leaks neither memory nor descriptors. GABOR_RENDERS is the number of
+// renders.
 
 #include "image/exr.hpp"
 #include "render/renderer.hpp"
@@ -42,7 +43,7 @@ void render_file(const vulkan::Device& device, const std::filesystem::path& path
     exr.commit();
 }
 
-// `work` is done a few times before anything is counted: what is kept for good is there by then.
+// Runs `work` a few times before counting, so that permanent allocations exist.
 template <typename Work>
 void check_growth(const char* name, int times, Work work) {
     const int before = times / 4;
@@ -71,7 +72,7 @@ TEST_CASE("renders on one device keep nothing", "[load]") {
 
 TEST_CASE("devices made and left keep nothing", "[load]") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load-devices.exr";
-    // The driver stays: SwiftShader leaves a descriptor behind each time that it is unloaded.
+    // Keep the driver loaded: SwiftShader leaks a descriptor whenever it is unloaded.
     const vulkan::Device kept;
     check_growth("devices", renders() / 5, [&](int i) {
         const vulkan::Device device;

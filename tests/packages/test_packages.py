@@ -1,4 +1,4 @@
-"""What tools/package builds, installed in a clean place and used there: test_packages.py [-v] npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
+"""Installs what tools/package builds in a clean place, and uses it there: test_packages.py [-v] npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
 
 import importlib.util
 import json
@@ -69,7 +69,7 @@ class Package(unittest.TestCase):
 
 
 class Npm(Package):
-    """Installed beside three, without its registry; its module runs with the same stand-in for three/tsl as the nodes' tests."""
+    """Installs it beside three.js without the registry. A substitute for three/tsl runs its module, as in the nodes' tests."""
 
     tools = "node", "npm"
 
@@ -121,7 +121,7 @@ writeFileSync("values.raw", Buffer.from(functions(gabor, { float, vec2, vec3 }, 
 
 
 class Pypi(Package):
-    """The wheel in a virtual environment of its own."""
+    """Uses the wheel in a new virtual environment."""
 
     USE = """
 import sys, numpy as np, gabor_noise
@@ -216,7 +216,7 @@ int main() {
 """
 
     def check_terrain(self):
-        """The module against the header that it wraps, which other tests compare with the reference."""
+        """Compares the module with the header that it wraps; other tests compare the header with the reference."""
         compiler = shutil.which("c++")
         if not compiler:
             self.skipTest("no C++ compiler")

@@ -14,7 +14,7 @@ import unittest
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
-# Each drop-in and what stands on it.
+# Each drop-in and the ones it needs.
 FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_lattice": ["gabor_lattice", "gabor_spectrum"],
@@ -41,7 +41,7 @@ RECIPES = {
     "gabor_erosion": {"default": {}, "lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}},
 }
 
-# What a macro must not be, and what the compiler's log then says.
+# Invalid values of macros, and the expected message of the compiler.
 BAD_MACROS = {
     "gabor_noise": [
         ("GABOR_IMPULSES", "0", "GABOR_IMPULSES is an int *, at least 1"),
@@ -128,7 +128,7 @@ COMPUTE = "layout(local_size_x = 8, local_size_y = 8) in;\n" \
           "void main()\n{{\n    vec2 p = vec2(gl_GlobalInvocationID.xy) / 32.0;\n{use}" \
           "    result[gl_GlobalInvocationID.x] = gabor_unorm(noise);\n}}\n"
 
-# Dialect: version, what comes before the file, shader, its output's qualifiers, stage, options of the compiler.
+# Dialect: version, text before the file, shader, qualifiers of its output, stage, compiler options.
 DIALECTS = {
     "450 fragment": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", []),
     "450 compute": ("450", "", COMPUTE, "", "comp", []),
@@ -151,7 +151,7 @@ def strip_comments(text):
 
 
 def outermost(text):
-    """What is in no braces and no parentheses."""
+    """The text outside of braces and parentheses."""
     while True:
         text, replaced = re.subn(r"\([^(){}]*\)|\{[^(){}]*\}", " ", text)
         if not replaced:
@@ -175,7 +175,7 @@ class Dialects(unittest.TestCase):
         return spirv
 
     def test_every_dialect_compiles_every_recipe(self):
-        """The first recipe of each is included twice, and counts once."""
+        """Includes the first recipe of each file twice; the include guard must work."""
         for dialect, (*parts, stage, options) in DIALECTS.items():
             for name, recipes in RECIPES.items():
                 for times, (recipe, macros) in zip([2] + [1] * len(recipes), recipes.items()):

@@ -1,4 +1,4 @@
-"""README and docs: links lead somewhere, the code to paste compiles, and figures are those of the page they come from."""
+"""Checks README and docs: links have targets, code to paste compiles, and figures equal those of their source page."""
 
 import pathlib
 import re
@@ -51,7 +51,7 @@ class Pages(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_costs_are_those_of_the_page_of_performance(self):
-        """Of a row that README shows, the milliseconds and cycles stand in the page's tables too."""
+        """The milliseconds and cycles of README's rows are in the page's tables."""
         page = (ROOT / "docs" / "performance.md").read_text()
         rows = re.findall(r"(?m)^\| `?([^|`]+)`? \| (\d+) \| (\d*) \|$", README)
         self.assertEqual(len(rows), 3)

@@ -1,4 +1,4 @@
-"""What holds for the source as text: its format, and the version in every place that names it."""
+"""Checks the source as text: its format, and that the version is the same everywhere."""
 
 import json
 import pathlib

@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
 def contents(path, folders, seen):
-    """Of a file and the project's headers that it includes."""
+    """A digest of a file and of the project's headers that it includes."""
     if path in seen:
         return []
     seen.add(path)

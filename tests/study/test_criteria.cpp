@@ -1,5 +1,5 @@
-// The study's numbers on a device, against what theory or the paper has, with thresholds that an error of 2 %
-// in variance or a doubled cvm crosses.
+// Compares the study's numbers with theory or with the paper. An error of 2 % in the variance, or a doubled
+// cvm, fails.
 
 #include "study/figures.hpp"
 #include "study/measures.hpp"

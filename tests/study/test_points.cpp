@@ -1,4 +1,4 @@
-// The point sets: their counts, and that they are where they should be.
+// The point sets: their numbers and positions.
 
 #include "study/ingredients.hpp"
 #include "study/noise.hpp"

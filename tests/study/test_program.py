@@ -22,7 +22,7 @@ POINTS = {"poisson", "stratified", "jittered", "jittered_hex", "sobol", "scrambl
 class StudyTest(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        """The study of the law, whose first run is interrupted once its first table is there."""
+        """Runs the study of the law, interrupted once after its first table."""
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         cls.addClassCleanup(folder.cleanup)
         cls.law = pathlib.Path(folder.name)
@@ -70,7 +70,7 @@ class StudyTest(ProgramTest):
             rows = self.table(name)
             self.assertEqual({row["noise"] for row in rows}, noises)
             self.assertEqual(len(rows), count * len(noises))
-        # What pooling hides: at places the sparse noise is far from normal, and the lattice is not.
+        # At some places the sparse noise is far from normal; averages hide this. The lattice is normal everywhere.
         mean = {noise: statistics.mean(float(row["cvm"]) for row in self.table("law_places") if row["noise"] == noise)
                 for noise in noises}
         self.assertGreater(mean["one"], 5)

@@ -14,7 +14,7 @@ import cycles.osl  # noqa: E402
 
 
 class Said:
-    """Takes what Cycles says of a shader."""
+    """Collects Cycles' messages about a shader."""
 
     def __call__(self, kinds, message):
         if kinds & {"ERROR"}:
@@ -34,14 +34,14 @@ def script_node(tree, shader, folder, **inputs):
 
 
 def lit_by(tree, colour):
-    """What is drawn is the colour itself."""
+    """Draws colours without a tone mapping."""
     emission = tree.nodes.new("ShaderNodeEmission")
     tree.links.new(colour, emission.inputs["Color"])
     tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
 
 
 def plane(size, location):
-    """A square in the plane, and the nodes of its material, of which there are none yet."""
+    """A square in the plane, and the still empty node tree of its material."""
     bpy.ops.mesh.primitive_plane_add(size=size, location=location)
     material = bpy.data.materials.new("material")
     material.use_nodes = True

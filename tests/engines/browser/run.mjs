@@ -1,8 +1,8 @@
-// Opens a page of this repository in a browser without a window and keeps what it drew:
+// Opens a page of this repository in a browser without a window and saves the drawn values:
 // run.mjs chrome|firefox PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
-// A page with scripts is opened from its file, and they are added to it as one. The page sets globalThis.drawn to a promise
-// of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are Chromium's; DRIVER is what
-// the driver's name must contain, since browsers take another without a word.
+// Adds the scripts, as one, to a page opened from its file. The page sets globalThis.drawn to a promise of { engine, version,
+// dialect, driver, values }, and shows the noise in its canvas. Flags are for Chromium. The driver's name must contain DRIVER,
+// since browsers silently choose another.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";

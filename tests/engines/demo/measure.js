@@ -1,5 +1,5 @@
-// Opens every tab of docs/demo/index.html with every choice it offers, and draws the text it gives to copy as Shadertoy
-// would: each must compile there and show something. Measures the noise of one of them.
+// Opens every tab of docs/demo/index.html with every option, and draws the copied Shadertoy text. Each must compile and show
+// something. Measures the noise of one of them.
 function textOf(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, ...settings }));
     readAddress();

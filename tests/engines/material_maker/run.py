@@ -23,14 +23,14 @@ void main()
 
 node = json.loads(NODE.read_text())
 model = node["shader_model"]
-given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's, which is not quite 45 degrees
+given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's orientation, slightly different from 45 degrees
 missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
 if missing:
     sys.exit(f"not both declared and given: {missing}")
 output = model["outputs"][0]["f"]
 names = {"uv": "uv", "seed": "uintBitsToFloat(7u)"} | {name: f"{float(number):.9f}" for name, number in given.items()}
 value = re.sub(r"\$(\w+)", lambda name: names[name[1]], output)
-value = value.replace("gabor_unorm", "")  # which would cut the largest values
+value = value.replace("gabor_unorm", "")  # it would clamp the largest values
 if value == output:
     sys.exit("the node shows no gabor_unorm")
 

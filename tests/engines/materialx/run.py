@@ -1,4 +1,4 @@
-"""What MaterialX generates of the nodes of shaders/nodes/materialx: run.py TARGET VALUES.raw
+"""Runs what MaterialX generates from shaders/nodes/materialx: run.py TARGET VALUES.raw
 
 Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl by Cycles. Of the other
 targets the nodes' functions are taken out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and mdl as C++.
@@ -58,7 +58,7 @@ def weighed(kind, of, weights):
 
 
 def plus(of):
-    """The noise, and what weighed() made."""
+    """The noise plus the weighted outputs."""
     return (f'<add name="out" type="float"><input name="in1" type="float" {of} /><input name="in2" type="float" '
             'nodename="weighed" /></add>')
 
@@ -174,7 +174,7 @@ def compiled(target, stages, folder):
 
 # ---- The nodes' functions alone ------------------------------------------------------------------------------------
 
-# What they give in reference.FUNCTIONS.
+# Their names in reference.FUNCTIONS.
 VALUES = {
     "noise": "field2d(p, 7).x",
     "complex": "field2d(p, 7).y",

@@ -1,4 +1,4 @@
-// A float for each function of gabor_lattice.tsl.js, at p, as tests/engines/reference.py has it in FUNCTIONS.
+// One float at p for each function of gabor_lattice.tsl.js, as in FUNCTIONS of tests/engines/reference.py.
 export const functions = (gabor, { float, vec2, vec3 }, p) => {
     const [frequency, orientation, seed] = [4, 0.7854, 7];
     const gradient = gabor.gabor_noise_gradient(p, frequency, orientation, seed).toVar();
