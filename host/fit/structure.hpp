@@ -21,7 +21,7 @@ class Structure {
     /// The larger of them, and 0 for a Gaussian texture or a few waves.
     double excess() const;
 
-    /// From here on random-phase noise has visibly lost something: grass has 1.7, gravel 2.3, bricks 17.
+    /// Above this limit, noise visibly loses structure: grass has 1.7, gravel 2.3, bricks 17.
     static constexpr double limit = 1;
 
   private:

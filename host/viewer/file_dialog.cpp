@@ -36,7 +36,7 @@ void ask_to_open(Session& session, const char* title, std::vector<std::string> e
         beside);
 }
 
-// Reads the folder. One that cannot be read is shown empty, with a message.
+// Reads the folder. If that fails, shows an empty list and a message.
 void list(Session& session, FileDialog& dialog) {
     dialog.listed = dialog.folder;
     dialog.folders.clear();

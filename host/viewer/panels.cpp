@@ -216,7 +216,7 @@ void noise_panel(Session& session) {
                             ImGui::GetStyle().WindowPadding.x);
     control(session, "time");
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
-    tooltip("Seconds for time to go from 0 to 1");
+    tooltip("Seconds for one period of the animation");
 }
 
 void output_panel(Session& session) {

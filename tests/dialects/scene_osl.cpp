@@ -1,6 +1,6 @@
-// A shader in the Open Shading Language, the file GABOR_OSL with the shader a function of its parameters, as
-// C++ on the CPU: scene_osl VALUES.raw. Of each place, in the plane and then in space, Noise, Gradient,
-// Value, Phase and Intensity.
+// Runs a shader in the Open Shading Language as C++: scene_osl VALUES.raw. In the file GABOR_OSL the shader
+// is a function of its parameters. Writes Noise, Gradient, Value, Phase and Intensity for each place, first
+// in the plane, then in space.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -1,4 +1,4 @@
-"""The Slang compiler, by its library, which Python's slangpy has: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
+"""The Slang compiler, from the library in Python's slangpy: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
 
 import ctypes
 import importlib.util

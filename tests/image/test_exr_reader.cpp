@@ -57,7 +57,7 @@ constexpr Imf::PixelType type_of<Imath::half> = Imf::HALF;
 template <>
 constexpr Imf::PixelType type_of<unsigned> = Imf::UINT;
 
-/// A file to be, with all its channels.
+/// A test file with any channels.
 class Foreign {
   public:
     explicit Foreign(Imf::Compression compression = Imf::ZIP_COMPRESSION)

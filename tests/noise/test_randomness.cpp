@@ -22,7 +22,7 @@ using gabor::noise::impulse_word;
 
 namespace {
 
-// Of normal figures, a hundred or a few thousand of which are looked at: one beyond is no chance.
+// In standard deviations: a larger value among a few thousand is not chance.
 constexpr double far = 5.5;
 
 std::uint64_t draws() {

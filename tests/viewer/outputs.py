@@ -78,7 +78,7 @@ class OutputsTest(ViewerTest):
         return colours, np.clip(colours, 0, 1)
 
     def run_code(self, snippet, main, **textures):
-        """What `main` puts into `pixels` and `colour` for each pixel `at`, beside the code that was copied."""
+        """Runs copied code. `main` sets `pixels` and `colour` for each pixel `at`."""
         for include in [line for line in snippet.splitlines() if line.startswith("#include")]:
             snippet = snippet.replace(include, (SHADERS / include.split('"')[1]).read_text())
         uniforms = "".join(f"uniform sampler2D {name};\n" for name in textures)
