@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -369,11 +370,19 @@ TEST_CASE("a picture of a material is its function at each pixel", "[material]")
         }
 }
 
-TEST_CASE("materials have presets of their names", "[material]") {
-    for (const std::string_view material : render::materials) {
-        const Request request = render::preset(material);
-        CHECK(request.material == material);
+TEST_CASE("each material has three presets, and one of its name with its default look", "[material]") {
+    std::map<std::string, int> counts;
+    for (const std::string_view name : render::preset_names()) {
+        const Request request = render::preset(name);
+        if (!render::has_material(request))
+            continue;
+        ++counts[request.material];
         CHECK(request.filter);
+        CHECK(request.look.empty() == (name == request.material));
+    }
+    for (const std::string_view material : render::materials) {
+        CHECK(render::preset(material).material == material);
+        CHECK(counts[std::string(material)] == 3);
     }
 }
 
