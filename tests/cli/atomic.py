@@ -1,4 +1,4 @@
-"""Checks that a killed program left each of its files complete or as it was before."""
+"""Checks that a killed program left each of its files complete or unchanged."""
 
 import os
 import re

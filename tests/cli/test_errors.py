@@ -1,4 +1,4 @@
-"""Wrong requests: one line on stderr that says what was wrong and what is accepted, status 2, nothing written."""
+"""Wrong requests print one line that says what was wrong and what is accepted, exit with 2 and write nothing."""
 
 import os
 import shutil
@@ -212,7 +212,7 @@ class Devices(ErrorTest):
 
 
 class Disk(ErrorTest):
-    """A right request that fails while working: status 1."""
+    """A valid request that fails while working exits with 1."""
 
     def test_a_full_device(self):
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")

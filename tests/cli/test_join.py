@@ -61,7 +61,7 @@ class Joined(JoinTest):
                 self.succeed("join", *regions, "-o", "joined.exr")
                 self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), tiling)
 
-    def test_it_says_what_it_made(self):
+    def test_it_reports_what_it_wrote(self):
         said = self.succeed("join", *self.regions(STRIPS), "-o", "joined.exr")
         self.assertEqual(said, "joined.exr: 96 x 75 pixels, from 3 regions\n")
 
@@ -106,7 +106,7 @@ class Refused(JoinTest):
         self.refuse([f"'region1.exr' was rendered by {mine.decode().upper()}, 'region0.exr' by {mine.decode()}"],
                     *regions)
 
-    def test_what_is_no_region(self):
+    def test_files_that_are_not_regions(self):
         regions = self.regions(STRIPS)
         write_exr(self.folder / "foreign.exr", {"Y": Exr(self.folder / regions[0]).pixels})
         self.refuse(["'foreign.exr' has no 'gabor' attribute"], "foreign.exr", *regions[1:])

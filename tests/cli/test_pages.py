@@ -1,4 +1,4 @@
-"""What README.md and docs promise of a call, tried out."""
+"""Examples and figures of README.md and docs hold."""
 
 import json
 import pathlib

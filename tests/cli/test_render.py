@@ -219,7 +219,7 @@ class Periods(RenderTest):
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
-    def test_frames_go_round(self):
+    def test_frames_loop(self):
         self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20")
         self.assertEqual(sorted(self.files()), [f"out.000{i}.{kind}" for i in (1, 2, 3) for kind in ("exr", "png")])
         for frame in (1, 2, 3):
@@ -229,7 +229,7 @@ class Periods(RenderTest):
         for count in ("0", "-1", "10000", "two", "1.5"):
             self.assert_fails(2, ["--frames", count, "1 to 9999"], "render", "-o", "out.exr", "--frames", count)
 
-    def test_time_goes_round(self):
+    def test_time_is_periodic(self):
         at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
         self.assert_same_bits(at[0], at[1])
         self.assert_same_bits(at[0], at[-3])

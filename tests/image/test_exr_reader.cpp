@@ -57,7 +57,7 @@ constexpr Imf::PixelType type_of<Imath::half> = Imf::HALF;
 template <>
 constexpr Imf::PixelType type_of<unsigned> = Imf::UINT;
 
-/// A test file with any channels.
+/// Builds a file from its channels.
 class Foreign {
   public:
     explicit Foreign(Imf::Compression compression = Imf::ZIP_COMPRESSION)
@@ -191,7 +191,7 @@ TEST_CASE("The first part of several is read", "[exr]") {
     CHECK(read_all(reader) == ramp());
 }
 
-TEST_CASE("Without a name Y is taken, then R, then the first that has fractions", "[exr]") {
+TEST_CASE("Without a channel name, Y is read, else R, else the first half or float channel", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "in.exr";
     Foreign foreign;
@@ -233,7 +233,7 @@ TEST_CASE("A channel that cannot be read is refused", "[exr]") {
     CHECK_THAT(refusal(path), Contains("channel 'Y' is subsampled"));
 }
 
-TEST_CASE("What is no flat EXR is refused", "[exr]") {
+TEST_CASE("A file that is not a flat EXR is refused", "[exr]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
     CHECK_THAT(refusal(folder / "missing.exr"), Contains("missing.exr: No such file or directory"));
@@ -294,7 +294,7 @@ TEST_CASE("A file whose writer was stopped is refused", "[exr]") {
     CHECK_THAT(refusal(folder / "no offsets"), Contains("truncated or damaged"));
 }
 
-TEST_CASE("A window that the file cannot hold is refused before memory is taken for it", "[exr]") {
+TEST_CASE("A window that the file cannot hold is refused before memory is allocated", "[exr]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
     const auto path = folder / "in.exr";

@@ -84,7 +84,7 @@ TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
     }
 }
 
-TEST_CASE("Compressible values survive as well", "[exr]") {
+TEST_CASE("Compressible values are kept, in a smaller file", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     std::vector<float> pixels(64 * 64);
@@ -98,7 +98,7 @@ TEST_CASE("Compressible values survive as well", "[exr]") {
     }
 }
 
-TEST_CASE("A window at the far corner of the largest picture", "[exr]") {
+TEST_CASE("A window may lie in the far corner of the largest picture", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     const Rect picture = {0, 0, 65536, 65536};
@@ -174,7 +174,7 @@ TEST_CASE("A full disk ends an EXR with an error", "[exr]") {
                       Contains("/dev/full: No space left on device"));
 }
 
-TEST_CASE("An EXR into a pipe is refused before anyone waits", "[exr]") {
+TEST_CASE("Writing an EXR into a pipe is refused without blocking", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "fifo"; // that nobody reads: to open it would take for ever
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);

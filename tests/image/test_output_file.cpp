@@ -61,7 +61,7 @@ bool filter_calls(sock_filter (&program)[Size]) {
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
 }
 
-/// From now on this process is on a file system without O_TMPFILE.
+/// Makes O_TMPFILE fail in this process, as on file systems without it.
 bool forbid_nameless_files() {
     constexpr unsigned nameless = O_TMPFILE & ~O_DIRECTORY;
     sock_filter program[] = {
@@ -75,7 +75,7 @@ bool forbid_nameless_files() {
     return filter_calls(program);
 }
 
-/// From now on this process is killed by that call.
+/// Has this process killed as soon as it makes that call.
 bool kill_at(unsigned call) {
     sock_filter program[] = {
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
@@ -138,7 +138,7 @@ TEST_CASE("An older file stays until commit and is replaced then", "[output_file
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A moved-from file is left with nothing to do", "[output_file]") {
+TEST_CASE("A moved-from file does nothing", "[output_file]") {
     const ScratchFolder folder;
     std::optional<OutputFile> first(folder / "out");
     write(*first, "one ");
@@ -160,7 +160,7 @@ TEST_CASE("The mode is that of any new file", "[output_file]") {
     CHECK(mode(folder / "wide") == 0666);
 }
 
-TEST_CASE("What cannot be a file is refused in one line", "[output_file]") {
+TEST_CASE("A name that cannot be a file is refused in one line", "[output_file]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
     write_file(folder / "file", "");
@@ -176,7 +176,7 @@ TEST_CASE("What cannot be a file is refused in one line", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("The longest name there can be is accepted", "[output_file]") {
+TEST_CASE("The longest possible name is accepted", "[output_file]") {
     const ScratchFolder folder;
     const std::string name(255, 'x');
     replace(folder / name, "long");
@@ -241,7 +241,7 @@ TEST_CASE("A FIFO takes what is written in order", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A disk that fails is no fault of the request", "[output_file]") {
+TEST_CASE("A failing disk is not reported as a wrong request", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     // The limit on a file's size plays the full disk; it cuts the first write short and fails the next.
@@ -278,7 +278,7 @@ TEST_CASE("A killed process leaves nothing behind", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("What a killed process left is removed by the next that replaces the file", "[output_file]") {
+TEST_CASE("Replacing a file removes what a killed process left behind", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     write_file(path, "old");
@@ -305,7 +305,7 @@ TEST_CASE("What a killed process left is removed by the next that replaces the f
     CHECK(folder.count() == 2);
 }
 
-TEST_CASE("Without nameless files a hidden one takes their place", "[output_file]") {
+TEST_CASE("A hidden file is used where the file system has no unnamed files", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     const mode_t before = ::umask(027);

@@ -74,7 +74,7 @@ TEST_CASE("A PNG clamps what it cannot show", "[png]") {
     CHECK(decode(folder / "out.png").bytes == std::vector<std::uint8_t>{0, 0, 255, 255, 255, 0, 0, 128});
 }
 
-TEST_CASE("A PNG as wide as a picture can be", "[png]") {
+TEST_CASE("A PNG can be as wide as any picture", "[png]") {
     const ScratchFolder folder;
     PngWriter writer(folder / "out.png", 65536, 2, 1);
     writer.write_rows(std::vector<float>(2 * 65536, 1.0f));

@@ -59,7 +59,7 @@ void transform(std::vector<Complex>& a) {
 
 } // namespace
 
-TEST_CASE("lines at no distance have equal, nearly equal or opposite words more often than chance",
+TEST_CASE("lines at any distance have equal, nearly equal or opposite words no more often than by chance",
           "[amplitudes]") {
     constexpr int seeds = 1 << 17;
     for (const int axis : {0, 1}) {

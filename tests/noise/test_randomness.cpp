@@ -92,7 +92,7 @@ double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total)
 
 } // namespace
 
-TEST_CASE("every bit of an input turns every bit of the word half of the time", "[randomness]") {
+TEST_CASE("flipping any bit of an input flips each bit of the word half of the time", "[randomness]") {
     gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
         for (int bit = 0; bit < 32 * 3 + 5; ++bit) {

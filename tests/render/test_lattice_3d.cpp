@@ -308,7 +308,7 @@ TEST_CASE("the gradient on the lattice is what differences of the reference say"
     }
 }
 
-TEST_CASE("odd requests to the lattice in space give what is documented and never NaN", "[oracle]") {
+TEST_CASE("unusual arguments in space give the documented values, never NaN", "[oracle]") {
     const vulkan::Device device;
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float odd[] = {0, -0.0f, 1e-38f, 1e-30f, -3, 1e30f, 3e38f, infinity, -infinity};

@@ -399,7 +399,7 @@ TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") 
     }
 }
 
-TEST_CASE("what the sink throws ends the rendering", "[render]") {
+TEST_CASE("an exception from the sink ends the rendering", "[render]") {
     const vulkan::Device device;
     const render::Request request{.width = 4096, .height = 8192, .seed = 1};
     int bands = 0;

@@ -107,7 +107,7 @@ TEST_CASE("files of earlier versions load", "[request]") {
     CHECK(slice == Request{.view = render::Slice{3.5}});
 }
 
-TEST_CASE("bad parameters are named", "[request]") {
+TEST_CASE("errors name the bad parameter", "[request]") {
     const auto refused = [](const char* json, const char* word) {
         INFO(json);
         CHECK_THROWS_AS(render::from_json(json), RequestError);
@@ -135,7 +135,7 @@ TEST_CASE("bad parameters are named", "[request]") {
     CHECK_THROWS_AS(render::check(request), RequestError);
 }
 
-TEST_CASE("values outside their range are refused, at both ends, whoever brings them", "[request]") {
+TEST_CASE("values beyond either end of their range are refused, however they are set", "[request]") {
     int refused = 0;
     for (const std::string_view view : views) {
         for (const Parameter& parameter : render::parameters()) {
@@ -173,7 +173,7 @@ TEST_CASE("angles have units", "[request]") {
     CHECK_THROWS_AS(render::read(render::parameter("scale"), "45deg"), RequestError);
 }
 
-TEST_CASE("a request has what its view and lobes have", "[request]") {
+TEST_CASE("a request has the parameters of its view and lobes", "[request]") {
     const auto has = [](const Request& request, std::string_view name) {
         return render::parameter(name).get(request).has_value();
     };
@@ -201,7 +201,7 @@ TEST_CASE("a request has what its view and lobes have", "[request]") {
     CHECK(render::from_json(R"({"depth": 2, "view": "slice"})").view == render::View(render::Slice{2}));
 }
 
-TEST_CASE("what excludes gives way, or is refused", "[request]") {
+TEST_CASE("conflicting parameters are refused, or dropped on request", "[request]") {
     struct Pair {
         Request start;
         const char* first;

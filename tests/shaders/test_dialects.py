@@ -192,14 +192,14 @@ class Dialects(unittest.TestCase):
             with self.subTest(path.name):
                 self.compile(f"#version 300 es\n{before}{path.read_text()}{after}", "frag", [])
 
-    def test_a_macro_that_is_not_good_ends_in_an_error_that_says_so(self):
+    def test_an_error_names_a_bad_macro(self):
         *parts, stage, options = DIALECTS["300 es fragment"]
         for name, macros in BAD_MACROS.items():
             for macro, value, message in macros:
                 with self.subTest(f"{macro} {value}"), self.assertRaisesRegex(AssertionError, message):
                     self.compile(shader(name, *parts, {macro: value}), stage, options)
 
-    def test_they_say_what_must_come_before(self):
+    def test_a_missing_include_is_named(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
         for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction"):
             with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_lattice . glsl \S*.*before"):
@@ -218,7 +218,7 @@ class Dialects(unittest.TestCase):
                     output = "layout(location = 0) out" if version == "450" else "out"
                     self.compile(f"#version {version}\n{text}\n{output} vec4 c;\nvoid main()\n{{\n    {use}\n}}\n", "frag", [])
 
-    def test_both_at_once_are_an_error_that_says_so(self):
+    def test_including_both_is_an_error(self):
         for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
             with self.assertRaisesRegex(AssertionError, "not both"):
                 self.compile("#version 450\n" + "".join(map(SOURCES.get, both)) + "void main() {}\n", "frag", [])

@@ -53,7 +53,7 @@ void check(const char* name, const Trial& trial) {
 
 } // namespace
 
-TEST_CASE("estimates from blocks have no bias and their intervals cover the truth") {
+TEST_CASE("estimates from blocks are unbiased, and their intervals cover the truth") {
     const double c = GENERATE(0.0, 0.1);
     const samples::Bent bent{c};
     Trial mean{5};
@@ -121,7 +121,7 @@ TEST_CASE("the index of a large picture of independent pixels is the exact one")
     CHECK(estimates->mean.value == Approx(0).margin(0.003));
 }
 
-TEST_CASE("blocks are joined until they outgrow the correlation, or nothing is said") {
+TEST_CASE("blocks are joined until they exceed the correlation length, or there is no estimate") {
     Blocks blocks(256, 160, {});
     add_picture(blocks, samples::normal(256 * 160, 4), 256);
     CHECK(blocks.estimate(10)->blocks_per_side == 16);
@@ -133,7 +133,7 @@ TEST_CASE("blocks are joined until they outgrow the correlation, or nothing is s
     CHECK(blocks.estimate(20)->variance.value == Approx(blocks.moments().variance()));
 }
 
-TEST_CASE("a picture without variance has no law to speak of") {
+TEST_CASE("a constant picture has no estimates") {
     const std::vector<float> flat(64 * 64, 0.5f);
     Moments moments;
     moments.add(flat);

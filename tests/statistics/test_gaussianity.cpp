@@ -85,7 +85,7 @@ TEST_CASE("the index of a law that is not normal is found to a hundredth") {
     CHECK(index.high - index.low < 0.03 * index.value);
 }
 
-TEST_CASE("a wrong deviation is seen") {
+TEST_CASE("a wrong deviation is detected") {
     // Phi(x / 1.02) - Phi(x) = -0.02 x phi(x) + ..., and the integral of x^2 phi^3 is 1 / (2 pi 3 sqrt(3)).
     const std::vector<float> values = samples::normal(1000000, 6);
     const Estimate index = index_of(values, 1 / 1.02);
@@ -93,7 +93,7 @@ TEST_CASE("a wrong deviation is seen") {
     CHECK(index.value == Approx(262144 * 0.02 * 0.02 / (2 * 3.14159265 * 5.19615)).margin(0.4));
 }
 
-TEST_CASE("a deviation that only the samples tell gives the index that it would have given before") {
+TEST_CASE("a deviation measured afterwards gives the same index as one known before") {
     // As many bins wide as the sums and differences of pairs, which are counted in units of their largest
     // deviation, may come to be, and a little beyond it.
     const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
@@ -112,7 +112,7 @@ TEST_CASE("a deviation that only the samples tell gives the index that it would 
     CHECK(gaussianity.index().value != Approx(known.value).epsilon(0.1));
 }
 
-TEST_CASE("indices have no bias and their intervals cover the truth in 95 cases of 100") {
+TEST_CASE("indices are unbiased, and 95 % of their intervals cover the truth") {
     SECTION("normal") {
         const Coverage normal = coverage(1000, {0});
         CHECK(normal.part == Approx(0.95).margin(0.02));
@@ -151,7 +151,7 @@ TEST_CASE("merging is exact, in any order") {
     CHECK(whole.count() == values.size());
 }
 
-TEST_CASE("infinities count as the extreme values that they are, NaN is refused") {
+TEST_CASE("infinities count as extreme values, and NaN is refused") {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     CHECK(index_of({-infinity, 0, infinity}).value == index_of({-20, 0, 20}).value);
     CHECK_THROWS_AS(index_of({std::numeric_limits<float>::quiet_NaN()}), std::domain_error);

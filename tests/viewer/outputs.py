@@ -1,4 +1,4 @@
-"""What is taken home is what is seen: the code that is copied and the files that are exported, of any output."""
+"""Copied code and exported files show what the window shows, for every output."""
 
 import json
 

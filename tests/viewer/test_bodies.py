@@ -1,4 +1,4 @@
-"""What is taken home is what is seen, of noise in space."""
+"""In space, copied code and exported files show what the window shows."""
 
 import math
 import unittest

@@ -1,4 +1,4 @@
-"""An export that ends with a killed viewer: its files are there completely, or not at all."""
+"""A viewer killed while it exports leaves complete files or none."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What is taken home is what is seen, in the plane."""
+"""In the plane, copied code and exported files show what the window shows."""
 
 import unittest
 

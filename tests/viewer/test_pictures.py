@@ -59,7 +59,7 @@ class Pictures(ViewerTest):
         for mine, theirs in (("out.exr", "noise.exr"), ("out.png", "noise.png")):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
 
-    def test_presets_go_round(self):
+    def test_presets_survive_saving_and_opening(self):
         preset = self.preset("preset.json", **SPELLED_OUT)
         self.play("""
             open preset.json

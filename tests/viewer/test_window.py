@@ -1,4 +1,4 @@
-"""The viewer's window, by scripts: what it does without complaint, and what it refuses."""
+"""The viewer's window, driven by scripts: what it does and what it refuses."""
 
 import json
 import unittest
