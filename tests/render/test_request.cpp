@@ -1,4 +1,5 @@
 #include "error.hpp"
+#include "render/material.hpp"
 #include "render/parameters.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,10 +28,14 @@ Value another(const Parameter& parameter, const Value& value) {
         return "a \"name\".exr";
     case Parameter::Kind::lobes:
         return std::vector<noise::Lobe>{{0.1, -33.3, 0.25, 12.345678901234567, 3, 0.7}, {7, 90}};
+    case Parameter::Kind::colour:
+        return std::array{0.1, 0.25, 0.7};
     case Parameter::Kind::integer:
         return parameter.range.high;
     default:
-        return (2 * parameter.range.low + parameter.range.high) / 3;
+        const double third = (parameter.range.high - parameter.range.low) / 3;
+        return std::get<double>(value) == parameter.range.low + third ? parameter.range.high - third
+                                                                      : parameter.range.low + third;
     }
 }
 
@@ -49,9 +54,15 @@ TEST_CASE("every parameter survives JSON and text exactly, and makes another req
     for (const std::string_view view : views) {
         Request several = of_view(view);
         render::set(several, "lobes", std::vector<noise::Lobe>(3));
-        for (const Request& start : {of_view(view), several}) {
+        std::vector<Request> starts{of_view(view), several};
+        for (const std::string_view material : render::materials) {
+            starts.push_back(of_view(view));
+            starts.back().material = material;
+        }
+        for (const Request& start : starts) {
             for (const Parameter& parameter : render::parameters()) {
-                INFO(view << ", " << start.lobes.size() << " lobes, " << parameter.name);
+                INFO(view << ", " << start.lobes.size() << " lobes, " << start.material << ", "
+                          << parameter.name);
                 const std::optional<Value> before = parameter.get(start);
                 if (!before)
                     continue;
