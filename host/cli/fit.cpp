@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "fit/glsl.hpp"
 #include "fit/preset.hpp"
+#include "fit/warnings.hpp"
 #include "image/output_file.hpp"
 #include "render/parameters.hpp"
 
@@ -64,15 +65,8 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
                    fit::window_side);
     fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels, a quarter of the exemplar\n",
                error.autocorrelation, error.furthest_lag);
-    if (exemplar.structure > fit::Structure::limit)
-        fmt::print(
-            "  This is no texture of waves alone: its derivatives are {:.1f} from normal, by excess kurtosis "
-            "or skewness, where Gaussian textures are 0.\n"
-            "  Its random-phase noise has lost the edges and the things that it is made of: the fit will "
-            "too.\n",
-            exemplar.structure);
-    if (exemplar.alpha)
-        fmt::print("  Its alpha channel was ignored.\n");
+    for (const std::string& line : fit::warnings(exemplar, fitted))
+        fmt::print("  {}\n", line);
 }
 
 void fit_picture(const FitOptions& options) {
@@ -105,7 +99,8 @@ void add_fit_command(CLI::App& app) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
     command
-        ->add_option("IMAGE", options->image, "The photograph: PNG, JPEG or OpenEXR, at least 128x128 pixels")
+        ->add_option("IMAGE", options->image,
+                     "The photograph: PNG, JPEG, TGA or OpenEXR, at least 128x128 pixels")
         ->type_name("FILE")
         ->required();
     command

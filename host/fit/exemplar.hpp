@@ -21,10 +21,11 @@ constexpr int least_side = 2 * window_side;
 struct Exemplar {
     int width = 0;
     int height = 0;
-    int channels = 0;     ///< 1 where red, green and blue are the same
-    bool alpha = false;   ///< there is an alpha channel, which was ignored
-    Trend trend;          ///< of each channel
-    Eigen::VectorXd mean; ///< of each channel
+    int channels = 0;       ///< 1 where red, green and blue are the same
+    double transparent = 0; ///< share of pixels that are more transparent than opaque, which were left out
+    double fireflies = 0;   ///< share of pixels far brighter than all others, which were left out
+    Trend trend;            ///< of each channel
+    Eigen::VectorXd mean;   ///< of each channel
     Eigen::MatrixXd
         components; ///< a column for each, as long as its deviation: channels = mean + components * values
     Spectra spectra{1};                          ///< of the components
@@ -34,7 +35,7 @@ struct Exemplar {
 };
 
 /// Reads the file twice, and holds no more of it than the rows of a window. Throws RequestError where it
-/// cannot be read, is too small or constant, or has a value that is not finite.
+/// cannot be read, is too small, transparent or constant, or has a value that is not finite.
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);
 
 /// The matrix that takes channels without their trend to components.

@@ -20,8 +20,7 @@ render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) 
         lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }
-    if (exemplar.channels > 1)
-        request.colour = fitted.colour;
+    request.colour = fitted.colour;
     return request;
 }
 

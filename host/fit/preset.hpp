@@ -5,7 +5,7 @@
 
 namespace gabor::fit {
 
-/// The texture as a picture of the exemplar's size and scale. In grey it is a noise of variance 1 alone.
+/// The texture as a picture of the exemplar's size and scale.
 render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

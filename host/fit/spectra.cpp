@@ -479,7 +479,8 @@ Spectra SpectraEstimate::spectra() const {
         imaginary.push_back(std::move(im));
     }
     if (kept.empty())
-        throw RequestError(fmt::format("has no {0} x {0} pixels that are not transparent", window_side));
+        throw RequestError(
+            fmt::format("the picture has no {0} x {0} opaque pixels in one place", window_side));
     Spectra result(channels_, std::make_shared<const std::vector<Scale>>(kept));
     for (std::size_t i = 0; i < kept.size(); ++i) {
         result.real.middleRows(kept[i].begin, real[i].rows()) = real[i];

@@ -13,7 +13,7 @@ class Structure {
   public:
     explicit Structure(int width);
 
-    /// The next row of one channel.
+    /// The next row of one channel, NaN where a pixel does not count.
     void add_row(std::span<const float> row);
 
     /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and

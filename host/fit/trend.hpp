@@ -3,47 +3,62 @@
 #include <Eigen/Core>
 
 #include <span>
+#include <vector>
 
 namespace gabor::fit {
 
-/// The quadratic polynomial of x and y in each channel that is nearest to a picture, by least squares: light
-/// that falls off, no texture.
+/// Uneven light: in each channel, the quadratic polynomial of x and y with the least squared distance from
+/// the picture. Where it also changes the contrast, deviations are in proportion to (light / mean
+/// light)^contrast.
 struct Trend {
     int width = 0;
     int height = 0;
     Eigen::Matrix<double, 6, Eigen::Dynamic>
-        coefficients; ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
+        coefficients;    ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
+    double contrast = 0; ///< from 0, where light was added, to 1, where it was multiplied
 
-    /// Takes it from row y, whose pixels have their channels side by side.
+    /// Subtracts it from row y, whose pixels have their channels side by side, and evens the contrast.
     void subtract(int y, std::span<float> row) const;
+    /// Returns the sum of its channels at a place in [-1, 1], divided by their mean over the picture.
+    double light(double u, double v) const;
+    /// Returns the factor that evens the contrast there.
+    double gain(double u, double v) const;
 };
 
 /// What one pass over a picture finds.
 struct Survey {
     Trend trend;
     Eigen::VectorXd mean;
-    Eigen::MatrixXd covariance; ///< of the channels, without the trend
+    Eigen::MatrixXd covariance; ///< of the channels, without the trend and with even contrast
 };
 
-/// Sums that it is made of.
+/// The sums that a survey needs.
 class PixelSums {
   public:
     PixelSums(int width, int height, int channels);
 
-    /// Rows from the top.
-    void add_row(std::span<const float> row);
-    /// Call after the last row.
+    /// Adds the next row from the top. Pixels whose `seen` is 0 do not count.
+    void add_row(std::span<const float> row, std::span<const float> seen);
+    /// Call after the last row. At least one pixel must have been seen.
     Survey survey() const;
 
   private:
+    static constexpr int blocks = 16; ///< along each side of the picture, to tell how its contrast changes
+    struct Block {
+        double count = 0;
+        double sum = 0; ///< of the sums of channels
+        double squares = 0;
+    };
+    void find_contrast(Survey& survey) const;
+
     int height_;
     int row_ = 0;
     Eigen::Matrix<double, 3, Eigen::Dynamic> powers_;   ///< 1, x, x^2 of each column
-    Eigen::Matrix3d row_gram_;                          ///< of these
     Eigen::MatrixXd values_;                            ///< the row
     Eigen::Matrix<double, 6, 6> gram_;                  ///< of the polynomials
     Eigen::Matrix<double, 6, Eigen::Dynamic> products_; ///< of the polynomials and the channels
     Eigen::MatrixXd squares_;                           ///< of the channels
+    std::vector<Block> blocks_ = std::vector<Block>(blocks * blocks);
 };
 
 } // namespace gabor::fit

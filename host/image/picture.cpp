@@ -7,6 +7,7 @@
 
 #include <array>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -28,11 +29,13 @@ class ExrPicture : public PictureReader {
         }
         const ExrReader& first = readers_.front();
         format_ = {first.window().width, first.window().height, 1, first.has_channel("A")};
-        if (first.channel() != "R" || !first.has_channel("G") || !first.has_channel("B"))
-            return;
-        readers_.emplace_back(path, "G");
-        readers_.emplace_back(path, "B");
-        format_.channels = 3;
+        if (first.channel() == "R" && first.has_channel("G") && first.has_channel("B")) {
+            readers_.emplace_back(path, "G");
+            readers_.emplace_back(path, "B");
+            format_.channels = 3;
+        }
+        if (format_.alpha)
+            alpha_reader_.emplace(path, "A");
     }
 
     void read_row(std::span<float> row) override {
@@ -43,10 +46,15 @@ class ExrPicture : public PictureReader {
                 at += readers_.size();
             }
         }
+        if (alpha_reader_) {
+            const auto alpha = alpha_reader_->read_rows(1);
+            alpha_.assign(alpha.begin(), alpha.end());
+        }
     }
 
   private:
     std::vector<ExrReader> readers_;
+    std::optional<ExrReader> alpha_reader_;
 };
 
 } // namespace
@@ -71,8 +79,10 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
         return open_jpeg(path);
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path, channel);
-    throw RequestError(
-        fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG or OpenEXR", path.string()));
+    if (auto tga = open_tga(path)) // which starts with no signature
+        return tga;
+    throw RequestError(fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG, TGA or OpenEXR",
+                                   path.string()));
 }
 
 } // namespace gabor::image

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gabor::image {
 
@@ -14,28 +15,34 @@ class PictureReader {
         int width = 0;
         int height = 0;
         int channels = 0;   ///< 1, or 3 for red, green, blue
-        bool alpha = false; ///< whether the file also has alpha, which is not read
+        bool alpha = false; ///< whether the file also has alpha
     };
 
     virtual ~PictureReader() = default;
     const Format& format() const { return format_; }
 
-    /// Returns the next row, channels interleaved: 0 to 1 for PNG (8 and 16 bits) and JPEG, raw values for
-    /// EXR. Throws RequestError, naming the file, if it is damaged or truncated.
+    /// Returns the next row, channels interleaved: 0 to 1 for PNG (8 and 16 bits), JPEG and TGA, raw values
+    /// for EXR. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
+
+    /// The alpha of each pixel of the row that was read last; empty without an alpha channel.
+    std::span<const float> alpha() const { return alpha_; }
 
   protected:
     Format format_;
+    std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG or OpenEXR file; the content decides, not the name. Of an EXR with a channel of that
-/// name it reads this one alone. Throws RequestError for other formats, colours other than grey or RGB, and
-/// unreadable files.
+/// Opens a PNG, JPEG, TGA or OpenEXR file; the content decides, not the name. Of an EXR with a channel of
+/// that name it reads this one alone. Throws RequestError for other formats, colours other than grey or RGB,
+/// and unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {});
 
 /// Opens a file of that format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
+/// Returns nothing if the file is no TGA.
+std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path);
 
 } // namespace gabor::image

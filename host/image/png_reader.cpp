@@ -75,7 +75,7 @@ PngPicture::PngPicture(const std::filesystem::path& path)
     }
 }
 
-// Converts every format to 16-bit grey or RGB.
+// Converts every format to 16-bit grey or RGB, with alpha where the file has it.
 void PngPicture::read_header() {
     guarded([this] {
         png_set_user_limits(png_, widest_png, widest_png);
@@ -85,13 +85,13 @@ void PngPicture::read_header() {
         format_.alpha = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
         interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
         png_set_expand_16(png_);
-        png_set_strip_alpha(png_);
         png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
     });
     format_.width = static_cast<int>(png_get_image_width(png_, info_));
     format_.height = static_cast<int>(png_get_image_height(png_, info_));
-    format_.channels = png_get_channels(png_, info_);
+    format_.channels = png_get_channels(png_, info_) - (format_.alpha ? 1 : 0);
+    alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);
 }
 
 void PngPicture::read_interlaced() {
@@ -106,13 +106,20 @@ void PngPicture::read_interlaced() {
 void PngPicture::read_row(std::span<float> row) {
     const png_byte* at = bytes_.data();
     if (interlaced_)
-        at += row_ * 2 * row.size();
+        at += row_ * 2 * (row.size() + alpha_.size());
     else
         guarded([this] { png_read_row(png_, bytes_.data(), nullptr); });
     ++row_;
-    for (float& value : row) {
-        value = static_cast<float>(256 * at[0] + at[1]) / 65535.0f;
+    const auto next = [&at] {
+        const int value = 256 * at[0] + at[1];
         at += 2;
+        return static_cast<float>(value) / 65535.0f;
+    };
+    const auto channels = static_cast<std::size_t>(format_.channels);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        row[i] = next();
+        if (!alpha_.empty() && (i + 1) % channels == 0)
+            alpha_[i / channels] = next();
     }
 }
 

@@ -3,8 +3,8 @@
 #include "fit/fit.hpp"
 #include "fit/glsl.hpp"
 #include "fit/preset.hpp"
+#include "fit/warnings.hpp"
 #include "image/picture.hpp"
-#include "render/file.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace gabor::viewer {
@@ -61,10 +62,7 @@ std::vector<std::string> lines_of(const fit::Exemplar& exemplar, const fit::Fitt
     std::vector<std::string> lines{
         fmt::format("{} lobes; spectrum within {:.3f}, autocorrelation within {:.3f}", fitted.waves.size(),
                     fitted.error.l1, fitted.error.autocorrelation)};
-    if (exemplar.structure > fit::Structure::limit)
-        lines.emplace_back("The photograph has edges or objects, which no noise can reproduce");
-    if (exemplar.alpha)
-        lines.emplace_back("Its alpha channel is ignored");
+    std::ranges::copy(fit::warnings(exemplar, fitted), std::back_inserter(lines));
     return lines;
 }
 
@@ -115,10 +113,6 @@ void Fitter::work(const Wanted& wanted) {
     if (!exemplar_) {
         Photograph photograph = read_photograph(wanted.path, part(0, 0.1));
         auto exemplar = std::make_shared<fit::Exemplar>(fit::read_exemplar(wanted.path, part(0.1, 0.4)));
-        if (exemplar->channels == 1) // shown like its noise, with mean 0 and variance 1
-            for (float& value : photograph.pixels)
-                value = render::unorm(static_cast<float>((double{value} - exemplar->mean[0]) /
-                                                         std::abs(exemplar->components(0, 0))));
         read_ = std::make_shared<Photograph>(std::move(photograph));
         exemplar_ = std::move(exemplar);
     }

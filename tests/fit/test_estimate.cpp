@@ -368,6 +368,7 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
     std::mt19937 generator(3);
     std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
     std::vector<std::vector<float>> rows;
+    const std::vector<float> all(width, 1);
     PixelSums with(width, height, 1);
     PixelSums without(width, height, 1);
     for (int y = 0; y < height; ++y) {
@@ -378,8 +379,8 @@ TEST_CASE("a quadratic trend is removed, and nothing else") {
             row[x] = noise[x] + static_cast<float>(trend((2.0 * static_cast<double>(x) + 1) / width - 1,
                                                          (2.0 * y + 1) / height - 1));
         }
-        with.add_row(row);
-        without.add_row(noise);
+        with.add_row(row, all);
+        without.add_row(noise, all);
         rows.push_back(row);
         rows.push_back(noise);
     }

@@ -1,0 +1,66 @@
+#include "error.hpp"
+#include "image/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+
+#define STBI_ONLY_TGA
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace gabor::image {
+
+namespace {
+
+constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // all are decoded in memory
+
+class TgaPicture : public PictureReader {
+  public:
+    TgaPicture(const std::filesystem::path& path, int width, int height, int values) {
+        if (std::int64_t{width} * height > most_pixels)
+            throw RequestError(fmt::format("cannot read '{}': a TGA may have at most {} million pixels",
+                                           path.string(), most_pixels / 1000000));
+        bytes_.reset(stbi_load(path.c_str(), &width, &height, &values, 0));
+        if (!bytes_)
+            throw RequestError(fmt::format("cannot read '{}': {}", path.string(), stbi_failure_reason()));
+        format_ = {width, height, values < 3 ? 1 : 3, values % 2 == 0};
+        alpha_.resize(format_.alpha ? static_cast<std::size_t>(width) : 0);
+        next_ = bytes_.get();
+    }
+
+    void read_row(std::span<float> row) override {
+        const auto next = [this] { return static_cast<float>(*next_++) / 255.0f; };
+        const auto channels = static_cast<std::size_t>(format_.channels);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = next();
+            if (format_.alpha && (i + 1) % channels == 0)
+                alpha_[i / channels] = next();
+        }
+    }
+
+  private:
+    struct Free {
+        void operator()(stbi_uc* bytes) const { stbi_image_free(bytes); }
+    };
+    std::unique_ptr<stbi_uc, Free> bytes_;
+    const stbi_uc* next_ = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path) {
+    int width = 0;
+    int height = 0;
+    int values = 0;
+    if (stbi_info(path.c_str(), &width, &height, &values) == 0)
+        return nullptr;
+    return std::make_unique<TgaPicture>(path, width, height, values);
+}
+
+} // namespace gabor::image
