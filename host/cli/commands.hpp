@@ -10,7 +10,6 @@ namespace gabor::cli {
 void add_render_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_erode_command(CLI::App& app);
-void add_terrain_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);

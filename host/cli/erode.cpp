@@ -1,14 +1,17 @@
 #include "cli/commands.hpp"
-#include "cli/heights.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/raw16.hpp"
 #include "render/erosion.hpp"
+#include "render/heightmap.hpp"
+#include "render/load.hpp"
+#include "render/parameters.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +26,54 @@ namespace gabor::cli {
 
 namespace {
 
+using render::has_extension;
+
 constexpr int most_side = 16384;
+constexpr double preset_hill = 4; // the width of the hills that presets are for
+
+// Gullies as options state them: a preset, and members that are set one by one.
+struct GullyOptions {
+    std::string preset = "alps";
+    std::vector<std::string> members; // in the order of render::erosion_parameters; empty if not given
+
+    void add_to(CLI::App& command);
+    // The gullies where hills are `hill` wide. Throws RequestError for an unknown preset or a number out of
+    // range.
+    render::Erosion erosion(double hill) const;
+};
+
+std::vector<std::string_view> terrain_presets() {
+    std::vector<std::string_view> names = render::preset_names();
+    std::erase_if(names, [](std::string_view name) { return !render::has_terrain(render::preset(name)); });
+    return names;
+}
+
+void GullyOptions::add_to(CLI::App& command) {
+    command
+        .add_option("--preset", preset,
+                    fmt::format("Shape of the gullies: {} [alps]", fmt::join(terrain_presets(), ", ")))
+        ->type_name("NAME");
+    const auto parameters = render::erosion_parameters();
+    members.resize(parameters.size());
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        command.add_option(render::option_name(*parameters[i]), members[i], std::string(parameters[i]->help))
+            ->type_name("NUMBER");
+}
+
+render::Erosion GullyOptions::erosion(double hill) const {
+    const std::vector<std::string_view> names = terrain_presets();
+    if (std::ranges::find(names, preset) == names.end())
+        throw RequestError(fmt::format("--preset '{}': it takes {}", preset, fmt::join(names, ", ")));
+    render::Request request = render::preset(preset);
+    std::get<render::Terrain>(request.view).erosion.frequency *= preset_hill / hill;
+    const auto parameters = render::erosion_parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        if (!members[i].empty())
+            with_prefix(render::option_name(*parameters[i]) + ' ', [&] {
+                render::set(request, parameters[i]->name, render::read(*parameters[i], members[i]));
+            });
+    return std::get<render::Terrain>(request.view).erosion;
+}
 
 struct ErodeOptions {
     std::filesystem::path map;
@@ -65,6 +115,16 @@ render::HeightMap map_of(const ErodeOptions& options) {
     return map;
 }
 
+image::Rect region_within(const std::vector<int>& region, int width, int height) {
+    if (region.empty())
+        return {0, 0, width, height};
+    const image::Rect r{region[0], region[1], region[2], region[3]};
+    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > width - r.x || r.height > height - r.y)
+        throw RequestError(fmt::format("--region {},{},{},{} is not within the map of {} x {} pixels", r.x,
+                                       r.y, r.width, r.height, width, height));
+    return r;
+}
+
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
         throw RequestError(fmt::format("--extent {}: it takes the map's width, more than 0", options.extent));
@@ -84,7 +144,7 @@ void erode(const ErodeOptions& options) {
     if (floats && !to_exr && options.elevation.empty())
         throw RequestError(
             "of an EXR, which holds heights, --elevation says which of them are 0 and 65535 in 16 bits");
-    Elevation elevation{0, options.extent / 8};
+    render::Elevation elevation{0, options.extent / 8};
     if (!options.elevation.empty())
         elevation = {options.elevation[0], options.elevation[1]};
     if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
@@ -94,13 +154,13 @@ void erode(const ErodeOptions& options) {
         map.offset = elevation.low;
     }
     // The range holds whatever erosion makes of heights in the map's own.
-    const double reach = render::erosion_reach(erosion) / erosion.frequency;
-    const Elevation range{elevation.low - reach, elevation.high + reach};
+    const double reach = render::erosion_reach(erosion) * erosion.gully_weight;
+    const render::Elevation range{elevation.low - reach, elevation.high + reach};
 
     note_interrupts();
     const vulkan::Device device(options.device);
     std::optional<image::ExrWriter> exr;
-    std::optional<HeightWriter> heights;
+    std::optional<render::HeightWriter> heights;
     if (to_exr)
         exr.emplace(options.output,
                     image::ExrWriter::Description{
@@ -118,7 +178,7 @@ void erode(const ErodeOptions& options) {
             if (exr)
                 exr->write_rows(rows);
             else
-                heights->write_rows(rows);
+                heights->write_rows(rows, render::erosion_channels.size(), 0);
             progress.advance(rows.size() / render::erosion_channels.size());
         });
     }

@@ -51,6 +51,9 @@ struct RenderOptions {
     std::string compression = "none"; // zip saves 2.5 % of a noise and takes ten times as long
     std::optional<std::string> level;
     std::string device;
+    std::optional<std::string> heightmap;
+    std::vector<double> elevation;
+    bool terrain = false;
     bool texture = false;
     bool half = false;
     bool verbose = false;
@@ -87,12 +90,6 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
     return values;
 }
 
-std::string option_name(const render::Parameter& parameter) {
-    std::string name(parameter.name);
-    std::ranges::replace(name, '_', '-');
-    return "--" + name;
-}
-
 render::Values given_values(const RenderOptions& options) {
     render::Values values;
     for (const auto& [parameter, option] : options.parameters) {
@@ -100,7 +97,7 @@ render::Values given_values(const RenderOptions& options) {
             continue;
         const render::Parameter& p = *parameter;
         const auto text = option->as<std::string>();
-        values.emplace_back(&p, with_prefix(option_name(p) + ' ', [&] {
+        values.emplace_back(&p, with_prefix(render::option_name(p) + ' ', [&] {
             return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
         }));
     }
@@ -142,7 +139,14 @@ Work make_work(const RenderOptions& options) {
         if (!options.size)
             region = like.region;
     }
-    render::set(work.request, given_values(options));
+    if (options.terrain && !render::has_terrain(work.request))
+        render::set(work.request, "view", "terrain");
+    const render::Values given = given_values(options);
+    render::set(work.request, given);
+    const bool scaled =
+        std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
+    if (options.terrain && !scaled && !options.preset && !options.like) // two hills
+        work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
     if (options.level)
@@ -216,6 +220,20 @@ bool is_png(const std::string& path) {
 // The output files of -o and --png.
 render::Files files_of(const RenderOptions& options) {
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
+    if (options.heightmap) {
+        files.heightmap = *options.heightmap;
+        if (options.png && same_file(*options.png, *options.heightmap))
+            throw RequestError("--png and --heightmap name the same file");
+        if (!options.elevation.empty())
+            files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
+    }
+    if (!options.elevation.empty() && !options.heightmap)
+        throw RequestError("--elevation is for --heightmap");
+    if (!options.output) {
+        if (options.png)
+            files.png = *options.png;
+        return files;
+    }
     const std::string extension = std::filesystem::path(*options.output).extension();
     if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
         refuse("-o", *options.output, "the name of a file that ends in .exr or .png");
@@ -234,8 +252,8 @@ render::Files files_of(const RenderOptions& options) {
         throw RequestError("--half is for --texture: pictures are of 32-bit floats");
     if (options.texture && options.level)
         throw RequestError("--texture and --level exclude each other: a level is a picture");
-    if (options.texture && files.png)
-        throw RequestError("--texture and a PNG exclude each other: a texture is an EXR");
+    if (options.texture && (files.png || files.heightmap))
+        throw RequestError("--texture and a PNG or a heightmap exclude each other: a texture is an EXR");
     return files;
 }
 
@@ -278,7 +296,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
     if (options.maps)
         return render_map_set(options);
-    if (!options.output)
+    if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material");
     if (options.directx)
         throw RequestError("--directx is for --maps");
@@ -298,7 +316,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     for (int frame = 0; frame < frames; ++frame) {
         const render::Request request = render::frame_of(work.request, frame, frames);
         render::Files here = files;
-        for (std::optional<std::filesystem::path>* path : {&here.exr, &here.png})
+        for (std::optional<std::filesystem::path>* path : {&here.exr, &here.png, &here.heightmap})
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) {
@@ -314,9 +332,14 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         total += times;
         if (frame + 1 == frames)
             progress.reset();
-        fmt::print("{}: {} x {} pixels, {}, on {}\n", (here.exr ? *here.exr : *here.png).string(),
+        fmt::print("{}: {} x {} pixels, {}, on {}\n",
+                   (here.exr   ? *here.exr
+                    : here.png ? *here.png
+                               : *here.heightmap)
+                       .string(),
                    region.width, region.height,
-                   render::has_material(request)
+                   render::has_terrain(request) ? "terrain"
+                   : render::has_material(request)
                        ? fmt::format("material {}", request.material)
                        : fmt::format("recipe {}", noise::to_string(render::drawing_recipe(request))),
                    device.info().name);
@@ -370,7 +393,7 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
     for (const render::Parameter& parameter : render::parameters()) {
         if (parameter.name == "width" || parameter.name == "height")
             continue;
-        const std::string name = option_name(parameter);
+        const std::string name = render::option_name(parameter);
         CLI::Option* option = parameter.kind == Kind::flag
                                   ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
                                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
@@ -446,8 +469,19 @@ void add_render_command(CLI::App& app) {
             "--level", options->level,
             "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest")
         ->type_name("NUMBER");
-    command->add_flag_callback(
-        "--terrain", [] {}, "Draw eroded mountains; takes the options of gabor terrain");
+    command->add_flag("--terrain", options->terrain,
+                      "Draw eroded mountains: --view terrain, with two hills across unless --scale is given");
+    command
+        ->add_option(
+            "--heightmap", options->heightmap,
+            "Of terrain: heights of 16 bits, a PNG or .r16, with their scale in a .json file beside it")
+        ->type_name("FILE");
+    command
+        ->add_option("--elevation", options->elevation,
+                     "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [all that there can be]")
+        ->type_name("RANGE")
+        ->delimiter(',')
+        ->expected(2);
     command->add_flag("--verbose", options->verbose, "Print how much time and memory each step took");
     command->callback([options, start] { render_pictures(*options, start); });
 }

@@ -21,56 +21,6 @@ namespace {
 constexpr int map_halo = passes::erode_halo;
 constexpr std::size_t most_band_pixels = std::size_t{1} << 20;
 
-constexpr std::array<ErosionParameter, 12> gully_parameters{{
-    {"octaves", &Erosion::octaves, 0, 16, "Octaves of gullies"},
-    {"frequency", &Erosion::frequency, 1e-3, 1e4, "Gullies of the first octave per unit of length"},
-    {"strength", &Erosion::strength, 0, 10, "Depth of these gullies times their frequency"},
-    {"lacunarity", &Erosion::lacunarity, 1, 8, "Frequency of an octave over that of the one before"},
-    {"gain", &Erosion::gain, 0, 2, "Depth of an octave over that of the one before"},
-    {"onset", &Erosion::onset, 1e-6, 100, "Slope from which gullies have their full depth"},
-    {"detail", &Erosion::detail, 0.1, 100, "How far fine gullies reach into creases and onto ridges"},
-    {"sharpness", &Erosion::sharpness, 0, 100, "How alike gullies are in depth"},
-    {"ridge-rounding", &Erosion::ridge_rounding, 0, 10, "How widely ridges are rounded"},
-    {"crease-rounding", &Erosion::crease_rounding, 0, 10, "How widely creases are rounded"},
-    {"gully-weight", &Erosion::gully_weight, 0, 1, "Share of the depth that gullies have"},
-    {"branching", &Erosion::branching, 0, 10, "How far gullies turn finer ones"},
-}};
-
-constexpr std::array<ErosionPreset, 4> gully_presets{{
-    {"alps", {.frequency = 1, .strength = 0.15, .detail = 2.5, .sharpness = 2.5}},
-    {"badlands",
-     {.frequency = 2,
-      .strength = 0.11,
-      .onset = 0.22,
-      .detail = 2.5,
-      .sharpness = 3,
-      .ridge_rounding = 0.05,
-      .crease_rounding = 0,
-      .gully_weight = 0.9,
-      .branching = 0.8}},
-    {"canyon",
-     {.frequency = 0.7,
-      .strength = 0.12,
-      .gain = 0.42,
-      .onset = 0.35,
-      .detail = 1.2,
-      .sharpness = 4,
-      .ridge_rounding = 0.5,
-      .crease_rounding = 0,
-      .gully_weight = 0.9,
-      .branching = 1.2}},
-    {"hills",
-     {.frequency = 1,
-      .strength = 0.06,
-      .gain = 0.42,
-      .onset = 0.45,
-      .detail = 1.2,
-      .sharpness = 1.5,
-      .ridge_rounding = 0.4,
-      .crease_rounding = 0.15,
-      .gully_weight = 0.6}},
-}};
-
 // Rows of a map from two above the first that is wanted on, in order. Beyond its edges a tile repeats, and
 // others keep the height of the edge.
 class MapRows {
@@ -154,7 +104,7 @@ passes::ErodePush push_of(const HeightMap& map, const Erosion& erosion, std::uin
     push.hills = !map.open;
     push.first_column = region.x;
     push.width = region.width;
-    push.octaves = static_cast<int>(erosion.octaves);
+    push.octaves = erosion.octaves;
     push.frequency = single(erosion.frequency);
     push.strength = single(erosion.strength);
     push.lacunarity = single(erosion.lacunarity);
@@ -170,21 +120,6 @@ passes::ErodePush push_of(const HeightMap& map, const Erosion& erosion, std::uin
 }
 
 } // namespace
-
-std::span<const ErosionParameter> erosion_parameters() {
-    return gully_parameters;
-}
-
-std::span<const ErosionPreset> erosion_presets() {
-    return gully_presets;
-}
-
-double erosion_reach(const Erosion& erosion) {
-    double reach = 0, depth = erosion.strength;
-    for (int i = 0; i < static_cast<int>(erosion.octaves); ++i, depth *= erosion.gain)
-        reach += depth * erosion.gully_weight;
-    return reach;
-}
 
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const std::function<void(std::span<const float>)>& write) {

@@ -2,56 +2,17 @@
 
 #include "image/exr.hpp"
 #include "image/picture.hpp"
+#include "render/request.hpp"
 #include "vulkan/device.hpp"
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
 
 namespace gabor::render {
-
-/// As GaborErosion in shaders/gabor_erosion.glsl.
-struct Erosion {
-    double octaves = 5;
-    double frequency = 1.5;
-    double strength = 0.12;
-    double lacunarity = 2;
-    double gain = 0.5;
-    double onset = 0.5;
-    double detail = 1.5;
-    double sharpness = 2;
-    double ridge_rounding = 0.1;
-    double crease_rounding = 0.1;
-    double gully_weight = 0.5;
-    double branching = 1;
-};
-
-/// A member of Erosion, as options name it.
-struct ErosionParameter {
-    std::string_view name;
-    double Erosion::*member;
-    double low;
-    double high;
-    std::string_view summary;
-};
-std::span<const ErosionParameter> erosion_parameters();
-
-/// Named shapes of gullies, for hills about four units wide.
-struct ErosionPreset {
-    std::string_view name;
-    Erosion erosion;
-};
-std::span<const ErosionPreset> erosion_presets();
-
-/// The hills of gabor_terrain stay within this of height 0: six deviations.
-inline constexpr double hill_reach = 2;
-
-/// The most that erosion raises or lowers a height, in the unit of 1 / frequency.
-double erosion_reach(const Erosion& erosion);
 
 /// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
 struct HeightMap {

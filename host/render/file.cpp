@@ -1,5 +1,6 @@
 #include "render/file.hpp"
 
+#include "error.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "render/material.hpp"
@@ -13,6 +14,12 @@
 #include <vector>
 
 namespace gabor::render {
+
+namespace {
+
+constexpr std::size_t terrain_height = 3; // of terrain_channels
+
+} // namespace
 
 float srgb(float light) {
     light = std::clamp(light, 0.0f, 1.0f);
@@ -75,6 +82,16 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     if (files.png)
         png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));
 
+    std::optional<HeightWriter> heights;
+    if (files.heightmap) {
+        if (!has_terrain(request) || !is_flat(request.view))
+            throw RequestError("a heightmap requires the view terrain");
+        const double unit = terrain_unit(request);
+        const double reach = unit * (hill_reach + erosion_reach(std::get<Terrain>(request.view).erosion));
+        heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),
+                        unit / request.scale);
+    }
+
     FileTimes times;
     std::vector<float> shown;
     times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
@@ -82,6 +99,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         const Clock::time_point before = Clock::now();
         if (exr)
             exr->write_rows(values);
+        if (heights)
+            heights->write_rows(values, names.size(), terrain_height);
         if (png && files.colours) {
             png->write_rows(files.colours(values));
         } else if (png) {
@@ -96,6 +115,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         exr->commit();
     if (png)
         png->commit();
+    if (heights)
+        heights->commit();
     times.closing = seconds_since(before);
     return times;
 }

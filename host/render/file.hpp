@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/heightmap.hpp"
 #include "render/renderer.hpp"
 
 #include <filesystem>
@@ -47,13 +48,15 @@ std::string software(const vulkan::Device& device);
 
 struct Files {
     std::optional<std::filesystem::path> exr;
-    std::optional<std::filesystem::path> png; ///< a picture to look at
+    std::optional<std::filesystem::path> png;            ///< a picture to look at
+    std::optional<std::filesystem::path> heightmap = {}; ///< of the view terrain
+    std::optional<Elevation> elevation = {}; ///< of the heightmap; by default all that there can be
     std::string_view compression = "none";
     /// Converts a band to the red, green and blue, from 0 to 1, that the PNG shows instead.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
 };
 
-/// Renders `region` of a checked request to an EXR, a PNG or both. Calls `advance` with the number of pixels
+/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels
 /// in each band before writing it; if that throws, no file is left.
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);

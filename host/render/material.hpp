@@ -23,4 +23,8 @@ std::vector<float> material_parameters(const Request& request);
 constexpr std::array<std::string_view, 9> material_channels{
     "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"};
 
+/// Channels of a terrain's pixels. Those that a material has too are at the same place.
+constexpr std::array<std::string_view, 11> terrain_channels{
+    "R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "ridge", "erosion"};
+
 } // namespace gabor::render

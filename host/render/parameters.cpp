@@ -24,6 +24,8 @@ constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
 constexpr std::string_view one_lobe = "a single lobe";
 constexpr std::string_view bodies = "the views sphere and torus";
+constexpr std::string_view terrains = "the views terrain and landscape";
+constexpr std::string_view orbits = "the views sphere, torus and landscape";
 
 // A view with its default values.
 struct NamedView {
@@ -31,17 +33,23 @@ struct NamedView {
     View view;
 };
 
-const std::array named_views{NamedView{"flat", Plane()}, NamedView{"horizon", Horizon()},
-                             NamedView{"slice", Slice()}, NamedView{"sphere", Body{Shape::sphere}},
-                             NamedView{"torus", Body{Shape::torus}}};
+const std::array named_views{NamedView{"flat", Plane()},
+                             NamedView{"horizon", Horizon()},
+                             NamedView{"slice", Slice()},
+                             NamedView{"sphere", Body{Shape::sphere}},
+                             NamedView{"torus", Body{Shape::torus}},
+                             NamedView{"terrain", Terrain()},
+                             NamedView{"landscape", Terrain{.perspective = true}}};
 
 std::string_view name_of(const View& view) {
     const Body* body = std::get_if<Body>(&view);
+    const Terrain* terrain = std::get_if<Terrain>(&view);
     return std::ranges::find_if(named_views,
                                 [&](const NamedView& named) {
-                                    const Body* other = std::get_if<Body>(&named.view);
                                     return named.view.index() == view.index() &&
-                                           (!body || body->shape == other->shape);
+                                           (!body || body->shape == std::get<Body>(named.view).shape) &&
+                                           (!terrain || terrain->perspective ==
+                                                            std::get<Terrain>(named.view).perspective);
                                 })
         ->name;
 }
@@ -54,6 +62,8 @@ View view_of(std::string_view name, const View& before) {
     View view = before;
     if (Body* body = std::get_if<Body>(&view))
         body->shape = std::get<Body>(fresh).shape;
+    if (Terrain* terrain = std::get_if<Terrain>(&view))
+        terrain->perspective = std::get<Terrain>(fresh).perspective;
     return view;
 }
 
@@ -93,6 +103,23 @@ auto in_view(T OneView::*member) {
         auto* view = std::get_if<OneView>(&request.view);
         return view ? &(view->*member) : nullptr;
     };
+}
+
+// Finds a camera's value: of bodies and landscapes.
+auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
+    return [=](auto& request) {
+        auto* body = std::get_if<Body>(&request.view);
+        auto* terrain = std::get_if<Terrain>(&request.view);
+        return body ? &(body->*of_body) : terrain && terrain->perspective ? &(terrain->*of_terrain) : nullptr;
+    };
+}
+
+Parameter erosion_row(std::string_view name, Range range, Range slider, std::string_view help,
+                      double Erosion::*member) {
+    return row(name, Kind::number, "", range, slider, terrains, help, [member](auto& request) {
+        auto* terrain = std::get_if<Terrain>(&request.view);
+        return terrain ? &(terrain->erosion.*member) : nullptr;
+    });
 }
 
 constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
@@ -194,7 +221,10 @@ std::vector<Parameter> make_table() {
         {"view", Kind::choice, "", none, none, "",
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in "
-         "space; `sphere` and `torus` carry noise on their surface",
+         "space; `sphere` and `torus` carry noise on their surface; `terrain` shows eroded mountains from "
+         "above "
+         "and `landscape` in perspective: channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, lit.B, "
+         "ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
@@ -203,16 +233,49 @@ std::vector<Parameter> make_table() {
          "own options, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
-        flag("tileable", "the view flat", "Make the picture tile without seams", in_view(&Plane::tileable)),
+        flag("tileable", "the views flat and terrain", "Make the picture tile without seams",
+             [](auto& r) {
+                 auto* plane = std::get_if<Plane>(&r.view);
+                 auto* terrain = std::get_if<Terrain>(&r.view);
+                 return plane                              ? &plane->tileable
+                        : terrain && !terrain->perspective ? &terrain->tileable
+                                                           : nullptr;
+             }),
         row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the view slice",
             "Depth of the slice", in_view(&Slice::depth)),
         flag("solid", bodies, "Cut the body from solid noise", in_view(&Body::solid)),
-        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, bodies,
-            "Camera angle around the body", in_view(&Body::yaw)),
-        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, bodies, "Camera angle above the equator",
-            in_view(&Body::pitch)),
-        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, bodies, "Zoom factor; 1 shows the whole body",
-            in_view(&Body::zoom)),
+        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, orbits,
+            "Camera angle around the body or the ground", in_orbit(&Body::yaw, &Terrain::yaw)),
+        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, orbits,
+            "Camera angle above the equator or the ground", in_orbit(&Body::pitch, &Terrain::pitch)),
+        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, orbits, "Zoom factor; 1 shows the whole body",
+            in_orbit(&Body::zoom, &Terrain::zoom)),
+        row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, terrains,
+            "Width of the picture in the unit of its heights; 0 for kernel radii", in_view(&Terrain::extent)),
+        row("octaves", Kind::integer, "", {0, 16}, {0, 10}, terrains, "Octaves of gullies",
+            [](auto& r) {
+                auto* terrain = std::get_if<Terrain>(&r.view);
+                return terrain ? &terrain->erosion.octaves : nullptr;
+            }),
+        erosion_row("gully_frequency", {1e-3, 1e4}, {0.1, 10},
+                    "Gullies of the first octave per kernel radius", &Erosion::frequency),
+        erosion_row("strength", {0, 10}, {0, 0.5}, "Depth of these gullies times their frequency",
+                    &Erosion::strength),
+        erosion_row("lacunarity", {1, 8}, {1, 4}, "Frequency of an octave, relative to the previous one",
+                    &Erosion::lacunarity),
+        erosion_row("gain", {0, 2}, {0, 1}, "Depth of an octave, relative to the previous one",
+                    &Erosion::gain),
+        erosion_row("onset", {1e-6, 100}, {0.01, 4}, "Slope at which gullies reach their full depth",
+                    &Erosion::onset),
+        erosion_row("detail", {0.1, 100}, {0.1, 10},
+                    "How far fine gullies reach into creases and onto ridges", &Erosion::detail),
+        erosion_row("sharpness", {0, 100}, {0, 8}, "How equal gullies are in depth", &Erosion::sharpness),
+        erosion_row("ridge_rounding", {0, 10}, {0, 2}, "Width of rounded ridges", &Erosion::ridge_rounding),
+        erosion_row("crease_rounding", {0, 10}, {0, 2}, "Width of rounded creases",
+                    &Erosion::crease_rounding),
+        erosion_row("gully_weight", {0, 1}, {0, 1}, "Depth of gullies, relative to that of peaks and valleys",
+                    &Erosion::gully_weight),
+        erosion_row("branching", {0, 10}, {0, 2}, "How far gullies turn finer ones", &Erosion::branching),
         flag("filter", "",
              "Antialias with a Gaussian filter of half a pixel. Adds, in the plane, a channel `removed`: the "
              "share "
@@ -246,7 +309,10 @@ struct Exclusion {
 
 const std::array exclusions{
     Exclusion{"view", "material",
-              [](const Request& r) { return std::holds_alternative<Slice>(r.view) && has_material(r); },
+              [](const Request& r) {
+                  return (std::holds_alternative<Slice>(r.view) || has_terrain(r)) &&
+                         r.material != no_material;
+              },
               "materials lie on planes and bodies"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
               "paint replaces the frequency and orientation of a single lobe"},
@@ -266,16 +332,18 @@ const std::array exclusions{
               "noise in space always has the recipe lattice"},
 };
 
-// Parameters that materials use.
+// Parameters that materials and terrain use.
 constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
                                  "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv, "tileable"sv};
+constexpr std::array of_terrain{"width"sv, "height"sv, "scale"sv,   "recipe"sv,
+                                "seed"sv,  "view"sv,   "material"sv};
 
-// Parameters that are set but that a material does not use.
+// Parameters that are set but that the material or terrain does not use.
 std::vector<const Parameter*> unused_by_material(const Request& request) {
     std::vector<const Parameter*> found;
     if (has_material(request))
         for (const Parameter& p : parameters())
-            if (!applies_to_material(p.name) && is_set(request, p.name))
+            if (!applies_to_material(request, p.name) && is_set(request, p.name))
                 found.push_back(&p);
     return found;
 }
@@ -392,6 +460,21 @@ std::string prefix(const Parameter& p) {
 std::span<const Parameter> parameters() {
     static const std::vector<Parameter> table = make_table();
     return table;
+}
+
+std::string option_name(const Parameter& parameter) {
+    std::string name = fmt::format("--{}", parameter.name);
+    std::ranges::replace(name, '_', '-');
+    return name;
+}
+
+std::vector<const Parameter*> erosion_parameters() {
+    std::vector<const Parameter*> found;
+    bool reached = false; // the last rows of the table that only terrain has
+    for (const Parameter& p : parameters())
+        if ((reached |= p.name == "octaves") && p.applies_to == terrains)
+            found.push_back(&p);
+    return found;
 }
 
 std::span<const LobeParameter> lobe_parameters() {
@@ -537,9 +620,12 @@ bool is_set(const Request& request, std::string_view name) {
 
 void drop_conflicting(Request& request, std::string_view name) {
     for (const Parameter* p : unused_by_material(request)) {
-        if (name == p->name)
+        if (name == p->name) {
             request.material = no_material;
-        else if (const auto value = p->get(Request()); name == "material" && value && p->get(request))
+            if (has_terrain(request))
+                request.view = Plane();
+        } else if (const auto value = p->get(Request());
+                   (name == "material" || name == "view") && value && p->get(request))
             p->put(request, *value);
     }
     for (const Exclusion& exclusion : exclusions) {
@@ -553,10 +639,6 @@ void drop_conflicting(Request& request, std::string_view name) {
     }
     if (request.colour && (is_colourless(request) || !are_of_colour(request.lobes, *request.colour)))
         request.colour.reset();
-}
-
-bool applies_to_material(std::string_view name) {
-    return name.find('.') != name.npos || std::ranges::find(of_material, name) != of_material.end();
 }
 
 bool is_of_one_material(const Parameter& p) {
@@ -583,6 +665,14 @@ std::vector<float> material_parameters(const Request& request) {
     return values;
 }
 
+bool applies_to_material(const Request& request, std::string_view name) {
+    if (!has_terrain(request))
+        return name.find('.') != name.npos || std::ranges::find(of_material, name) != of_material.end();
+    return std::ranges::find(of_terrain, name) != of_terrain.end() ||
+           (parameter(name).applies_to != one_lobe && !parameter(name).applies_to.empty() &&
+            parameter(name).get(request));
+}
+
 void check(const Request& request) {
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(request))
@@ -596,8 +686,9 @@ void check(const Request& request) {
                                            described(exclusion.other), exclusion.because));
         }
     for (const Parameter* p : unused_by_material(request))
-        throw RequestError(fmt::format("{} conflicts with material {}: it is a parameter of the noise",
-                                       p->name, request.material));
+        throw RequestError(fmt::format("{} conflicts with {}: it is a parameter of the noise", p->name,
+                                       has_terrain(request) ? fmt::format("view {}", name_of(request.view))
+                                                            : "material " + request.material));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
         throw RequestError(
             "a colour requires weights for each lobe, and lobes with power and without spread: use the "
@@ -605,6 +696,12 @@ void check(const Request& request) {
     if (request.colour && is_colourless(request))
         throw RequestError(
             "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
+    if (const Terrain* terrain = std::get_if<Terrain>(&request.view);
+        terrain && terrain->tileable && std::min(request.width, request.height) < 4 * request.scale)
+        throw RequestError(
+            fmt::format("a tile of terrain of {} x {} pixels at scale {}: each side must be at "
+                        "least four kernel radii, {} pixels",
+                        request.width, request.height, request.scale, std::ceil(4 * request.scale)));
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
     const double least = std::ceil(2 * radius * request.scale);

@@ -40,6 +40,12 @@ struct Parameter {
 /// The table, in the order in which files and help texts list it.
 std::span<const Parameter> parameters();
 
+/// The command line's option for a parameter.
+std::string option_name(const Parameter& parameter);
+
+/// The rows of GaborErosion.
+std::vector<const Parameter*> erosion_parameters();
+
 /// Returns the row of that name. Throws RequestError, listing the names, if there is none.
 const Parameter& parameter(std::string_view name);
 
@@ -87,8 +93,8 @@ void drop_conflicting(Request& request, std::string_view name);
 /// Throws RequestError if a value is out of range, or two conflict.
 void check(const Request& request);
 
-/// Whether materials use that parameter.
-bool applies_to_material(std::string_view name);
+/// Whether the request's material or terrain uses that parameter.
+bool applies_to_material(const Request& request, std::string_view name);
 
 /// Whether it is a parameter of one material, named MATERIAL.PARAMETER.
 bool is_of_one_material(const Parameter& parameter);

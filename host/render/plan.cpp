@@ -8,6 +8,7 @@
 #include "passes/material_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
+#include "passes/terrain_interface.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +29,8 @@ std::uint32_t view_constant(const View& view) {
         return passes::view_slice;
     if (const Body* body = std::get_if<Body>(&view))
         return body->shape == Shape::sphere ? passes::view_sphere : passes::view_torus;
+    if (const Terrain* terrain = std::get_if<Terrain>(&view))
+        return terrain->perspective ? passes::view_landscape : passes::view_terrain;
     return passes::view_flat;
 }
 
@@ -295,6 +298,64 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     plan.steps = {step_of("material@" + function, constants, push, passes::material_group)};
 }
 
+// ---- Terrain ----
+
+constexpr double focal_length = 0.8; // longer sides of the picture
+
+// As GaborErosion.
+struct ErosionTable {
+    std::int32_t octaves;
+    std::array<float, 11> values;
+};
+
+ErosionTable table_of(const Erosion& e) {
+    ErosionTable table{e.octaves, {}};
+    std::ranges::transform(std::array{e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
+                                      e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight,
+                                      e.branching},
+                           table.values.begin(), [](double value) { return static_cast<float>(value); });
+    return table;
+}
+
+void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
+    const Terrain& terrain = std::get<Terrain>(request.view);
+    const Camera& camera = viewport.camera;
+    auto push = push_of<passes::TerrainPush>(viewport.region);
+    push.first_column = viewport.region.x;
+    push.first_row = viewport.region.y;
+    push.seed = request.seed;
+    push.unit = static_cast<float>(terrain_unit(request));
+    push.reach = static_cast<float>(erosion_reach(terrain.erosion));
+    // In perspective the camera looks at the middle of the picture from above.
+    const Camera looked_at = terrain.perspective ? Camera{}.moved(request.width / 2.0 / request.scale,
+                                                                  request.height / 2.0 / request.scale)
+                                                 : camera;
+    const auto place = [&](const Coordinate& middle, int pixels) {
+        return terrain.perspective ? middle : corner_of(middle, pixels, request, viewport);
+    };
+    const Coordinate x = place(looked_at.x, viewport.width), y = place(looked_at.y, viewport.height);
+    push.cell = {cell_at(x, 1).first, cell_at(y, 1).first};
+    push.corner = {static_cast<float>(x.part), static_cast<float>(y.part)};
+    push.pixel = static_cast<float>(viewport.stride / (request.scale * camera.zoom));
+    if (terrain.tileable)
+        push.period = {static_cast<float>(request.width / request.scale),
+                       static_cast<float>(request.height / request.scale)};
+    if (terrain.perspective) {
+        const double side = std::max(viewport.width, viewport.height);
+        push.center = half(viewport);
+        push.center.y *= 1.3f; // for the sky
+        push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
+        push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
+        push.distance = static_cast<float>(focal_length * std::max(request.width, request.height) /
+                                           request.scale / terrain.zoom);
+        push.pixel = static_cast<float>(viewport.stride / (focal_length * side));
+    }
+    Constants constants{};
+    constants[passes::view_id] = view_constant(request.view);
+    plan.tables = {bytes_of(table_of(terrain.erosion))};
+    plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
+}
+
 } // namespace
 
 std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::Recipe& recipe) {
@@ -378,7 +439,9 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
 
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, DeviceKind device) {
     Plan plan{channels(request), viewport.region.width, viewport.region.height, {}, {}};
-    if (has_material(request))
+    if (has_terrain(request))
+        plan_terrain(plan, request, viewport);
+    else if (has_material(request))
         plan_material(plan, request, viewport);
     else if (uses_blocks(request, viewport))
         plan_bake(plan, request, viewport, device, constants_of(request));

@@ -7,7 +7,9 @@
 namespace gabor::render {
 
 bool is_flat(const View& view) {
-    return std::holds_alternative<Plane>(view) || std::holds_alternative<Slice>(view);
+    const Terrain* terrain = std::get_if<Terrain>(&view);
+    return std::holds_alternative<Plane>(view) || std::holds_alternative<Slice>(view) ||
+           (terrain && !terrain->perspective);
 }
 
 bool in_perspective(const Request& request) {
@@ -24,7 +26,23 @@ bool in_space(const Request& request) {
 }
 
 bool has_material(const Request& request) {
-    return request.material != no_material;
+    return request.material != no_material || has_terrain(request);
+}
+
+bool has_terrain(const Request& request) {
+    return std::holds_alternative<Terrain>(request.view);
+}
+
+double terrain_unit(const Request& request) {
+    const double extent = std::get<Terrain>(request.view).extent;
+    return extent > 0 ? extent * request.scale / request.width : 1;
+}
+
+double erosion_reach(const Erosion& erosion) {
+    double reach = 0, depth = erosion.strength / erosion.frequency;
+    for (int i = 0; i < erosion.octaves; ++i, depth *= erosion.gain)
+        reach += depth;
+    return reach;
 }
 
 noise::Recipe drawing_recipe(const Request& request) {
@@ -40,6 +58,8 @@ bool is_isotropic(const noise::Lobe& lobe) {
 }
 
 std::vector<std::string> channels(const Request& request) {
+    if (has_terrain(request))
+        return {terrain_channels.begin(), terrain_channels.end()};
     if (has_material(request)) {
         std::vector<std::string> names(material_channels.begin(), material_channels.end());
         if (in_space(request))

@@ -46,7 +46,36 @@ struct Body {
     bool operator==(const Body&) const = default;
 };
 
-using View = std::variant<Plane, Horizon, Slice, Body>;
+/// As GaborErosion in shaders/gabor_erosion.glsl.
+struct Erosion {
+    int octaves = 5;
+    double frequency = 1.5;
+    double strength = 0.12;
+    double lacunarity = 2;
+    double gain = 0.5;
+    double onset = 0.5;
+    double detail = 1.5;
+    double sharpness = 2;
+    double ridge_rounding = 0.1;
+    double crease_rounding = 0.1;
+    double gully_weight = 0.5;
+    double branching = 1;
+    bool operator==(const Erosion&) const = default;
+};
+
+/// Eroded hills, which are about four kernel radii wide.
+struct Terrain {
+    bool perspective = false; ///< under a sky; otherwise from above
+    Erosion erosion = {};
+    double extent = 0;     ///< width of the picture in the unit of its heights; 0 for kernel radii
+    bool tileable = false; ///< from above: opposite edges match
+    double yaw = 215;      ///< in perspective: camera azimuth, degrees
+    double pitch = 20;     ///< camera elevation, degrees
+    double zoom = 1;       ///< 1 shows about as much as the picture from above
+    bool operator==(const Terrain&) const = default;
+};
+
+using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
 
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
 /// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above,
@@ -91,7 +120,19 @@ bool along_surface(const Request& request);
 /// Whether the view is of noise in space, a slice or a body.
 bool in_space(const Request& request);
 
-/// Whether a material is drawn in place of the noise.
+/// Whether terrain is drawn in place of the noise.
+bool has_terrain(const Request& request);
+
+/// The unit of a terrain's heights in kernel radii.
+double terrain_unit(const Request& request);
+
+/// The most that erosion raises or lowers hills, in kernel radii.
+double erosion_reach(const Erosion& erosion);
+
+/// The hills of gabor_terrain stay within this of height 0: six deviations.
+inline constexpr double hill_reach = 2;
+
+/// Whether a material or terrain is drawn in place of the noise.
 bool has_material(const Request& request);
 
 /// The recipe that draws the request: in space always `lattice`.

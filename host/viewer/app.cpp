@@ -225,16 +225,20 @@ void App::panels() {
         const char* title;
         void (*panel)(Session&);
         bool open;
+        std::optional<bool> terrain = {}; // shown only with it, or only without it
     };
     constexpr std::array sections{Section{"Noise", noise_panel, true},
-                                  Section{"Spectrum", spectrum_panel, true},
+                                  Section{"Terrain", terrain_panel, true, true},
+                                  Section{"Spectrum", spectrum_panel, true, false},
                                   Section{"Output", output_panel, true},
-                                  Section{"Photograph", photograph_panel, true},
+                                  Section{"Photograph", photograph_panel, true, false},
                                   Section{"Files and code", files_panel, true},
                                   Section{"Export", export_panel, true},
                                   Section{"Laboratory", measurements_panel, false}};
+    const bool terrain = render::has_terrain(session_.document().request);
     for (const Section& section : sections)
-        if (ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
+        if (section.terrain.value_or(terrain) == terrain &&
+            ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
             ImGui::PushID(section.title);
             section.panel(session_);
             ImGui::PopID();

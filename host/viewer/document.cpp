@@ -1,6 +1,7 @@
 #include "viewer/document.hpp"
 
 #include "render/load.hpp"
+#include "viewer/document_json.hpp"
 
 #include <algorithm>
 
@@ -13,28 +14,41 @@ constexpr std::size_t most_steps = 1000;
 // The document without its viewpoint.
 Document without_viewpoint(const Document& document) {
     Document content = content_of(document);
-    if (auto* body = std::get_if<render::Body>(&content.request.view))
-        *body = {body->shape, body->solid};
+    reset_orbit(content.request.view);
     return content;
 }
 
 } // namespace
 
+void reset_orbit(render::View& view) {
+    if (auto* body = std::get_if<render::Body>(&view))
+        *body = {body->shape, body->solid};
+    if (auto* terrain = std::get_if<render::Terrain>(&view))
+        *terrain = {.perspective = terrain->perspective,
+                    .erosion = terrain->erosion,
+                    .extent = terrain->extent,
+                    .tileable = terrain->tileable};
+}
+
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
     render::Request& request = document.request;
     if (name == "paint")
         render::load_paint(std::get<std::string>(value)); // throws if it is missing
-    const bool was_noise = !render::has_material(request);
+    const bool was_noise = !render::has_material(request), was_terrain = render::has_terrain(request);
     render::set(request, name, value);
-    if (name == "material" &&
-        was_noise != !render::has_material(request)) // a picture shows four by four units
-        request.scale = was_noise ? std::max(2.0, std::min(request.width, request.height) / 4.0)
-                                  : render::Request().scale;
-    if (name == "view") {
+    const bool terrain = render::has_terrain(request);
+    // A picture shows four by four units of a material, eight by eight of terrain.
+    if ((name == "material" && was_noise != !render::has_material(request)) || terrain != was_terrain)
+        request.scale = terrain || (was_noise && !was_terrain)
+                            ? std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0))
+                            : render::Request().scale;
+    if (name == "view" && !terrain) {
         request.filter = !render::is_flat(request.view) && render::can_filter(request);
         render::drop_conflicting(request, "filter");
     }
     render::drop_conflicting(request, name);
+    if (static_cast<std::size_t>(document.look) >= looks(request).size())
+        document.look = Look::lit;
     if (name == "view" || name == "material" || name == "width" || name == "height")
         document.camera = render::default_camera(document.request);
 }
@@ -123,9 +137,10 @@ std::string_view disabled_reason(const Document& document, std::string_view cont
             return "A material has its own colours";
         if (control == "contrast" && document.look != Look::height)
             return "For a material, contrast affects only its height";
-        return control == "contrast" || (control != "recipe" && render::applies_to_material(control))
+        return control == "contrast" || (control != "recipe" && render::applies_to_material(request, control))
                    ? ""
-                   : "A material does not use this";
+               : render::has_terrain(request) ? "Terrain does not use this"
+                                              : "A material does not use this";
     }
     if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
         return "A photograph's noise keeps its colours";

@@ -3,6 +3,7 @@
 #include "viewer/document.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,10 @@ inline constexpr std::array<std::string_view, 7> output_names{"value",    "gradi
                                                               "variance", "phasor",   "lit"};
 inline constexpr std::array<std::string_view, 6> look_names{"lit",    "colour",    "height",
                                                             "normal", "roughness", "metalness"};
+/// The looks of the request's material or terrain.
+inline std::span<const std::string_view> looks(const render::Request& request) {
+    return std::span(look_names).first(render::has_terrain(request) ? 4 : look_names.size());
+}
 inline constexpr std::array<std::string_view, 5> colour_names{"grey", "viridis", "cool to warm", "ember",
                                                               "sea"};
 

@@ -51,7 +51,8 @@ int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double z
     const render::Request& request = drawing.request;
     const bool blocks = uses_blocks(request, viewport_of(drawing, {{}, {}, zoom}, {1, 1}));
     int stride = blocks ? coarsest_baked : coarsest;
-    if (request.filter || !render::is_flat(request.view) || (request.paint.empty() && !request.quadrature))
+    if (request.filter || render::has_terrain(request) || !render::is_flat(request.view) ||
+        (request.paint.empty() && !request.quadrature))
         return stride;
     const double pixels = zoom / highest_frequency(request, paint); // in the shortest wave
     while (stride > 1 && pixels < least_per_wave * stride)

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace gabor::viewer {
 
 namespace {
@@ -27,6 +29,8 @@ std::vector<render::Files> files_of(const ExportTarget& target) {
         each.exr = render::frame_path(exr, frame, frames);
         if (target.png && target.as != ExportAs::texture)
             each.png = render::frame_path(png, frame, frames);
+        if (target.heightmap && target.as == ExportAs::picture)
+            each.heightmap = std::filesystem::path(exr).replace_extension(".heightmap.png");
     }
     return files;
 }
@@ -64,7 +68,9 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const auto frames = static_cast<int>(all.size());
     const auto picture =
         static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
-    const std::uint64_t total = texture ? render::texture_pixels(picture) : picture * all.size();
+    const bool heightmap = target.heightmap && render::has_terrain(request);
+    const std::uint64_t total =
+        texture ? render::texture_pixels(picture) : picture * (all.size() + (heightmap ? 1 : 0));
     std::uint64_t done = 0;
     const auto advance = [&](std::uint64_t pixels) {
         done += pixels;
@@ -73,6 +79,9 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     std::optional<FileColours> colours;
     for (int frame = 0; frame < frames; ++frame) {
         render::Files files = all[static_cast<std::size_t>(frame)];
+        if (!render::has_terrain(request))
+            files.heightmap.reset();
+        const render::Files heights{.exr = {}, .png = {}, .heightmap = std::exchange(files.heightmap, {})};
         if (files.png && !shows_plainly(document)) {
             if (!colours)
                 colours.emplace(device, document, render::channels(request));
@@ -84,7 +93,12 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         else
             render::render_file(device, render::frame_of(request, frame, frames), whole(request), files,
                                 advance);
-        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
+        if (heights.heightmap) {
+            render::Request above = request;
+            std::get<render::Terrain>(above.view).perspective = false;
+            render::render_file(device, above, whole(above), heights, advance);
+        }
+        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, heights.heightmap})
             if (path)
                 written_[std::filesystem::absolute(*path)] = file_stamp(*path);
     }

@@ -18,7 +18,8 @@ enum class ExportAs { picture, frames, texture };
 struct ExportTarget {
     std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
     ExportAs as = ExportAs::picture;
-    bool png = true; ///< write a PNG beside each EXR, except for a texture
+    bool png = true;        ///< write a PNG beside each EXR, except for a texture
+    bool heightmap = false; ///< of terrain: also write NAME.heightmap.png
     int frames = 24;
     bool half = false; ///< 16-bit floats in a texture
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace gabor::viewer {
 
@@ -26,14 +27,29 @@ double within(std::string_view parameter, double value) {
     return std::clamp(value, range.low, range.high);
 }
 
+struct Orbit {
+    double* yaw;
+    double* pitch;
+    double* zoom;
+};
+
+// The camera around a body or a landscape, if the view has one.
+std::optional<Orbit> orbit(render::View& view) {
+    if (auto* body = std::get_if<render::Body>(&view))
+        return Orbit{&body->yaw, &body->pitch, &body->zoom};
+    if (auto* terrain = std::get_if<render::Terrain>(&view); terrain && terrain->perspective)
+        return Orbit{&terrain->yaw, &terrain->pitch, &terrain->zoom};
+    return {};
+}
+
 // Zooms about a point, given in pixels from the middle of the view.
 void zoom(Session& session, double factor, double x, double y) {
     if (session.tiling)
         return notify(session, "Tiles set their own scale");
     Document& document = session.document();
     render::Request& request = document.request;
-    if (auto* body = std::get_if<render::Body>(&request.view)) {
-        body->zoom = within("zoom", body->zoom * factor);
+    if (const std::optional<Orbit> around = orbit(request.view)) {
+        *around->zoom = within("zoom", *around->zoom * factor);
         return;
     }
     // Only the view zooms: the picture and its exports keep their scale.
@@ -43,13 +59,14 @@ void zoom(Session& session, double factor, double x, double y) {
     document.camera.zoom = scale / request.scale;
 }
 
-// Moves a plane with the pointer, or turns a body.
+// Moves a plane with the pointer, or turns a body or a landscape.
 void drag(Session& session, double x, double y) {
     Document& document = session.document();
-    if (auto* body = std::get_if<render::Body>(&document.request.view)) {
-        const double degrees_per_pixel = 0.4 / (body->zoom * double{pixels_per_unit()});
-        body->yaw = std::remainder(body->yaw - degrees_per_pixel * x, 360.0);
-        body->pitch = std::clamp(body->pitch + degrees_per_pixel * y, -89.0, 89.0);
+    if (const std::optional<Orbit> around = orbit(document.request.view)) {
+        const bool ground = render::has_terrain(document.request);
+        const double degrees_per_pixel = 0.4 / ((ground ? 1 : *around->zoom) * double{pixels_per_unit()});
+        *around->yaw = std::remainder(*around->yaw + (ground ? 1 : -1) * degrees_per_pixel * x, 360.0);
+        *around->pitch = std::clamp(*around->pitch + degrees_per_pixel * y, ground ? 0.0 : -89.0, 89.0);
     } else {
         const Camera& camera = session.tiling ? session.tiling->camera : document.camera;
         const double scale = document.request.scale * camera.zoom;
@@ -91,7 +108,7 @@ struct Shortcut {
 };
 
 constexpr std::array shortcuts{
-    Shortcut{"drag", "move the plane or turn the body"},
+    Shortcut{"drag", "move the plane, or turn the body or the landscape"},
     Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
     Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
     Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, reset_camera},
@@ -133,7 +150,7 @@ constexpr std::array shortcuts{
 void held_keys(Session& session) {
     Document& document = session.document();
     const bool material = render::has_material(document.request);
-    const auto shown = static_cast<int>(material ? look_names.size() : output_names.size());
+    const auto shown = static_cast<int>(material ? looks(document.request).size() : output_names.size());
     for (int i = 0; i < shown; ++i)
         if (pressed(GLFW_KEY_1 + i)) {
             if (material)

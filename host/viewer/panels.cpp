@@ -233,7 +233,7 @@ void output_panel(Session& session) {
     for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
         control(session, name);
     if (render::has_material(document.request))
-        choose("show", document.look, look_names, look_tips);
+        choose("show", document.look, looks(document.request), look_tips);
     else
         choose("show", document.output, output_names, output_tips);
     ImGui::Checkbox("DirectX normals", &document.directx_normals);
@@ -245,6 +245,12 @@ void output_panel(Session& session) {
                   resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
                              Document().contrast);
               });
+}
+
+void terrain_panel(Session& session) {
+    control(session, "extent");
+    for (const render::Parameter* parameter : render::erosion_parameters())
+        control(session, parameter->name);
 }
 
 void files_panel(Session& session) {
@@ -296,6 +302,10 @@ void export_panel(Session& session) {
         ImGui::Checkbox("16-bit floats", &target.half);
     explained(target.as == ExportAs::texture ? "A texture is an EXR" : "", "Also write what the window shows",
               [&] { ImGui::Checkbox("PNG beside it", &target.png); });
+    if (render::has_terrain(session.document().request) && target.as == ExportAs::picture) {
+        ImGui::Checkbox("heightmap beside it", &target.heightmap);
+        tooltip("NAME.heightmap.png: heights of 16 bits from above, with their scale in a .json file");
+    }
     ImGui::InputText("file", &target.path);
     tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
     if (session.exporter.running()) {

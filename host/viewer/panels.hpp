@@ -12,6 +12,7 @@ namespace gabor::viewer {
 void noise_panel(Session& session);
 void spectrum_panel(Session& session);
 void output_panel(Session& session);
+void terrain_panel(Session& session);
 void measurements_panel(Session& session);
 void files_panel(Session& session);
 void export_panel(Session& session);

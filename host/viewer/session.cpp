@@ -201,7 +201,7 @@ void start_export(Session& session) {
         return notify(session, "an export needs a name that ends in .exr", true);
     std::vector<std::filesystem::path> paths;
     for (const render::Files& files : files_of(target))
-        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
+        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, files.heightmap})
             if (path)
                 paths.push_back(*path);
     for (const auto& [path, stamp] : session.exporter.written())
@@ -219,8 +219,7 @@ void copy_glsl(Session& session) {
 void reset_camera(Session& session) {
     Document& document = session.document();
     document.camera = render::default_camera(document.request);
-    if (auto* body = std::get_if<render::Body>(&document.request.view))
-        *body = {body->shape, body->solid};
+    reset_orbit(document.request.view);
 }
 
 } // namespace gabor::viewer

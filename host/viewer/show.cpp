@@ -71,6 +71,11 @@ passes::ShowPush show_push(const Document& document, double stride) {
     push.contrast = document.contrast;
     push.deviation = static_cast<float>(slope_deviation(document.request));
     push.spacing = static_cast<float>(stride / document.request.scale);
+    if (render::has_terrain(document.request)) {
+        const auto unit = static_cast<float>(render::terrain_unit(document.request));
+        push.spacing *= unit;
+        push.contrast *= 10 * unit; // mountains are ten times as high as the relief of materials
+    }
     push.green = document.directx_normals ? -1.0f : 1.0f;
     return push;
 }

@@ -9,6 +9,7 @@
 #include "passes/material_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
+#include "passes/terrain_interface.h"
 
 #include <fmt/format.h>
 
@@ -425,10 +426,56 @@ std::string material_snippet(const Document& document, Extent extent) {
     return text + material_of_plane(request, push, extent);
 }
 
+std::string terrain_snippet(const Document& document, Extent extent) {
+    const render::Plan plan =
+        render::plan(document.request, viewport_of(drawing_of(document), document.camera, extent));
+    const auto push = render::values_of<passes::TerrainPush>(plan.steps.front().push).front();
+    const render::Terrain& terrain = std::get<render::Terrain>(document.request.view);
+    const render::Erosion& e = terrain.erosion;
+    std::string members = fmt::format("{}", e.octaves);
+    for (const double value : {e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail, e.sharpness,
+                               e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching})
+        members += ", " + literal(value);
+    const auto pair = [](const passes::vec2& v) { return vec2(double{v.x}, double{v.y}); };
+    const std::string pixel = literal(double{push.pixel});
+    const auto landscape =
+        std::ranges::find(embedded_shaders(), "passes/landscape.glsl", &EmbeddedShader::path);
+    const std::string seen =
+        terrain.perspective
+            ? fmt::format("    vec2 yaw = {}, pitch = {};\n"
+                          "    vec3 eye = {} + {} * camera_at(yaw, pitch);\n"
+                          "    vec3 ray = camera_ray(yaw, pitch, {} * (pixel - {}));\n"
+                          "    vec3 light = seen_along(ground, eye, ray, {}, {}).light;\n",
+                          pair(push.yaw), pair(push.pitch), vec3(push.corner.x, 0, push.corner.y),
+                          literal(double{push.distance}), pixel, pair(push.center), pixel,
+                          literal(double{push.distance}))
+            : fmt::format("    vec3 light = seen_from_above(ground, {} + {} * pixel, {}).light;\n",
+                          pair(push.corner), pixel, pixel);
+    return fmt::format(R"(// Eroded mountains, as gabor-viewer showed them: put after #version.
+#include "gabor_lattice.glsl" // or paste it here
+#include "gabor_erosion.glsl" // and this one
+
+{}
+// The colour for the screen. pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing
+// downwards.
+vec3 colour_of_view(vec2 pixel)
+{{
+    GaborErosion erosion = GaborErosion({});
+    Ground ground = Ground(ivec2({}, {}), {}, {}u, erosion, {});
+{}    light = clamp(light, 0.0, 1.0);
+    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+}}
+)",
+                       landscape->text, extent.width, extent.height, members, push.cell.x, push.cell.y,
+                       pair(push.period), push.seed, literal(double{push.reach}), seen);
+}
+
 } // namespace
 
 std::string snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
+    if (render::has_terrain(request))
+        return terrain_snippet(document, extent);
     if (render::has_material(request))
         return material_snippet(document, extent);
     const bool space = render::in_space(request);

@@ -49,6 +49,8 @@ const uint view_sphere = 1;
 const uint view_torus = 2;
 const uint view_horizon = 3;
 const uint view_slice = 4;
+const uint view_terrain = 5;
+const uint view_landscape = 6;
 
 GABOR_INTERFACE_END
 

@@ -111,7 +111,7 @@ class Erode(ProgramTest):
     def test_presets_and_members_change_the_shape(self):
         seen = [self.eroded(f"--preset={name}")["height"] for name in ("alps", "badlands", "canyon", "hills")]
         seen += [self.eroded(option)["height"] for option in
-                 ("--octaves=2", "--frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset=2",
+                 ("--octaves=2", "--gully-frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset=2",
                   "--detail=5", "--sharpness=1", "--ridge-rounding=1", "--crease-rounding=1", "--gully-weight=1",
                   "--branching=0", "--seed=3", "--extent=5")]
         for i, one in enumerate(seen):
@@ -132,8 +132,8 @@ class Erode(ProgramTest):
             ("LOW,HIGH",): ("map.exr", "--elevation=2,1", "-o", "out.png"),
             ("--region", "96 x 96"): ("map.exr", "--region=90,0,10,10", "-o", "out.exr"),
             ("--preset 'dunes'", "alps, badlands, canyon, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
-            ("--octaves 2.5", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
-            ("--gain 3", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),
+            ("--octaves '2.5'", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
+            ("--gain '3'", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),
             ("--extent",): ("map.exr", "--extent=0", "-o", "out.exr"),
             ("row 0", "finite"): ("nan.exr", "-o", "out.exr"),
         }.items():

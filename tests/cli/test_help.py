@@ -8,7 +8,7 @@ import unittest
 from program import ProgramTest
 
 
-GULLIES = ("--octaves", "--frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness", "--ridge-rounding",
+GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
 
 
@@ -18,7 +18,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "terrain", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
+        for command in ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -28,9 +28,8 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
-                              "--zoom", "--material", "--terrain", "--maps", "--directx"),
-                   "terrain": ("-o,--output", "--png", "--heightmap", "--size", "--region", "--extent", "--hills", "--elevation", "--preset", *GULLIES,
-                               "--seed", "--tileable", "--device"),
+                              "--zoom", "--material", "--terrain", "--heightmap", "--elevation", "--extent", *GULLIES,
+                              "--maps", "--directx"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),

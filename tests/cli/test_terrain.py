@@ -1,4 +1,4 @@
-"""`gabor terrain`, also as `gabor render --terrain`: eroded mountains in any unit, alike in regions and as a whole."""
+"""`gabor render --terrain`: eroded mountains in any unit, alike in regions and as a whole."""
 
 import json
 import unittest
@@ -8,24 +8,24 @@ from exr import Exr
 from program import ProgramTest
 from test_erode import read_png16
 
-GROUND = "terrain", "--size=160x96", "--seed=5"
+GROUND = "render", "--terrain", "--size=160x96", "--seed=5"
 
 
 class Terrain(ProgramTest):
     def drawn(self, *options, size="160x96"):
-        self.succeed("terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
+        self.succeed("render", "--terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
         return Exr(self.folder / "out.exr").channels
 
     def test_hills_and_what_erosion_adds_are_the_height(self):
         hills, mountains = self.drawn("--octaves=0"), self.drawn()
-        self.assertEqual(set(mountains), {"height", "slope.x", "slope.y", "ridge", "erosion"})
+        self.assertEqual(set(mountains), {"R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "ridge", "erosion"})
         self.assertGreater(hills["height"].std(), 0.1)
         self.assertGreater(mountains["erosion"].std(), 0.01)
         np.testing.assert_allclose(mountains["height"], hills["height"] + mountains["erosion"], atol=1e-6)
         self.assertGreater(mountains["ridge"].std(), 0.2)
 
     def test_the_hills_slope_is_their_heights_difference(self):
-        hills, pixel = self.drawn("--octaves=0", "--extent=1", "--hills=4"), 1 / 160
+        hills, pixel = self.drawn("--octaves=0", "--scale=160"), 1 / 160
         for name, axis in (("slope.x", 1), ("slope.y", 0)):
             middle = np.take(hills[name], range(1, hills[name].shape[axis] - 1), axis)
             upper, lower = (np.take(hills["height"], range(start, hills[name].shape[axis] - 2 + start), axis) for start in (2, 0))
@@ -33,9 +33,9 @@ class Terrain(ProgramTest):
 
     def test_every_gully_parameter_counts(self):
         plain = self.drawn()["height"]
-        for option in ("octaves=3", "frequency=2", "strength=0.3", "lacunarity=3", "gain=0.7", "onset=2", "detail=0.5",
+        for option in ("octaves=3", "gully-frequency=2", "strength=0.3", "lacunarity=3", "gain=0.7", "onset=2", "detail=0.5",
                        "sharpness=9", "ridge-rounding=2", "crease-rounding=2", "gully-weight=0.1", "branching=0", "preset=canyon",
-                       "hills=3", "extent=9", "tileable"):
+                       "scale=30", "extent=9", "tileable"):
             with self.subTest(option):
                 self.assertGreater(np.abs(self.drawn(f"--{option}")["height"] - plain).max(), 0.005)
 
@@ -45,14 +45,14 @@ class Terrain(ProgramTest):
             np.testing.assert_array_equal(values, whole[name][50:81, 37:127])
 
     def test_tiles_close(self):
-        tile = self.drawn("--tileable", size="96x96")["height"]
+        tile = self.drawn("--tileable", "--scale=12", size="96x96")["height"]
         for tile in (tile, tile.T):
             steps = np.abs(np.diff(tile, axis=0))
             self.assertLess(np.abs(tile[0] - tile[-1]).mean(), 2 * steps.mean())
             self.assertLess(np.abs(tile[0] - tile[-1]).max(), 1.5 * steps.max())
 
     def test_units(self):
-        small, large = self.drawn(), self.drawn("--extent=8000")
+        small, large = self.drawn(), self.drawn("--extent=8000") # eight kernel radii
         for name, factor in (("height", 1000), ("erosion", 1000), ("slope.x", 1), ("ridge", 1)):
             np.testing.assert_allclose(large[name], factor * small[name], atol=2e-4 * factor)
 
@@ -70,20 +70,38 @@ class Terrain(ProgramTest):
         np.testing.assert_allclose(low + (high - low) * levels / 65535, heights, atol=(high - low) / 65535)
         self.assertGreater((self.folder / "view.png").stat().st_size, 10000)
 
-    def test_render_draws_it_too(self):
-        expected = self.drawn()
-        self.succeed("render", "--terrain", *GROUND[1:], "-o", "again.exr")
+    def test_the_header_draws_it_again(self):
+        expected = self.drawn("--preset=canyon", "--scale=20", "--octaves=3")
+        self.succeed("render", "--like", "out.exr", "-o", "again.exr")
         np.testing.assert_array_equal(Exr(self.folder / "again.exr").channels["height"], expected["height"])
 
+    def test_a_landscape_is_the_terrain_in_perspective(self):
+        self.succeed("render", "--view=landscape", "--size=160x120", "--scale=20", "--seed=5", "--pitch=90", "-o", "down.exr")
+        down = Exr(self.folder / "down.exr").channels
+        self.succeed("render", "--view=terrain", "--size=160x120", "--scale=20", "--seed=5", "-o", "map.exr")
+        above = Exr(self.folder / "map.exr").channels["height"]
+        # From straight above, what the camera looks at is the middle of the map.
+        self.assertAlmostEqual(down["height"][78, 80], above[60, 80], delta=0.1)
+        self.assertAlmostEqual(down["height"].std(), above.std(), delta=0.5 * above.std())
+        self.succeed("render", "--view=landscape", "--size=160x120", "--scale=20", "--pitch=0", "-o", "sky.exr")
+        sky = Exr(self.folder / "sky.exr").channels
+        empty = sky["R"][:10] == 0
+        self.assertGreater(empty.mean(), 0.2)
+        self.assertGreater((sky["lit.B"] - sky["lit.R"])[:10][empty].min(), 0) # blue
+        self.assertGreater(sky["R"][-1].min(), 0)
+
     def test_wrong_requests(self):
-        for options, words in (([], ["nothing to write", "-o"]), (["-o", "a.png"], ["a.png", ".exr"]),
+        for options, words in (([], ["--output is missing", "-o"]), (["-o", "a.tif"], ["a.tif", ".exr"]),
                                (["--heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
                                (["--png", "a.png", "--heightmap", "a.png"], ["same file"]),
-                               (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=0"], ["--extent"]),
-                               (["-o", "a.exr", "--hills=-1"], ["--hills"]), (["-o", "a.exr", "--preset=moon"], ["alps"]),
+                               (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),
+                               (["-o", "a.exr", "--tileable", "--scale=32"], ["tile", "128"]),
+                               (["-o", "a.exr", "--frequency=2"], ["frequency", "view terrain"]),
+                               (["-o", "a.exr", "--preset=moon"], ["alps"]),
                                (["-o", "a.exr", "--octaves=2.5"], ["whole number"]),
                                (["-o", "a.exr", "--region=0,0,161,1"], ["--region"]),
-                               (["-o", "a.exr", "--elevation=2,1"], ["--elevation"])):
+                               (["--heightmap", "a.png", "--elevation=2,1"], ["LOW,HIGH"]),
+                               (["-o", "a.exr", "--elevation=1,2"], ["--elevation", "--heightmap"])):
             with self.subTest(options):
                 self.assert_refused(words, *GROUND, *options)
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -137,6 +137,30 @@ TEST_CASE("each parameter that a request has changes its plan") {
     }
 }
 
+TEST_CASE("every parameter of terrain changes its plan") {
+    for (const std::string_view view : {"terrain", "landscape"}) {
+        Request before;
+        set(before, "view", std::string(view));
+        CHECK(whole(before).steps.front().shader == "terrain");
+        for (const Parameter& parameter : parameters()) {
+            if (!applies_to_material(before, parameter.name) || parameter.applies_to.empty())
+                continue;
+            INFO(view << ", " << parameter.name);
+            Request after = before;
+            const Value value = *parameter.get(before);
+            if (const auto* number = std::get_if<double>(&value))
+                set(after, parameter.name,
+                    *number == 0   ? 2.0
+                    : *number == 5 ? 3.0 // octaves
+                                   : *number / 2);
+            else
+                set(after, parameter.name, true);
+            const Plan a = whole(before), b = whole(after);
+            CHECK((a.tables != b.tables || a.steps.front().push != b.steps.front().push));
+        }
+    }
+}
+
 TEST_CASE("a region's columns are those of the whole") {
     for (const char* tileable : {"false", "true"}) {
         const Request request = request_of({{"scale", "13.7"}, {"tileable", tileable}});

@@ -21,16 +21,16 @@ class Workshop(EventsTest):
     def test_presets_are_pictures(self):
         self.open(*WINDOW)
         self.keys("p")
-        self.wait_for(lambda state: state["gallery"] >= 1)
+        self.wait_for(lambda state: state["gallery"] >= 3)
         self.frames(3)
-        # The first of five in a row, in cells of 144 pixels in the middle of the view; its name stands at its foot.
-        seen = self.screen(16, 142, 128, 100)
+        # The third of five in a row, in cells of 144 pixels in the middle of the view; its name stands at its foot.
+        seen = self.screen(16 + 2 * 144, 70, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100].astype(int))[4:, 4:-4]
         self.assertLessEqual(off.max(), 1, np.unravel_index(off.argmax(), off.shape))
         self.assertGreater(seen.std(), 10)
-        self.click(80, 206)
+        self.click(80 + 2 * 144, 134)
         self.assertIsNone(self.state["gallery"])
         self.assertEqual(self.document["material"], "bark")
         self.keys("p", "Escape")

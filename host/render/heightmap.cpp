@@ -1,0 +1,67 @@
+#include "render/heightmap.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace gabor::render {
+
+namespace {
+
+void check(const std::filesystem::path& path, const Elevation& elevation) {
+    if (!has_extension(path, ".png") && !has_extension(path, ".r16"))
+        throw RequestError(fmt::format(
+            "heightmap '{}': it takes the name of a file that ends in .png or .r16", path.string()));
+    if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
+        throw RequestError("elevation: it takes LOW,HIGH, the lower height first");
+}
+
+} // namespace
+
+bool has_extension(const std::filesystem::path& path, std::string_view extension) {
+    std::string own = path.extension().string();
+    std::ranges::transform(own, own.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return own == extension;
+}
+
+HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
+                           double pixel)
+    : elevation_((check(path, elevation), elevation)), scale_(path.string() + ".json") {
+    if (has_extension(path, ".png"))
+        png_.emplace(path, region.width, region.height, 1, 16);
+    else
+        raw_.emplace(path);
+    const nlohmann::ordered_json scale{{"width", region.width},
+                                       {"height", region.height},
+                                       {"extent", {region.width * pixel, region.height * pixel}},
+                                       {"elevation", {elevation.low, elevation.high}}};
+    const std::string text = scale.dump(2) + "\n";
+    scale_.write(std::as_bytes(std::span(text)));
+}
+
+void HeightWriter::write_rows(std::span<const float> rows, std::size_t channels, std::size_t height) {
+    levels_.clear();
+    for (std::size_t i = height; i < rows.size(); i += channels)
+        levels_.push_back(
+            static_cast<float>((rows[i] - elevation_.low) / (elevation_.high - elevation_.low)));
+    if (png_)
+        png_->write_rows(levels_);
+    else
+        raw_->write_rows(levels_);
+}
+
+void HeightWriter::commit() {
+    if (png_)
+        png_->commit();
+    else
+        raw_->commit();
+    scale_.commit();
+}
+
+} // namespace gabor::render

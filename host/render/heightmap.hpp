@@ -1,0 +1,45 @@
+#pragma once
+
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+#include "image/png.hpp"
+#include "image/raw16.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace gabor::render {
+
+/// Whether a file's name ends so, in small or capital letters.
+bool has_extension(const std::filesystem::path& path, std::string_view extension);
+
+/// Heights that 0 and 65535 stand for in files of 16 bits.
+struct Elevation {
+    double low;
+    double high;
+};
+
+/// A heightmap of 16 bits, PNG or .r16, with a file beside it that says what its numbers mean.
+class HeightWriter {
+  public:
+    /// `pixel`: its width in the unit of heights. Throws RequestError unless the elevation rises and the name
+    /// ends in .png or .r16.
+    HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
+                 double pixel);
+
+    /// Takes rows of pixels with so many channels; the heights are at `height`.
+    void write_rows(std::span<const float> rows, std::size_t channels, std::size_t height);
+    void commit();
+
+  private:
+    Elevation elevation_;
+    image::OutputFile scale_;
+    std::optional<image::PngWriter> png_;
+    std::optional<image::Raw16Writer> raw_;
+    std::vector<float> levels_;
+};
+
+} // namespace gabor::render

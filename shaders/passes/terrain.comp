@@ -1,0 +1,44 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Draws eroded hills from above or in perspective: colour, height, slope, light, ridge, and what erosion added.
+
+#include "passes/terrain_interface.h"
+#include "gabor_lattice.glsl"
+#include "gabor_erosion.glsl"
+#include "landscape.glsl"
+
+layout(constant_id = view_id) const uint view = view_terrain;
+const int channels = 11;
+
+layout(local_size_x = terrain_group, local_size_y = terrain_group) in;
+
+layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
+
+void main() {
+    ivec2 here = ivec2(gl_GlobalInvocationID.xy);
+    if (here.x >= width || here.y >= height)
+        return;
+    int at = (before + here.y * width + here.x) * channels;
+    vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
+    Ground ground = Ground(cell, period, seed, erosion, reach);
+    Sight sight;
+    if (view == view_terrain) {
+        sight = seen_from_above(ground, corner + pixel * place, pixel);
+    } else {
+        vec3 eye = vec3(corner.x, 0.0, corner.y) + distance * camera_at(yaw, pitch);
+        sight = seen_along(ground, eye, camera_ray(yaw, pitch, pixel * (place - center)), pixel, distance);
+    }
+    picture[at++] = sight.colour.r;
+    picture[at++] = sight.colour.g;
+    picture[at++] = sight.colour.b;
+    picture[at++] = unit * sight.ground.height;
+    picture[at++] = sight.ground.slope.x;
+    picture[at++] = sight.ground.slope.y;
+    picture[at++] = sight.light.r;
+    picture[at++] = sight.light.g;
+    picture[at++] = sight.light.b;
+    picture[at++] = sight.ground.ridge;
+    picture[at] = unit * sight.added;
+}

@@ -1,0 +1,29 @@
+// For passes/terrain.comp and host/render.
+
+#ifndef GABOR_TERRAIN_INTERFACE_H
+#define GABOR_TERRAIN_INTERFACE_H
+
+#include "passes/constants.h"
+
+GABOR_INTERFACE_BEGIN
+
+const uint terrain_group = 8; // pixels along x and y
+
+GABOR_PUSH_CONSTANTS(TerrainPush) {
+    GABOR_BAND
+    ivec2 cell;     // of the picture's corner, or of what the camera looks at
+    vec2 corner;    // its place in the cell
+    vec2 period;    // of a tile; 0 for none
+    vec2 center;    // the pixel that the camera looks at
+    vec2 yaw;       // cosine and sine of the camera's azimuth
+    vec2 pitch;     // and of its elevation
+    float distance; // of the camera; 0 from above
+    float pixel;    // kernel radii per pixel; in perspective at distance 1
+    float unit;     // of heights, in kernel radii
+    float reach;    // the most that erosion adds to the hills
+    uint seed;
+};
+
+GABOR_INTERFACE_END
+
+#endif // GABOR_TERRAIN_INTERFACE_H
