@@ -1,5 +1,4 @@
-//! Draws stripes.png or terrain.png with wgpu: `cargo run --release -- stripes`. naga_oil composes the scene with the modules
-//! that it imports, as in Bevy.
+//! Draws stripes.png with wgpu: `cargo run --release`. naga_oil composes stripes.wgsl with the modules that it imports, as in Bevy.
 
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};
 use std::{borrow::Cow, fs::File};
@@ -9,20 +8,13 @@ const WIDTH: u32 = 768;
 const HEIGHT: u32 = 384;
 
 fn main() {
-    let name = std::env::args().nth(1).unwrap_or("stripes".into());
-    let source = match name.as_str() {
-        "stripes" => include_str!("stripes.wgsl"),
-        "terrain" => include_str!("terrain.wgsl"),
-        _ => panic!("{name}: the scenes are stripes and terrain"),
-    };
     let mut composer = Composer::default();
-    let modules = [include_str!("../../lattice.wgsl"), include_str!("../../direction.wgsl"), include_str!("../../erosion.wgsl")];
-    for source in modules {
+    for source in [include_str!("../../lattice.wgsl"), include_str!("../../direction.wgsl")] {
         let module = ComposableModuleDescriptor { source, ..Default::default() };
         composer.add_composable_module(module).expect("a module");
     }
-    let scene = NagaModuleDescriptor { source, ..Default::default() };
-    let module = composer.make_naga_module(scene).expect("the scene");
+    let scene = NagaModuleDescriptor { source: include_str!("stripes.wgsl"), ..Default::default() };
+    let module = composer.make_naga_module(scene).expect("stripes.wgsl");
 
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a GPU, or a driver that needs none");
@@ -68,9 +60,8 @@ fn main() {
     picture.map_async(wgpu::MapMode::Read, .., |result| result.expect("the picture"));
     device.poll(wgpu::PollType::wait_indefinitely()).expect("the picture");
 
-    let file = File::create(format!("{name}.png")).expect("a file that can be written");
-    let mut encoder = png::Encoder::new(file, WIDTH, HEIGHT);
+    let mut encoder = png::Encoder::new(File::create("stripes.png").expect("stripes.png"), WIDTH, HEIGHT);
     encoder.set_color(png::ColorType::Rgba);
     let bytes = picture.get_mapped_range(..).expect("the picture");
-    encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)).expect("the picture");
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)).expect("stripes.png");
 }
