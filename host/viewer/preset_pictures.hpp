@@ -17,7 +17,7 @@ class PresetPictures {
   public:
     static constexpr int side = 128; ///< of a small picture, in pixels
     static constexpr int cell = 144;
-    static constexpr int columns = 5;
+    static constexpr int columns = 7;
 
     /// `selector`: as for vulkan::Device.
     explicit PresetPictures(std::string selector) : selector_(std::move(selector)) {}

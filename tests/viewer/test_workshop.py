@@ -19,18 +19,19 @@ class Workshop(EventsTest):
         return name
 
     def test_presets_are_pictures(self):
-        self.open(*WINDOW)
+        self.open("--window", "1400x900") # large enough to show the pictures at their size
         self.keys("p")
-        self.wait_for(lambda state: state["gallery"] >= 3)
+        self.wait_for(lambda state: state["gallery"] >= 4)
         self.frames(3)
-        # The third of five in a row, in cells of 144 pixels in the middle of the view; its name stands at its foot.
-        seen = self.screen(16 + 2 * 144, 70, 128, 100)
+        # The fourth of seven in a row, in cells of 144 pixels in the middle of the view. Its name is at its lower edge.
+        left, top = (1036 - 7 * 144) // 2 + 8 + 3 * 144, (900 - 6 * 144) // 2 + 8
+        seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100].astype(int))[4:, 4:-4]
         self.assertLessEqual(off.max(), 1, np.unravel_index(off.argmax(), off.shape))
         self.assertGreater(seen.std(), 10)
-        self.click(80 + 2 * 144, 134)
+        self.click(left + 64, top + 64)
         self.assertIsNone(self.state["gallery"])
         self.assertEqual(self.document["material"], "bark")
         self.keys("p", "Escape")
