@@ -223,19 +223,31 @@ NB_MODULE(_native, module) {
         std::vector<Values<float>> given;
         for (const Floats& each : base)
             given.emplace_back(each);
-        const GaborErosion erosion{static_cast<int>(options[0]), options[1], options[2],  options[3],
-                                   options[4],                   options[5], options[6],  options[7],
-                                   options[8],                   options[9], options[10], options[11]};
+        const GaborErosion erosion{static_cast<int>(options[0]),
+                                   options[1],
+                                   options[2],
+                                   options[3],
+                                   options[4],
+                                   options[5],
+                                   options[6],
+                                   options[7],
+                                   options[8],
+                                   options[9],
+                                   options[10],
+                                   options[11]};
         const std::size_t count = x.size();
         return evaluate(count, 4, [=](float* values, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Split right(across[i], 1.0f), below(down[i], 1.0f);
-                const GaborGround ground{{right.cell, below.cell}, {right.local, below.local}, {period, period}};
-                GaborTerrain terrain = given.empty() // hills of their own
-                                           ? gabor_terrain_at(ground, seed)
-                                           : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i]};
+                const GaborGround ground{
+                    {right.cell, below.cell}, {right.local, below.local}, {period, period}};
+                const gabor_vec2 point{0.0f, 0.0f};
+                GaborTerrain terrain =
+                    given.empty() // hills of their own
+                        ? gabor_terrain_at(ground, point, point, seed)
+                        : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i]};
                 if (erosion.octaves > 0)
-                    terrain = gabor_eroded_at(ground, {0.0f, 0.0f}, {0.0f, 0.0f}, terrain, erosion, seed);
+                    terrain = gabor_eroded_at(ground, point, point, terrain, erosion, seed);
                 values[i] = terrain.height;
                 values[count + i] = terrain.slope.x;
                 values[2 * count + i] = terrain.slope.y;

@@ -203,7 +203,7 @@ int main() {
             const gabor_ivec2 cell(i % 256 / 32, i / 256 / 32);
             const gabor_vec2 local((i % 32 + 0.5f) / 32, (i / 256 % 32 + 0.5f) / 32), none(0.0f);
             const GaborGround ground{cell, local, kind == 3 ? gabor_vec2(8.0f) : none};
-            GaborTerrain t = gabor_terrain_at(ground, 7u);
+            GaborTerrain t = gabor_terrain_at(ground, none, none, 7u);
             if (kind > 0)
                 t = gabor_eroded_at(ground, none, none, t, gabor_erosion(), 7u);
             const GaborErosion badlands{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
