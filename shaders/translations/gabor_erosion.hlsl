@@ -111,7 +111,7 @@ GaborGround GaborGround_of(int2 cell, float2 local, float2 period)
 
 // The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
 // cell is an exact integer and fraction. The kernel radius is one unit of p.
-GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
+GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
     place.radius = (float2)(float(rounded) / 65536.0);
@@ -156,7 +156,7 @@ void gabor_impl_add_hills(inout GaborField sum, uint4 words, float4 x, float4 sl
 // 315 on average along each axis, and that of their derivatives is 2 / 3. So the mean of a noise over a pixel, with
 // half a pixel as deviation, is `kept` times its value, and the variance lost lowers the mean of the sine.
 GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
-    GaborPlace place = gabor_impl_place(ground, 1.0);
+    GaborPlace place = gabor_impl_ground(ground, 1.0);
     float2 zero = floor(place.local);
     float4 x, y, slope_x, slope_y;
     gabor_impl_splines(place.local.x - zero.x, x, slope_x);
@@ -205,7 +205,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerr
         float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
         float2 z = (float2)(0.0);
         if (kept > 0.0) {
-            GaborPlace place = gabor_impl_place(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i)).value;
             z *= kept * rsqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
         }

@@ -76,7 +76,7 @@ struct GaborGround { // a position, cell + local
 
 // The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
 // cell is an exact integer and fraction. The kernel radius is one unit of p.
-GABOR_INLINE GaborPlace gabor_impl_place(GaborGround ground, float nodes) {
+GABOR_INLINE GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
     place.radius = gabor_vec2(float(rounded) / 65536.0f);
@@ -121,7 +121,7 @@ GABOR_INLINE void gabor_impl_add_hills(GaborField& sum, gabor_uvec4 words, gabor
 // 315 on average along each axis, and that of their derivatives is 2 / 3. So the mean of a noise over a pixel, with
 // half a pixel as deviation, is `kept` times its value, and the variance lost lowers the mean of the sine.
 GABOR_INLINE GaborTerrain gabor_terrain_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    GaborPlace place = gabor_impl_place(ground, 1.0f);
+    GaborPlace place = gabor_impl_ground(ground, 1.0f);
     gabor_vec2 zero = gabor_cpp_floor(place.local);
     gabor_vec4 x, y, slope_x, slope_y;
     gabor_impl_splines(place.local.x - zero.x, x, slope_x);
@@ -170,7 +170,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gab
         float kept = gabor_cpp_max(1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)) - 0.02f, 0.0f); // deviation: half a pixel
         gabor_vec2 z = gabor_vec2(0.0f);
         if (kept > 0.0f) {
-            GaborPlace place = gabor_impl_place(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
             z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings z to length 1, except where waves cancel
         }

@@ -106,7 +106,7 @@ fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32
     var factors: vec2<f32>;
     var slope_7: vec2<f32>;
 
-    let _e5 = gabor_impl_place(ground, 1f);
+    let _e5 = gabor_impl_ground(ground, 1f);
     place_8 = _e5;
     let _e7 = place_8;
     zero_1 = floor(_e7.local);
@@ -261,7 +261,7 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
             if (_e93 > 0f) {
                 {
                     let _e102 = frequency_7;
-                    let _e104 = gabor_impl_place(ground, (1.2f * _e102));
+                    let _e104 = gabor_impl_ground(ground, (1.2f * _e102));
                     place_9 = _e104;
                     let _e107 = place_9;
                     let _e108 = wave_11;
@@ -344,7 +344,7 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 
 // The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
 // cell is an exact integer and fraction. The kernel radius is one unit of p.
-fn gabor_impl_place(ground: GaborGround, nodes: f32) -> GaborPlace {
+fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;
     var low: vec2<u32>;
