@@ -63,7 +63,7 @@ Code multiplied_out(const vulkan::Device& device, Subject subject) {
 std::vector<Code> measure_code(const vulkan::Device& device) {
     std::vector<Code> codes;
     for (const Subject& subject : subjects()) {
-        if (subject.random_loops)
+        if (subject.has_loops)
             continue;
         codes.push_back(
             subject.octaves > 0

@@ -6,20 +6,20 @@
 #include "passes/bench/bench_interface.h"
 #include "passes/bench/erosion.h"
 #include "passes/bench/erosion_lattice_2.h"
-#include "passes/bench/gradient.h"
 #include "passes/bench/recipe.h"
 #include "passes/bench/recipe_lattice_2.h"
 #include "passes/bench/recipe_lattice_3.h"
 #include "passes/bench/recipe_lattice_4.h"
-#include "passes/bench/seminal.h"
-#include "passes/bench/simplex.h"
 #include "passes/bench/space.h"
-#include "passes/bench/write.h"
+#include "passes/bench/yardsticks.h"
 
 #include <fmt/format.h>
+#include <spirv-tools/optimizer.hpp>
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <unordered_map>
 
 namespace gabor::bench {
 
@@ -28,15 +28,21 @@ namespace {
 constexpr RecipeModules modules{recipe_spirv,
                                 {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
-// The options of passes/bench/seminal.comp: impulses per cell, the paper's advice, hoisted.
-Subject published(std::string name, int impulses, bool advised, bool hoisted) {
-    return {std::move(name),
-            9.0 * impulses,
-            seminal_spirv,
-            nullptr,
-            {static_cast<std::uint32_t>(impulses), advised, hoisted},
-            true,
-            !advised};
+// The functions of passes/bench/yardsticks.comp, in the order of its numbers.
+void add_yardsticks(std::vector<Subject>& all) {
+    auto add = [&all, number = 0u](std::string_view name, double kernels, bool has_loops = false) mutable {
+        all.push_back({std::string(name), kernels, yardsticks_spirv, nullptr, {number++}});
+        all.back().has_loops = has_loops;
+        all.back().measure_cvm = name == advice_yardstick || name == seminal_yardstick;
+    };
+    add(writing_alone, 0);
+    add(perlin_yardstick, 0);
+    add(simplex_yardstick, 0);
+    add(advice_yardstick, 18);
+    add("Gabor noise of 72 kernels", 72, true);
+    add("phasor noise, 144 kernels", 144, true);
+    add("stripes of 16 random splats", 16, true);
+    add(seminal_yardstick, 270, true);
 }
 
 // The options of passes/bench/erosion.comp: random splats instead of the drop-in, octaves.
@@ -91,39 +97,54 @@ Subject in_space(SpaceFunction function) {
     return {names.at(number), 27, space_spirv, nullptr, {number}};
 }
 
-Subject seminal(int impulses) {
-    return published(fmt::format("seminal, N = {}, hoisted", impulses), impulses, false, true);
-}
-
-Subject advice(int impulses) {
-    return published(fmt::format("the paper's advice, N = {}, hoisted", impulses), impulses, true, true);
-}
-
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    all.push_back(published("seminal, N = 30", 30, false, false));
-    all.push_back(seminal(30));
-    all.push_back(published("the paper's advice, N = 2, plain", 2, true, false));
-    all.push_back(advice(2));
     add_drop_in(all);
     add_space(all);
     all.push_back(eroded("gabor_eroded, 5 octaves, 3 taps", erosion_spirv, false));
     all.push_back(eroded("gabor_eroded, 5 octaves, 2 taps", erosion_lattice_2_spirv, false));
     all.push_back(eroded("erosion with 16 random splats, 5 octaves", erosion_spirv, true));
-    all.push_back({"gradient noise", 0, gradient_spirv});
-    all.push_back({"simplex noise", 0, simplex_spirv});
-    all.push_back({"writing alone", 0, write_spirv});
+    add_yardsticks(all);
     return all;
 }
 
+namespace {
+
+// The module as if it had been compiled with these constants. Drivers may keep branches that constants
+// exclude: SwiftShader does, and then writing alone takes as long as the largest noise of its module.
+std::vector<std::uint32_t> specialized(std::span<const std::uint32_t> spirv,
+                                       std::span<const std::uint32_t> constants) {
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
+    for (std::uint32_t id = 0; id < constants.size(); ++id)
+        values[id] = {constants[id]};
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+    std::string messages;
+    optimizer.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&,
+                                             const char* message) { messages += message; });
+    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+        .RegisterPass(spvtools::CreateCCPPass())
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass());
+    std::vector<std::uint32_t> result;
+    if (!optimizer.Run(spirv.data(), spirv.size(), &result))
+        throw std::runtime_error("SPIRV-Tools cannot specialize a pass: " + messages);
+    return result;
+}
+
+} // namespace
+
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use) {
-    // Shaders ignore constants with unknown ids.
     std::vector<std::uint32_t> constants(20, 0);
     if (subject.recipe)
         std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());
     constants[passes::sampling_id] = use == Use::samples;
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
-    return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
+    return {device,
+            specialized(subject.spirv, constants),
+            {1, sizeof(passes::BenchPush), use == Use::statistics}};
 }
 
 Filling::Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gabor::bench {
@@ -18,14 +19,16 @@ struct Subject {
     const noise::Recipe* recipe = nullptr;   ///< of the drop-in
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure how Gaussian its values are
-    bool random_loops = false;               ///< its loops end at random, so that its code cannot be counted
+    bool has_loops = false;                  ///< the compiler keeps its loops, so its code cannot be counted
     int octaves = 0; ///< rounds of a loop that compilers keep; their number is the last option
 };
 
-/// The yardsticks: the published noises, written plainly, but with everything that all impulses share
-/// computed once.
-inline constexpr const char* seminal_yardstick = "seminal, N = 30, hoisted";
-inline constexpr const char* advice_yardstick = "the paper's advice, N = 2, hoisted";
+/// The noises that the report compares with, named as in docs/benchmark.html.
+inline constexpr std::string_view writing_alone = "writing alone";
+inline constexpr std::string_view perlin_yardstick = "Perlin noise";
+inline constexpr std::string_view simplex_yardstick = "simplex noise";
+inline constexpr std::string_view advice_yardstick = "the paper's advice, 18 kernels";
+inline constexpr std::string_view seminal_yardstick = "the seminal noise, 270 kernels";
 
 /// All subjects, in the order of the report.
 std::vector<Subject> subjects();
@@ -60,10 +63,6 @@ enum class SpaceFunction : std::uint32_t {
 
 /// A function of gabor_lattice_3d.glsl.
 Subject in_space(SpaceFunction function);
-
-/// The seminal noise, or the paper's advice, with this number of impulses per cell, hoisted.
-Subject seminal(int impulses);
-Subject advice(int impulses);
 
 /// The size and the frequency of a timed picture.
 struct Setting {

@@ -26,15 +26,15 @@ struct BenchOptions {
     bool isa = false;
 };
 
-const bench::Row& find(const std::vector<bench::Row>& rows, const char* name) {
+const bench::Row& find(const std::vector<bench::Row>& rows, std::string_view name) {
     return *std::ranges::find(rows, name, &bench::Row::name);
 }
 
 void print_base(const std::vector<bench::Row>& rows) {
     const double seminal = find(rows, bench::seminal_yardstick).seconds.median;
     const double advice = find(rows, bench::advice_yardstick).seconds.median;
-    const double gradient = find(rows, "gradient noise").seconds.median;
-    const double writing = find(rows, "writing alone").seconds.median;
+    const double gradient = find(rows, bench::perlin_yardstick).seconds.median;
+    const double writing = find(rows, bench::writing_alone).seconds.median;
     const bench::Row& first = rows.front();
     fmt::print("{0} x {0} pixels, {1} pixels per kernel radius, frequency {2}\n", first.side, first.scale,
                first.frequency);
@@ -56,12 +56,14 @@ void print_base(const std::vector<bench::Row>& rows) {
 
 // The same row as docs/benchmark.html: milliseconds per megapixel, without the time to write pixels.
 void print_row(const vulkan::Device& device, const std::vector<bench::Row>& rows) {
-    const double writing = find(rows, "writing alone").nanoseconds_per_pixel();
+    const double writing = find(rows, bench::writing_alone).nanoseconds_per_pixel();
     fmt::print("\n| device | API | gabor_noise | 2 taps | Perlin | simplex | advice | seminal |\n"
                "| --- | --- | --- | --- | --- | --- | --- | --- |\n| {} | Vulkan |",
                device.info().name);
-    for (const char* name : {"gabor_noise, lattice", "gabor_noise, lattice-2", "gradient noise",
-                             "simplex noise", bench::advice_yardstick, bench::seminal_yardstick})
+    for (const std::string_view name :
+         {std::string_view("gabor_noise, lattice"), std::string_view("gabor_noise, lattice-2"),
+          bench::perlin_yardstick, bench::simplex_yardstick, bench::advice_yardstick,
+          bench::seminal_yardstick})
         fmt::print(" {:.3g} |", std::max(find(rows, name).nanoseconds_per_pixel() - writing, 0.0));
     fmt::print("\n");
 }

@@ -1,0 +1,30 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// The noises to compare with, from the same text as in docs/benchmark.html.
+
+#include "bench.glsl"
+#include "yardsticks.glsl"
+
+layout(constant_id = option_id) const int function = 0; // as Yardstick in host/lab/bench/subjects.hpp
+
+float value(vec2 p, uint instance) {
+    switch (function) {
+    case 1:
+        return perlin_noise(p, frequency, instance);
+    case 2:
+        return simplex_noise(p, frequency, instance);
+    case 3:
+        return advice_noise(p, frequency, orientation, instance);
+    case 4:
+        return gabor_72_noise(p, frequency, orientation, instance);
+    case 5:
+        return phasor_noise(p, frequency, orientation, instance);
+    case 6:
+        return splats_16_noise(p, frequency, orientation, instance);
+    case 7:
+        return seminal_noise(p, frequency, orientation, instance);
+    default:
+        return p.x * 1.0e-9; // only the picture's memory
+    }
+}
