@@ -12,7 +12,7 @@ NODES = ROOT / "shaders" / "nodes"
 LIBRARY = NODES / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
-OSL_SHADER = NODES / "osl" / "gabor_lattice.osl"
+OSL_SHADERS = NODES / "osl" / "gabor_lattice.osl", NODES / "osl" / "gabor_erosion.osl"
 
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
@@ -151,12 +151,12 @@ def osl(text):
     return body.replace("\nint mx_gabor_mix", "\n" + OSL_RIGHT + "int mx_gabor_mix")
 
 
-def osl_shader(library):
-    """The shader of shaders/nodes/osl: between its marks, the library's functions by the drop-in's names."""
+def osl_shader(path, library):
+    """A shader of shaders/nodes/osl: between its marks, the library's functions by the drop-in's names."""
     functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
     functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
     return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
-                  lambda match: f"{match[1]}\n{functions}\n{match[2]}", OSL_SHADER.read_text())
+                  lambda match: f"{match[1]}\n{functions}\n{match[2]}", path.read_text())
 
 
 # ---- MDL -----------------------------------------------------------------------------------------------------------
@@ -272,7 +272,8 @@ def made(source):
     glsl = common(source)
     yield from bevy_modules()
     yield COMMON, glsl
-    yield OSL_SHADER, osl_shader(osl(glsl))
+    library = osl(glsl)
+    yield from ((path, osl_shader(path, library)) for path in OSL_SHADERS)
     version = json.loads((ROOT / "package.json").read_text())["version"]
     yield TSL, tsl(source)
     yield MANIFEST, re.sub(r'(?m)^version = ".*"', f'version = "{version}"', MANIFEST.read_text())

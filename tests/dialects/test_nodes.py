@@ -164,21 +164,27 @@ class ByHand(unittest.TestCase):
                 print(f"{function}: largest difference {error:.2g} at row and column {place}")
                 self.assertLess(error, 1e-5)
 
+    def run_osl(self, name, scene):
+        """What a scene writes that calls a shader of the Open Shading Language as a function of C++."""
+        shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
+        text = (NODES / "osl" / name).read_text()
+        text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
+        text = re.sub(r"output (\w+ \w+\[)", r"\1", text)  # arrays are passed by reference anyway
+        shader.write_text(re.sub(r"output (\w+) (\w+)", r"\1& \2", text))
+        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{shader}"', "-I",
+                        ROOT / "shaders" / "translations", HERE / scene, "-o", self.folder / "program"], check=True)
+        subprocess.run([self.folder / "program", self.values], check=True)
+        return np.fromfile(self.values, "<f4")
+
     def test_open_shading_language(self):
         """Each output of the shader. The others are compared with the translation to C++."""
-        shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
-        text = (NODES / "osl" / "gabor_lattice.osl").read_text()
-        text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
-        shader.write_text(re.sub(r"output (\w+) (\w+)", r"\1& \2", text))
-        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{shader}"', HERE / "scene_osl.cpp",
-                        "-o", self.folder / "program"], check=True)
-        subprocess.run([self.folder / "program", self.values], check=True)
-        plane, space = np.fromfile(self.values, "<f4").reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
+        values = self.run_osl("gabor_lattice.osl", "scene_osl.cpp")
+        plane, space = values.reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
         error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))
         print(f"largest difference {error:.2g} at row and column {place}")
         self.assertLess(error, 1e-5)
 
-        subprocess.run([compiler, "-std=c++11", "-O1", "-x", "c++", "-", "-I", ROOT / "shaders" / "translations", "-o",
+        subprocess.run([os.environ.get("CXX", "c++"), "-std=c++11", "-O1", "-x", "c++", "-", "-I", ROOT / "shaders" / "translations", "-o",
                         self.folder / "beside"], input=BESIDE, text=True, check=True)
         subprocess.run([self.folder / "beside", self.values], check=True)
         expected = np.fromfile(self.values, "<f4").reshape(-1, 7).T.astype(float)
@@ -192,6 +198,12 @@ class ByHand(unittest.TestCase):
         self.assertLess(np.abs(intensity * np.sin(2 * np.pi * phase) - plane[0]).max(), 1e-5)
         self.assertLess(np.abs(intensity * np.cos(2 * np.pi * phase) - expected[0]).max(), 2e-5)
         self.assertTrue(((0 <= phase) & (phase <= 1)).all())
+
+    def test_erosion_in_open_shading_language(self):
+        values = self.run_osl("gabor_erosion.osl", "scene_osl_erosion.cpp").reshape(-1, 2, 4).astype(float)
+        error = np.abs(values[:, 0] - values[:, 1]).max(axis=0)
+        print(f"largest differences of height, ridge and slopes: {error}")
+        self.assertTrue((error < [1e-5, 1e-3, 1e-3, 1e-3]).all())
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):
