@@ -48,13 +48,16 @@ Photograph read_photograph(const std::string& path, const fit::Advance& advance)
     return photograph;
 }
 
-// Makes a GLSL name from the file's name.
+// Makes a GLSL name from the file's name, to which more words may be appended: GLSL reserves two underscores.
 std::string glsl_name(const std::string& path) {
-    std::string name = "texture_" + std::filesystem::path(path).stem().string();
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    for (std::size_t at = 0; (at = name.find("__")) != std::string::npos;) // reserved in GLSL
-        name.erase(at, 1);
+    std::string name = "texture";
+    bool apart = true;
+    for (const char c : std::filesystem::path(path).stem().string()) {
+        const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (letter)
+            name += apart ? std::string{'_', c} : std::string{c};
+        apart = !letter;
+    }
     return name;
 }
 

@@ -37,6 +37,7 @@ void take(Session& session, FittedPreset fitted) {
         next.origin.clear();
     }
     next.photograph = session.fitted_path = session.fitter.path();
+    add_recent(session, session.fitted_path);
     session.document() = next;
     session.fitted = std::move(fitted);
 }
@@ -50,7 +51,6 @@ bool is_photograph(const std::filesystem::path& path) {
 void open_photograph(Session& session, const std::string& path) {
     session.fitter.open(path);
     session.photograph_beside = true;
-    add_recent(session, path);
 }
 
 void poll_fitter(Session& session) {

@@ -40,6 +40,8 @@ constexpr Quantity value{
     "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise", "0.0"};
 constexpr Quantity gradient{"The gradient, per kernel radius.",       "vec2",           "gradient",
                             "vec2(field.slope_x.y, field.slope_y.y)", "field.gradient", "vec2(0.0)"};
+constexpr Quantity relief{"The gradient, per kernel radius, and the noise.",       "vec3", "relief",
+                          "vec3(field.slope_x.y, field.slope_y.y, field.value.y)", "",     "vec3(0.0)"};
 constexpr Quantity complex_value{"The noise as a complex number: its quadrature, and the noise itself.",
                                  "vec2",
                                  "complex",
@@ -61,8 +63,9 @@ constexpr Quantity colour{"The colour.",
 
 const Quantity& quantity(const Document& document) {
     switch (document.output) {
+    case Output::lit: // on a body without the window's light
+        return render::in_space(document.request) ? quantities::gradient : quantities::relief;
     case Output::gradient:
-    case Output::lit:
         return quantities::gradient;
     case Output::phase:
     case Output::intensity:
@@ -108,6 +111,11 @@ std::string added(const Quantity& of, const Wave& wave, const std::string& call)
             weights([](const passes::vec2& w) { return w.x * w.x + w.y * w.y; }));
     }
     const double amplitude = wave.amplitude;
+    if (&of == &quantities::relief) {
+        const double slope = amplitude / wave.radius;
+        return fmt::format("    sum += vec3({0}, {0}, {1}) * {2};\n", literal(slope), literal(amplitude),
+                           call);
+    }
     const double weight = &of == &quantities::gradient  ? amplitude / wave.radius
                           : &of == &quantities::removed ? amplitude * amplitude
                                                         : amplitude;
@@ -278,20 +286,38 @@ std::string gradient_in_picture(const render::Request& request) {
 }
 
 // The colours that the window shows.
-std::string of_colours(const Document& document, const Quantity& of) {
+std::string of_colours(const Document& document, const Quantity& of, Extent extent) {
     const bool space = render::in_space(document.request);
     const auto map = document.colours;
     const std::string contrast = literal(document.contrast);
-    const auto colours = std::ranges::find(embedded_shaders(), "viewer/colours.glsl", &EmbeddedShader::path);
-    std::string text = fmt::format("\n{}\n// What the viewer showed there.\n", colours->text);
+    const auto embedded = [](std::string_view path) {
+        return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
+    };
+    std::string text = fmt::format("\n{}\n", embedded("viewer/colours.glsl"));
+    if (&of == &quantities::relief)
+        text += fmt::format("{}\n", embedded("passes/light.glsl"));
+    text += space && document.output == Output::lit
+                ? "// The normal map of what the viewer showed, without its light.\n"
+                : "// What the viewer showed there.\n";
     text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
     if (space && &of == &quantities::gradient)
         text += gradient_in_picture(document.request);
     else
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
+    if (&of == &quantities::relief) // as lit_noise of shaders/viewer/show.glsl
+        return text + fmt::format(R"(    vec3 normal = normalize(vec3(-{} * seen.xy, 1.0));
+    vec2 place = (pixel - {}) / {};
+    vec3 linear = pow(viewer_value(seen.z, {}, {}), vec3(2.2));
+    vec3 light = clamp(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)), 0.0, 1.0);
+    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+}}
+)",
+                                  literal(0.5 * document.contrast / slope_deviation(document.request)),
+                                  vec2(extent.width / 2.0, extent.height / 2.0),
+                                  literal(std::max(extent.width, extent.height)), contrast, map);
     switch (document.output) {
-    case Output::lit: // without the window's light: its normal map
+    case Output::lit:
     case Output::gradient:
         text += fmt::format("    return viewer_gradient(seen, {}, {}, {});\n",
                             literal(slope_deviation(document.request)), contrast,
@@ -494,7 +520,7 @@ std::string snippet(const Document& document, Extent extent) {
     if (&of == &quantities::colour)
         text += fit::colour_function("noise", *request.colour);
     text += space ? of_space(request, of) : of_plane(document, of, extent);
-    return &of == &quantities::colour ? text : text + of_colours(document, of);
+    return &of == &quantities::colour ? text : text + of_colours(document, of, extent);
 }
 
 } // namespace gabor::viewer

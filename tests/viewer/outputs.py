@@ -9,9 +9,9 @@ from exr import Exr
 from png import read_colour_png
 
 WIDTH, HEIGHT = 480, 320
-OUTPUTS = ("value", "gradient", "phase", "intensity", "variance")
-VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE = range(5)
-NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed"}
+OUTPUTS = ("value", "gradient", "phase", "intensity", "variance", "phasor", "lit")
+VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE, _, LIT = range(7)
+NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed", LIT: "relief"}
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea")
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
 # Two lobes become colours by two components.
@@ -110,6 +110,8 @@ def quantity(channels, output):
         return np.stack([channels[name] for name in "RGB"], axis=-1)
     if output == GRADIENT:
         return np.stack([channels["gradient.x"], channels["gradient.y"]], axis=-1)
+    if output == LIT:
+        return np.stack([channels["gradient.x"], channels["gradient.y"], channels["Y"]], axis=-1)
     if output in (PHASE, INTENSITY):
         return np.stack([channels["quadrature"], channels["Y"]], axis=-1)
     return channels["removed" if output == VARIANCE else "Y"]

@@ -23,11 +23,11 @@ constexpr double patience = 300;    // seconds for anything to settle
 constexpr double expectation = 120; // and for what is expected to come about
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
-    {"move", 2},   {"doubleclick", 2}, {"click", 2},  {"drag", 4},     {"scroll", 3},  {"key", 1},
-    {"type", 1},   {"set", 2},         {"resize", 2}, {"minimize", 0}, {"restore", 0}, {"hide", 0},
-    {"show", 0},   {"open", 1},        {"save", 1},   {"copy", 1},     {"export", 1},  {"exported", 0},
-    {"fine", 0},   {"screenshot", 1},  {"window", 1}, {"wait", 1},     {"settle", 0},  {"sleep", 1},
-    {"expect", 2}, {"random", 2},      {"quit", 0}};
+    {"move", 2},   {"doubleclick", 2}, {"click", 2},      {"drag", 4},     {"scroll", 3},  {"key", 1},
+    {"type", 1},   {"set", 2},         {"resize", 2},     {"minimize", 0}, {"restore", 0}, {"hide", 0},
+    {"show", 0},   {"open", 1},        {"save", 1},       {"copy", 1},     {"export", 1},  {"exported", 0},
+    {"fitted", 0}, {"fine", 0},        {"screenshot", 1}, {"window", 1},   {"wait", 1},    {"settle", 0},
+    {"sleep", 1},  {"expect", 2},      {"random", 2},     {"quit", 0}};
 
 const std::map<std::string, int, std::less<>> named_keys{
     {"tab", GLFW_KEY_TAB},       {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
@@ -175,6 +175,8 @@ bool Script::execute(const Command& command, App& app) {
         start_export(session);
     } else if (name == "fine") {
         return ++step_ > 3 && app.fine();
+    } else if (name == "fitted") {
+        return ++step_ > 3 && !session.fitter.running();
     } else if (name == "exported") {
         if (session.exporter.failed())
             throw std::runtime_error(session.exporter.result());

@@ -84,6 +84,16 @@ class Artist(EventsTest):
         self.drop("expected.json") # which was not fitted here
         self.assertFalse(self.state["photograph"])
         self.close()
+        recent = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())["recent"]
+        self.assertIn(str(self.folder / "cloth.png"), recent)
+        self.assertNotIn(str(self.folder / "small.png"), recent)
+
+    def test_copied_code_has_a_valid_name_whatever_the_photograph_is_called(self):
+        write_png(self.folder / "steel photo (1).png", colour_noise(160))
+        self.play("open steel photo (1).png\nfitted\nkey ctrl+c\ncopy code.glsl\nquit")
+        code = (self.folder / "code.glsl").read_text()
+        self.assertIn("texture_steel_photo_1_colour", code)
+        self.assertNotIn("__", code)
 
     def test_bodies_have_the_colours_of_a_photograph(self):
         write_png(self.folder / "cloth.png", colour_noise(160))

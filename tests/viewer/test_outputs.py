@@ -2,7 +2,7 @@
 
 import unittest
 
-from outputs import COLOURED, GRADIENT, INTENSITY, LOBES, NAMES, PHASE, VALUE, VARIANCE, OutputsTest, padded
+from outputs import COLOURED, GRADIENT, INTENSITY, LIT, LOBES, NAMES, PHASE, VALUE, VARIANCE, OutputsTest, padded
 
 NOISES = {
     "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
@@ -27,6 +27,8 @@ PLANES = {
     **{name: (parameters, VALUE, 1, 2) for name, parameters in NOISES.items()},
     "value": ({}, VALUE, 1, 3),
     "gradient of lobes": ({"lobes": LOBES, "seed": 5}, GRADIENT, 0, 1.5),
+    "lit": ({"orientation": 40}, LIT, 3, 2),
+    "lit lobes": ({"lobes": LOBES, "seed": 5, "filter": True}, LIT, 1, 3),
     "phase": ({"recipe": "one", "orientation": 40}, PHASE, 1, 2),
     "grey phase": ({"time": 0.3}, PHASE, 0, 2),
     "intensity": ({"recipe": "lattice-2", "tileable": True}, INTENSITY, 3, 2),
@@ -45,9 +47,10 @@ class Planes(OutputsTest):
         if "colour" in parameters:
             return self.draw_colours(snippet, "colour_of_view(at)")
         single = output in (VALUE, VARIANCE)
-        value = padded(f"{NAMES[output]}_of_view(at)", 1 if single else 2)
+        components = 1 if single else 3 if output == LIT else 2
+        value = padded(f"{NAMES[output]}_of_view(at)", components)
         pixels, colours = self.run_code(snippet, f"pixels = {value}; colour = colour_of_view(at);")
-        return pixels[..., 0] if single else pixels[..., :2], colours
+        return pixels[..., 0] if single else pixels[..., :components], colours
 
 
 if __name__ == "__main__":
