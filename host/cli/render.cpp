@@ -217,6 +217,11 @@ bool is_png(const std::string& path) {
     return std::filesystem::path(path).extension() == ".png";
 }
 
+void check_half(const RenderOptions& options) {
+    if (options.half && !options.texture)
+        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+}
+
 // The output files of -o and --png.
 render::Files files_of(const RenderOptions& options) {
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
@@ -248,8 +253,7 @@ render::Files files_of(const RenderOptions& options) {
             refuse("--png", *options.png, "the name of a file that ends in .png");
         files.png = *options.png;
     }
-    if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+    check_half(options);
     if (options.texture && options.level)
         throw RequestError("--texture and --level exclude each other: a level is a picture");
     if (options.texture && (files.png || files.heightmap))
@@ -268,9 +272,11 @@ int frames_of(const RenderOptions& options) {
 
 // Without a scale, a set shows four by four units.
 void render_map_set(const RenderOptions& options) {
-    if (options.output || options.png || options.region || options.frames || options.texture || options.level)
-        throw RequestError("--maps writes whole sets alone: give it without -o, --png, --region, --frames, "
-                           "--texture and --level");
+    if (options.output || options.png || options.region || options.frames || options.level)
+        throw RequestError(
+            "--maps writes whole sets alone: give it without -o, --png, --region, --frames and "
+            "--level");
+    check_half(options);
     Work work = make_work(options);
     const bool scaled =
         options.preset || options.like || std::ranges::any_of(options.parameters, [](const auto& given) {
@@ -283,10 +289,11 @@ void render_map_set(const RenderOptions& options) {
     {
         Progress progress("rendering", static_cast<std::uint64_t>(work.request.width) *
                                            static_cast<std::uint64_t>(work.request.height));
-        render::render_maps(device, work.request, *options.maps, options.directx, [&](std::uint64_t done) {
-            check_interrupt();
-            progress.advance(done);
-        });
+        render::render_maps(device, work.request, *options.maps,
+                            {options.directx, options.texture, options.half}, [&](std::uint64_t done) {
+                                check_interrupt();
+                                progress.advance(done);
+                            });
     }
     fmt::print("{}: maps of {} x {} pixels, material {}, on {}\n", *options.maps, work.request.width,
                work.request.height, work.request.material, device.info().name);
@@ -462,7 +469,7 @@ void add_render_command(CLI::App& app) {
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be "
-        "powers of two");
+        "powers of two. With --maps: maps.exr is one, whose roughness grows as its normals flatten");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     command
         ->add_option(

@@ -23,6 +23,7 @@ namespace {
 const std::vector<std::string> map_channels{"R",         "G",        "B",        "height",   "roughness",
                                             "metalness", "normal.x", "normal.y", "normal.z", "occlusion"};
 constexpr std::size_t height_channel = 3;
+constexpr std::size_t roughness_channel = 4;
 constexpr std::size_t normal_channel = 6;
 constexpr std::size_t occlusion_channel = 9;
 
@@ -80,6 +81,74 @@ struct Maps {
         at(x, y)[occlusion_channel] = static_cast<float>(open);
     }
 };
+
+// What the pixels of a mip level average: as the channels of maps, but instead of the roughness r its r^4,
+// the second moment of the microfacets' slopes, and instead of the normal the slopes along x and y and the
+// sum of their squares.
+std::vector<float> averaged_from(std::span<const float> maps) {
+    std::vector<float> averaged(maps.begin(), maps.end());
+    for (std::size_t i = 0; i < averaged.size(); i += map_channels.size()) {
+        float* const pixel = &averaged[i];
+        float* const normal = pixel + normal_channel;
+        pixel[roughness_channel] = std::pow(pixel[roughness_channel], 4.0f);
+        const float right = -normal[0] / normal[2];
+        const float down = normal[1] / normal[2];
+        normal[0] = right;
+        normal[1] = down;
+        normal[2] = right * right + down * down;
+    }
+    return averaged;
+}
+
+// The slopes that a level has lost widen its microfacets: a^2 = r^4 grows by twice their variance along an
+// axis (Olano and Baker, "LEAN mapping", 2010, without directions; Walter et al. 2007 for the width of
+// Beckmann's and GGX's facets).
+std::vector<float> maps_from(std::span<const float> averaged) {
+    std::vector<float> maps(averaged.begin(), averaged.end());
+    for (std::size_t i = 0; i < maps.size(); i += map_channels.size()) {
+        float* const pixel = &maps[i];
+        float* const normal = pixel + normal_channel;
+        const float right = normal[0];
+        const float down = normal[1];
+        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // along both axes
+        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + lost, 1.0f), 0.25f);
+        const float length = std::sqrt(right * right + down * down + 1);
+        normal[0] = -right / length;
+        normal[1] = down / length;
+        normal[2] = 1 / length;
+    }
+    return maps;
+}
+
+// The level with half the sides.
+std::vector<float> halved(std::span<const float> level, int width, int height) {
+    const auto channels = map_channels.size();
+    const int x_step = width > 1 ? 2 : 1;
+    const int y_step = height > 1 ? 2 : 1;
+    std::vector<float> half;
+    half.reserve(level.size() / static_cast<std::size_t>(x_step * y_step));
+    for (int y = 0; y < height; y += y_step)
+        for (int x = 0; x < width; x += x_step)
+            for (std::size_t c = 0; c < channels; ++c) {
+                float sum = 0;
+                for (int j = 0; j < y_step; ++j)
+                    for (int i = 0; i < x_step; ++i)
+                        sum += level[static_cast<std::size_t>((y + j) * width + x + i) * channels + c];
+                half.push_back(sum / static_cast<float>(x_step * y_step));
+            }
+    return half;
+}
+
+void write_levels(image::ExrTextureWriter& writer, std::span<const float> maps, int width, int height) {
+    writer.write_rows(maps);
+    std::vector<float> level = averaged_from(maps);
+    while (width > 1 || height > 1) {
+        level = halved(level, width, height);
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        writer.write_rows(maps_from(level));
+    }
+}
 
 // One PNG of the set: which channels it shows, and how.
 struct Png {
@@ -186,7 +255,7 @@ class Folder {
 } // namespace
 
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
-                 bool directx, const std::function<void(std::uint64_t)>& advance) {
+                 const MapFormat& format, const std::function<void(std::uint64_t)>& advance) {
     const Plane* plane = std::get_if<Plane>(&request.view);
     if (!has_material(request) || !plane)
         throw RequestError("--maps requires a material in the view flat, as in --material wood");
@@ -202,17 +271,30 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
                           {.name = "metalness", .channels = {5}},
                           {.name = "occlusion", .channels = {9}},
                           {.name = "orm", .channels = {9, 4, 5}}};
-    if (directx)
+    if (format.directx)
         pngs.push_back({.name = "normal_directx", .channels = {6, 7, 8}, .shown = unit_to_colour});
     std::vector<image::PngWriter> writers; // open before the work begins, to fail early
     for (const Png& png : pngs)
         writers.emplace_back(folder / fmt::format("{}.png", png.name), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    image::ExrWriter exr(folder / "maps.exr", {.picture = {0, 0, request.width, request.height},
-                                               .window = {0, 0, request.width, request.height},
-                                               .channels = map_channels,
-                                               .parameters = to_json(request),
-                                               .software = software(device)});
+    const std::filesystem::path together = folder / "maps.exr";
+    std::optional<image::ExrWriter> picture;
+    std::optional<image::ExrTextureWriter> texture;
+    if (format.texture)
+        texture.emplace(together, image::ExrTextureWriter::Description{.width = request.width,
+                                                                       .height = request.height,
+                                                                       .channels = map_channels,
+                                                                       .half = format.half,
+                                                                       .periodic = plane->tileable,
+                                                                       .parameters = to_json(request),
+                                                                       .software = software(device)});
+    else
+        picture.emplace(together,
+                        image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
+                                                      .window = {0, 0, request.width, request.height},
+                                                      .channels = map_channels,
+                                                      .parameters = to_json(request),
+                                                      .software = software(device)});
     image::OutputFile materialx(folder / "material.mtlx");
     image::OutputFile scene(folder / "material.gltf");
 
@@ -239,7 +321,8 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
             maps.add_occlusion(x, y);
         }
         const std::span<const float> values(maps.at(0, y), row);
-        exr.write_rows(values);
+        if (picture)
+            picture->write_rows(values);
         for (std::size_t k = 0; k < pngs.size(); ++k) {
             shown.clear();
             for (std::size_t i = 0; i < row; i += map_channels.size())
@@ -254,6 +337,8 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
             writers[k].write_rows(shown);
         }
     }
+    if (texture)
+        write_levels(*texture, maps.values, request.width, request.height);
     const auto write = [&](image::OutputFile& file, std::string_view text) {
         const double longer = std::max(request.width, request.height);
         const std::string filled = fmt::format(
@@ -267,7 +352,10 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     write(scene, gltf);
     for (image::PngWriter& writer : writers)
         writer.commit();
-    exr.commit();
+    if (picture)
+        picture->commit();
+    else
+        texture->commit();
     materialx.commit();
     scene.commit();
 }

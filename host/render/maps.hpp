@@ -12,13 +12,19 @@ namespace gabor::render {
 /// The largest side of maps, in pixels: they are held in memory, 64 bytes per pixel.
 constexpr int most_map_side = 8192;
 
+struct MapFormat {
+    bool directx = false; ///< also normal_directx.png
+    bool texture = false; ///< maps.exr with mip levels, whose roughness grows by the slopes that they lose
+    bool half = false;    ///< of the texture
+};
+
 /// Writes a checked request's material, seen in the plane, as images for other programs: base_color.png
 /// (sRGB), normal.png (OpenGL), height.png (16 bits, from the lowest to the highest), roughness.png,
 /// metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs them), maps.exr
-/// with all of them, material.mtlx and material.gltf; and, if `directx`, normal_directx.png. The files appear
+/// with all of them, material.mtlx and material.gltf. The files appear
 /// together when all are complete; the folder is made if there is none. Calls `advance` with the number of
 /// pixels in each band. Throws RequestError if the request draws no material in the plane or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
-                 bool directx, const std::function<void(std::uint64_t)>& advance);
+                 const MapFormat& format, const std::function<void(std::uint64_t)>& advance);
 
 } // namespace gabor::render

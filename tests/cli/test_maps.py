@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from exr import Exr
+from exr import Exr, Texture
 from png import SIGNATURE, read_colour_png, read_grey_png, unfilter
 from program import RenderTest
 
@@ -98,12 +98,43 @@ class Maps(RenderTest):
         self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png"})
         self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
 
+    def test_levels_reflect_a_light_as_their_pixels_do(self):
+        """A highlight of GGX on a level, and the mean of the highlights on the pixels that it averages."""
+        side, block = 256, 16
+        self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
+        levels = Texture(self.folder / "set" / "maps.exr").levels
+        fine, coarse = levels[0], levels[block.bit_length() - 1]
+
+        def means(values):
+            return values.reshape(side // block, block, side // block, block).mean((1, 3))
+
+        def highlight(level, roughness, light):
+            normal = np.dstack([level[f"normal.{axis}"] for axis in "xyz"]).astype(float)
+            between = (light + [0, 0, 1]) / np.linalg.norm(light + [0, 0, 1])
+            cosine = np.clip(normal @ between, 0, None)
+            return np.clip(normal @ light, 0, None) * roughness**4 / (cosine**2 * (roughness**4 - 1) + 1)**2
+
+        for name in "RGB":
+            np.testing.assert_allclose(coarse[name], means(fine[name]), rtol=1e-4)
+        error, careless = [], []
+        for elevation, azimuth in ((0.1, 0), (0.4, 2), (0.4, 4), (0.8, 1)):
+            light = np.array([np.sin(elevation) * np.cos(azimuth), np.sin(elevation) * np.sin(azimuth), np.cos(elevation)])
+            wanted = means(highlight(fine, fine["roughness"].astype(float), light))
+            for errors, roughness in ((error, coarse["roughness"].astype(float)), (careless, means(fine["roughness"]))):
+                errors.append(np.sqrt(np.mean((highlight(coarse, roughness, light) - wanted)**2) / np.mean(wanted**2)))
+        print(f"highlights are off by {np.mean(error):.2f} of their rms, and by {np.mean(careless):.2f} with the mean roughness")
+        self.assertLess(np.mean(error), 0.35)
+        self.assertGreater(np.mean(careless), 3 * np.mean(error))
+
     def test_what_is_refused(self):
         for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
                                (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
                                (["--maps", "without -o"], ["--material=wood", "-o", "a.exr"])):
             self.assert_refused(words, "render", "--maps", "set", *options)
             self.assertEqual(self.files(), {})
+        self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
+        self.assert_refused(["--half is for --texture"], "render", "--material=wood", "--maps", "set", "--half")
+        self.assertEqual(self.files(), {})
         self.assert_refused(["--directx is for --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
         (self.folder / "file").write_text("mine")
         self.assert_refused(["--maps 'file'", "cannot make the folder"], "render", "--material=wood", "--maps", "file")
