@@ -38,6 +38,7 @@ noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves
             weights[static_cast<std::size_t>(c)] = {c == 0 ? 0 : w.real(), -w.imag()};
         }
     }
+    colour.linear = exemplar.linear;
     colour.histogram.fill({0, 1, 0, 0, 0, 0});
     for (std::size_t c = 0; c < exemplar.quantiles.size(); ++c)
         colour.histogram[c] = exemplar.quantiles[c].polynomial();

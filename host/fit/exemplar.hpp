@@ -22,6 +22,7 @@ struct Exemplar {
     int width = 0;
     int height = 0;
     int channels = 0;       ///< 1 where red, green and blue are the same
+    bool linear = false;    ///< whether values are linear light, as in OpenEXR, instead of sRGB
     double transparent = 0; ///< share of pixels that are more transparent than opaque, which were left out
     double fireflies = 0;   ///< share of pixels far brighter than all others, which were left out
     Trend trend;            ///< of each channel

@@ -34,6 +34,8 @@ class ExrWriter {
         std::string_view compression = "none";
         std::string parameters;    ///< stored as the string attribute `gabor`
         std::string software = {}; ///< stored as `software` unless empty: the program and driver
+        std::string colour_space =
+            {}; ///< of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -67,6 +69,7 @@ class ExrTextureWriter {
         std::string_view compression = "none";
         std::string parameters; ///< as for ExrWriter
         std::string software;
+        std::string colour_space = {}; ///< as for ExrWriter
     };
 
     /// Throws RequestError like ExrWriter.
@@ -118,6 +121,8 @@ class ExrReader {
     const std::string& parameters() const;
     /// Returns the `software` attribute; empty if there is none.
     const std::string& software() const;
+    /// Returns the `oiio:ColorSpace` attribute; empty if there is none.
+    std::string colour_space() const;
     /// Returns the compression's name; empty if ExrWriter does not offer it.
     std::string_view compression() const;
 

@@ -109,6 +109,10 @@ bool ExrReader::has_channel(const std::string& name) const {
 const std::string& ExrReader::parameters() const {
     return state_->parameters;
 }
+std::string ExrReader::colour_space() const {
+    return state_->text("oiio:ColorSpace");
+}
+
 const std::string& ExrReader::software() const {
     return state_->software;
 }

@@ -45,6 +45,8 @@ Imf::Header make_header(const ExrTextureWriter::Description& description) {
     };
     insert("gabor", description.parameters);
     insert("software", description.software);
+    if (!description.colour_space.empty())
+        insert("oiio:ColorSpace", description.colour_space);
     insert("textureformat", "Plain Texture");
     insert("wrapmodes", description.periodic ? "periodic,periodic" : "black,black");
     header.insert("fovcot", Imf::FloatAttribute(static_cast<float>(description.width) /

@@ -55,6 +55,8 @@ Imf::Header make_header(const ExrWriter::Description& description) {
     header.insert("gabor", Imf::StringAttribute(description.parameters));
     if (!description.software.empty())
         header.insert("software", Imf::StringAttribute(description.software));
+    if (!description.colour_space.empty())
+        header.insert("oiio:ColorSpace", Imf::StringAttribute(description.colour_space));
     return header;
 }
 

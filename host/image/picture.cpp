@@ -28,7 +28,8 @@ class ExrPicture : public PictureReader {
             readers_.emplace_back(path, channel);
         }
         const ExrReader& first = readers_.front();
-        format_ = {first.window().width, first.window().height, 1, first.has_channel("A")};
+        format_ = {first.window().width, first.window().height, 1, first.has_channel("A"),
+                   first.colour_space() != "sRGB"};
         if (first.channel() == "R" && first.has_channel("G") && first.has_channel("B")) {
             readers_.emplace_back(path, "G");
             readers_.emplace_back(path, "B");

@@ -16,6 +16,8 @@ class PictureReader {
         int height = 0;
         int channels = 0;   ///< 1, or 3 for red, green, blue
         bool alpha = false; ///< whether the file also has alpha
+        bool linear =
+            false; ///< whether values are linear light instead of sRGB: an EXR that does not say otherwise
     };
 
     virtual ~PictureReader() = default;

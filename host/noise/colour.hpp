@@ -22,6 +22,8 @@ struct Colour {
     std::array<double, 3> mean = {};                  ///< red, green, blue
     std::array<std::array<double, 3>, 3> mixing = {}; ///< one row each for red, green, blue
 
+    bool linear = false; ///< whether the photograph's values are linear light, as in OpenEXR, instead of sRGB
+
     bool operator==(const Colour&) const = default;
 };
 

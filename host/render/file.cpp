@@ -58,6 +58,12 @@ std::string software(const vulkan::Device& device) {
     return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
 }
 
+std::string colour_space(const Request& request) {
+    if (has_material(request) || has_terrain(request))
+        return "lin_rec709";
+    return !request.colour ? "" : request.colour->linear ? "lin_rec709" : "sRGB";
+}
+
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
     rendering.waiting += other.rendering.waiting;
     rendering.gpu += other.rendering.gpu;
@@ -77,7 +83,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                                                   .channels = names,
                                                   .compression = files.compression,
                                                   .parameters = to_json(request),
-                                                  .software = software(device)});
+                                                  .software = software(device),
+                                                  .colour_space = colour_space(request)});
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));

@@ -46,6 +46,10 @@ struct FileTimes {
 /// Names version, device and driver for a file's header. Where they agree, so do pixels.
 std::string software(const vulkan::Device& device);
 
+/// The encoding of R, G and B, for a file's header: linear for materials and terrain, that of the photograph
+/// for a fit. Empty for noise.
+std::string colour_space(const Request& request);
+
 struct Files {
     std::optional<std::filesystem::path> exr;
     std::optional<std::filesystem::path> png;            ///< a picture to look at

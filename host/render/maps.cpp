@@ -281,20 +281,23 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     std::optional<image::ExrWriter> picture;
     std::optional<image::ExrTextureWriter> texture;
     if (format.texture)
-        texture.emplace(together, image::ExrTextureWriter::Description{.width = request.width,
-                                                                       .height = request.height,
-                                                                       .channels = map_channels,
-                                                                       .half = format.half,
-                                                                       .periodic = plane->tileable,
-                                                                       .parameters = to_json(request),
-                                                                       .software = software(device)});
+        texture.emplace(together,
+                        image::ExrTextureWriter::Description{.width = request.width,
+                                                             .height = request.height,
+                                                             .channels = map_channels,
+                                                             .half = format.half,
+                                                             .periodic = plane->tileable,
+                                                             .parameters = to_json(request),
+                                                             .software = software(device),
+                                                             .colour_space = colour_space(request)});
     else
         picture.emplace(together,
                         image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
                                                       .window = {0, 0, request.width, request.height},
                                                       .channels = map_channels,
                                                       .parameters = to_json(request),
-                                                      .software = software(device)});
+                                                      .software = software(device),
+                                                      .colour_space = colour_space(request)});
     image::OutputFile materialx(folder / "material.mtlx");
     image::OutputFile scene(folder / "material.gltf");
 

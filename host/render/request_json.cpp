@@ -128,9 +128,13 @@ noise::Colour colour_of(const json& object) {
     for (const char* name : {"weights", "histogram", "mean", "mixing"})
         if (!object.contains(name))
             throw RequestError(fmt::format("the colour has no '{}'", name));
-    if (object.size() != 4 || !object["weights"].is_array())
-        throw RequestError("a colour has weights, one for each lobe, histogram, mean and mixing");
+    const json linear = object.value("linear", json(false));
+    if (object.size() != (object.contains("linear") ? 5 : 4) || !object["weights"].is_array() ||
+        !linear.is_boolean())
+        throw RequestError(
+            "a colour has weights, one for each lobe, histogram, mean, mixing, and perhaps linear");
     noise::Colour colour;
+    colour.linear = linear;
     for (const json& entry : object["weights"]) {
         Weights weights{};
         read_numbers(weights, entry, "weights");
@@ -154,10 +158,13 @@ ordered_json json_of(const noise::Colour& colour) {
         });
         list.push_back(numbers);
     }
-    return {{"weights", std::move(list)},
-            {"histogram", colour.histogram},
-            {"mean", colour.mean},
-            {"mixing", colour.mixing}};
+    ordered_json object{{"weights", std::move(list)},
+                        {"histogram", colour.histogram},
+                        {"mean", colour.mean},
+                        {"mixing", colour.mixing}};
+    if (colour.linear)
+        object["linear"] = true;
+    return object;
 }
 
 bool is_of_lobe(const Parameter& p) {

@@ -70,7 +70,8 @@ image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Req
              .periodic = std::get<Plane>(request.view).tileable && same_extent(request, region),
              .compression = format.compression,
              .parameters = to_json(request),
-             .software = made_by}};
+             .software = made_by,
+             .colour_space = colour_space(request)}};
 }
 
 using Write = std::function<void(std::span<const float>)>;

@@ -97,6 +97,7 @@ class Maps(RenderTest):
         files = {each.get("value") for each in document.iterfind(".//input[@name='file']")}
         self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png"})
         self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
+        self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
         """A highlight of GGX on a level, and the mean of the highlights on the pixels that it averages."""

@@ -95,6 +95,7 @@ class FitTest(ProgramTest):
         self.assertEqual(len(fitted["colour"]["weights"]), len(fitted["lobes"]))
         drawn = self.render("--size", "1024x1024")
         self.assertEqual(list(drawn.channels), ["B", "G", "R"])
+        self.assertEqual(drawn.attributes["oiio:ColorSpace"][1], b"sRGB")
         values = rgb(drawn)
         flat = without_trend(exemplar)
         l1, l2 = relative_errors(welch(values - values.mean((0, 1))), welch(flat))
@@ -248,6 +249,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_exr(self.folder / "bright.exr", {name: picture[..., c] for c, name in enumerate("RGB")})
         calm = self.fit("calm.exr", "--lobes", "4")["colour"]
         self.assertNotIn("brighter", self.said)
+        self.assertEqual(self.render("--size", "64x64").attributes["oiio:ColorSpace"][1], b"lin_rec709")
         bright = self.fit("bright.exr", "--lobes", "4")["colour"]
         self.assertIn("0.153 % of the pixels: they are far brighter", self.said)
         self.assert_same_colours(bright, calm, 0.02)
