@@ -40,8 +40,8 @@
 // vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
 //     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
 //     that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
-//     whole one. Continuous in p, dx and dy. On GPUs 1.4 times gabor_noise_3d up to steps of 0.18, with 27 nodes; from
-//     0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
+//     whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
+//     (27 nodes), 4.2 times from 0.2 on (64 nodes), and at most 6.6 times (125 nodes).
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 

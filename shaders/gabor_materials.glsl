@@ -295,8 +295,9 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, vec2 density, vec2 amplitude, uint 
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
-// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
+// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
+// long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     vec2 turn = gabor_impl_wave(0.15915494 * angle);
     vec2 x = turn;

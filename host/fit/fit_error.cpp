@@ -9,7 +9,7 @@ namespace gabor::fit {
 
 namespace {
 
-// Of some rows of spectra.
+// Sums over a range of rows of the spectra.
 struct SpectrumRows {
     Eigen::Index begin;
     Eigen::ArrayXd measure;
@@ -55,7 +55,7 @@ Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves
     return result;
 }
 
-// Where windows overlap at all, up to half of their side.
+// Windows overlap by at most half their side.
 double largest_difference(const Scale& scale, const Autocovariance& a, const Autocovariance& b) {
     double largest = 0;
     for (Eigen::Index y = 0; y < scale.lags(); ++y)

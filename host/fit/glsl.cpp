@@ -16,7 +16,7 @@ namespace {
 
 using noise::Colour;
 
-// Words of GLSL, and functions that it has, of which a texture's file may well have the name.
+// Keywords and built-in functions of GLSL that a file may be named after.
 constexpr std::array<std::string_view, 34> reserved{
     "abs",    "all",     "any",      "asin",       "atan", "ceil",      "clamp",  "common",  "cos",
     "cross",  "degrees", "distance", "dot",        "exp",  "filter",    "fixed",  "flat",    "floor",

@@ -8,8 +8,8 @@
 
 namespace gabor::statistics {
 
-/// Cramér-von Mises indices are 2^18 times the integral of (F - Phi)^2 dPhi: what is expected of the
-/// Cramér-von Mises statistic, less its 1/6, when it is taken from 2^18 independent samples.
+/// A Cramér-von Mises index is 2^18 times the integral of (F - Phi)^2 dPhi: the expected Cramér-von Mises
+/// statistic of 2^18 independent samples, minus the 1/6 that normal samples have.
 constexpr double cvm_scale = 1 << 18;
 
 /// An empirical distribution function is stored as counts of samples in bins that are uniform in u = Phi((x -

@@ -34,7 +34,7 @@ bool number_slider(const char* label, double& value, const render::Range& range,
 /// released.
 bool reset_asked(const char* label);
 
-/// A drop-down list of names, with their explanations. Returns whether another was chosen.
+/// A drop-down list of names, with their explanations. Returns true when the user changes the selection.
 bool choose_number(const char* label, std::size_t& number, std::span<const std::string_view> names,
                    std::span<const char* const> tips);
 

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 2914622c1533e12a
+// Digest of the GLSL and of this file: 0371892a56787a31
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -98,8 +98,8 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 
 // The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
 // that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
-// whole one. Continuous in p, dx and dy. On GPUs 1.4 times gabor_noise_3d up to steps of 0.18, with 27 nodes; from
-// 0.2 on 4.2 times, with 64, and up to 6.6 times with 125.
+// whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
+// (27 nodes), 4.2 times from 0.2 on (64 nodes), and at most 6.6 times (125 nodes).
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_16: GaborField3d;
 

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: c5add54d8fe871c5
+// Digest of the GLSL and of this file: c7b000fe60d388b3
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -1579,8 +1579,9 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
-// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
+// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
+// long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;

@@ -1,7 +1,7 @@
-"""The pixels of this version: 8 x 8 of them for each recipe, block by block and pixel by pixel, in the first and in the
-last corner of the largest picture. On Mesa 22.3's lavapipe, Debian 12's, they have the hashes of tests/golden/pixels.txt;
-on other drivers their sums along rows agree within what render/request.hpp states. Whoever changes them changes the
-version. After a change that is meant, this writes the file anew, and the diff shows what changed:
+"""The pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last corner
+of the largest picture. On lavapipe from Mesa 22.3 (Debian 12), their hashes must match tests/golden/pixels.txt; on other
+drivers, the sums of rows must agree within the tolerance in render/request.hpp. Changing pixels requires a new version.
+After an intended change, regenerate the file with this command and review the diff:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
 """

@@ -144,7 +144,7 @@ class Rendered(StatsTest):
 
 
 class Laws(StatsTest):
-    """The law that a channel is compared with: known from the header where theory knows it, else measured."""
+    """The distribution that a channel is compared with: from the header if theory gives it, otherwise measured."""
 
     def render(self, *options, size="512x512", scale=16):
         self.succeed("render", "-o", "in.exr", f"--size={size}", f"--scale={scale}", *options)

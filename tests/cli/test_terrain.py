@@ -1,4 +1,4 @@
-"""`gabor render --terrain`: eroded mountains in any unit, alike in regions and as a whole."""
+"""`gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
 
 import json
 import unittest

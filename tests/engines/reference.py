@@ -134,7 +134,7 @@ def complex_lattice_3d(x, y, z, direction):
     return total / (9 / 8) ** 1.5
 
 
-# ---- What nodes have beside the noise ------------------------------------------------------------------------------
+# ---- Other outputs of nodes ----------------------------------------------------------------------------------------
 
 # Each function: one number for each p = (x, y), in kernel radii, in which its results have different weights.
 STEP = 1e-5  # for derivatives, which are then exact within 1e-6

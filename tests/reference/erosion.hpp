@@ -7,7 +7,7 @@ namespace gabor::noise {
 
 using Vector = std::array<double, 2>;
 
-/// As GaborTerrain, GaborErosion and GaborGround in shaders/gabor_erosion.glsl.
+/// These mirror GaborTerrain, GaborErosion and GaborGround of shaders/gabor_erosion.glsl.
 struct Terrain {
     double height = 0;
     Vector slope{};

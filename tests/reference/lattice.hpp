@@ -17,7 +17,7 @@ struct LatticeWindow {
 };
 LatticeWindow lattice_window(int taps, double d);
 
-/// The sum of the squares of the windows along an axis, which depends on no place.
+/// The sum of the squared windows along an axis, the same at every place.
 double lattice_energy(int taps);
 
 /// The word of the nodes that share an index along an axis (0 x, 1 y, 2 z): odd, of 24 bits.
@@ -29,13 +29,13 @@ std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t 
 /// The seed of lobe `index` in a sum of independent noises.
 std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
 
-/// A part of an amplitude from a number u in [-1, 1]: what makes the law of a uniform one nearly normal.
+/// Maps u, uniform in [-1, 1], to a nearly normal value: a part of an amplitude.
 double lattice_amplitude_part(double u);
 
 /// The root mean square of the parts of all amplitudes.
 double lattice_amplitude_deviation();
 
-/// The amplitude of a word: one part from all of it, the other from its low 20 bits.
+/// The complex amplitude of a word. One part comes from the whole word, the other from its low 20 bits.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
 /// The same at a moment of an animation of period 1, with two others that follow from the word.

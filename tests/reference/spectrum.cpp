@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int taps = 3;
 
-// Of a normal filter: its two principal axes, as long as its standard deviations.
+// The principal axes of a normal filter, scaled by its standard deviations.
 std::array<Spectrum::Vector, 2> principal_axes(Spectrum::Vector dx, Spectrum::Vector dy) {
     const double xx = (dx[0] * dx[0] + dy[0] * dy[0]) / 4;
     const double yy = (dx[1] * dx[1] + dy[1] * dy[1]) / 4;
@@ -67,7 +67,7 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
     return lobes;
 }
 
-// The place in units of a lobe's own kernel radius, with the nodes that it has there.
+// Converts a place to a lobe's own kernel radius and lattice.
 static LatticePlace placed(const LatticePlace& place, double radius) {
     LatticePlace result = place;
     const auto along = [&](std::int32_t cell, std::int32_t period, double nodes, double& local,
@@ -119,8 +119,8 @@ Spectrum::Field Spectrum::filtered(double x, double y, Vector dx, Vector dy) con
     return mean;
 }
 
-// The filtered noise's variance is the mean of its covariance between two points that the filter draws
-// independently, whose difference is normal with twice the covariance.
+// The variance of the filtered noise is the mean covariance of the noise between two points drawn
+// independently from the filter. Their difference is normal, with twice the covariance of the filter.
 double Spectrum::removed(Vector dx, Vector dy) const {
     const auto [longer, shorter] = principal_axes(dx, dy);
     const double apart = std::numbers::sqrt2;

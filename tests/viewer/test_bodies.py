@@ -1,4 +1,4 @@
-"""In space, copied code and exported files show what the window shows."""
+"""Copied code and exported files reproduce what the window shows, for noise in space."""
 
 import math
 import unittest

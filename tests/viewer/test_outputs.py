@@ -1,4 +1,4 @@
-"""In the plane, copied code and exported files show what the window shows."""
+"""Copied code and exported files reproduce what the window shows, for noise in the plane."""
 
 import unittest
 

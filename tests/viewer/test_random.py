@@ -1,4 +1,4 @@
-"""Ten minutes of random input: the viewer prints nothing and leaks no memory."""
+"""After ten minutes of random input, the viewer has printed nothing and leaked no memory."""
 
 import os
 import pathlib

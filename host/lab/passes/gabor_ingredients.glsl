@@ -2,7 +2,7 @@
 //
 //     n(p) = K sum_i w_i g(p - x_i),    g(d) = envelope(d) wave(2 pi (F d.omega + phase_i)),    |d| <= 1
 //
-// Cells have the side of the kernel radius. Define before the file, as macros or specialization constants:
+// A cell is as wide as the kernel radius. Define before the file, as macros or specialization constants:
 //
 //   GABOR_IMPULSES   N, impulses per cell, at least 1; the mean for Poisson points, exact for all others
 //   GABOR_POINTS     0 Poisson   1 stratified   2 jittered   3 jittered hexagonal   4 Sobol   5 scrambled Sobol

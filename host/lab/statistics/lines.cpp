@@ -32,8 +32,8 @@ Lines::Lines(int side) : side_(side) {
     powers_.resize(frequencies.size() * steps * steps);
 }
 
-// A pixel cell * m + r has the phase -2 pi (f r / cell + step x / side) at f cycles per cell and some steps:
-// sums over m for each r serve all f.
+// A pixel cell * m + r has the phase -2 pi (f r / cell + step x / side) at f cycles per cell, plus `step`
+// cycles per picture: sums over m for each r serve all f.
 void Lines::add_row(std::span<const float> row) {
     std::array<std::array<Complex, cell>, steps> along{};
     const auto side = static_cast<std::size_t>(side_);

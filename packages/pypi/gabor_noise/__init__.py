@@ -81,7 +81,7 @@ def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, ori
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: float = 4.0, orientation: float = 0.0,
                  frequency_spread: float = 0.0, orientation_spread: float = np.pi / 2, seed: int = 0) -> NDArray[np.float32]:
     """Return noise of waves within `orientation_spread` radians of the orientation (pi/2: all directions) and within the
-    share `frequency_spread` (0 to 1) of the frequency. Its cost grows with their number: 10 noises at frequency 2."""
+    share `frequency_spread` (0 to 1) of the frequency. The cost grows with the number of waves: at frequency 2 it is that of 10 noises."""
     shape, flat, _ = _points(x, y)
     return _native.spread(*flat, frequency, orientation, frequency_spread, orientation_spread, seed & 0xFFFFFFFF).reshape(shape)
 

@@ -1582,8 +1582,9 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. Counting along it and between neighbouring lines, p repeats after one of each:
-// `other` completes a basis of the lattice of periods. The axes are no longer at right angles, which long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
+// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
+// long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;

@@ -29,7 +29,7 @@ rl.SetConfigFlags(rl.FLAG_WINDOW_HIDDEN)
 rl.InitWindow(256, 257, b"Gabor noise")
 shader = rl.LoadShaderFromMemory(ffi.NULL, FRAGMENT.encode())  # no vertex shader is NULL, not ""
 
-# LoadRenderTexture makes bytes; floats are made by hand.
+# LoadRenderTexture only creates 8-bit targets, so this creates a target of floats itself.
 target = rl.rlLoadFramebuffer()
 texture = rl.rlLoadTexture(ffi.NULL, 256, 257, rl.PIXELFORMAT_UNCOMPRESSED_R32G32B32A32, 1)
 rl.rlFramebufferAttach(target, texture, rl.RL_ATTACHMENT_COLOR_CHANNEL0, rl.RL_ATTACHMENT_TEXTURE2D, 0)

@@ -1,6 +1,6 @@
 // The erosion filter with stripes of random splats, from its description: runevision, "Fast and gorgeous erosion filter",
 // March 2026. In each octave, each of 4 x 4 cells has one splat at a random place: a wave with the direction at the point,
-// under a round window. The yardstick of gabor_eroded, with the same structs and parameters.
+// under a round window. What gabor_eroded is compared with; it has the same structs and parameters.
 
 // Two random numbers in [0, 1) for a cell: PCG2D of Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
